@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What every target of this project has in common.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_AUTOMOC ON)
+set(CMAKE_AUTORCC ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+set_property(GLOBAL PROPERTY AUTOGEN_TARGETS_FOLDER autogen)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+add_link_options(-Wl,--as-needed)
+
+# The same input must give the same tree on every machine: no fused multiply-add, no fast maths, no machine tuning.
+add_compile_options(-ffp-contract=off)
+# Qt's keyword "emit" breaks TBB's headers: write Q_EMIT, Q_SIGNALS, Q_SLOTS.
+add_compile_definitions(QT_NO_KEYWORDS QT_DISABLE_DEPRECATED_BEFORE=0x060000)
+
+if(ESPALIER_SANITISE)
+    set(sanitisers -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    add_compile_options(${sanitisers})
+    add_link_options(${sanitisers})
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+mark_as_advanced(CCACHE_PROGRAM)
+if(CCACHE_PROGRAM)
+    # Without these, ccache never finds again what was built with a precompiled header.
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+        CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime "${CCACHE_PROGRAM}")
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+        add_compile_options(-fpch-preprocess)
+    endif()
+endif()
+
+# Headers that any layer may need, and those that any layer with widgets may need. They are compiled once; a source
+# still includes what it uses.
+set(ESPALIER_CORE_HEADERS
+    <algorithm> <array> <cmath> <cstdint> <functional> <limits> <memory> <numbers> <optional> <span> <string>
+    <string_view> <unordered_map> <utility> <variant> <vector>
+    <QByteArray> <QHash> <QImage> <QJsonArray> <QJsonDocument> <QJsonObject> <QList> <QObject> <QString> <QUndoStack>
+    <Eigen/Core> <Eigen/Geometry>)
+set(ESPALIER_WIDGET_HEADERS
+    ${ESPALIER_CORE_HEADERS}
+    <QAction> <QBoxLayout> <QIcon> <QLabel> <QMainWindow> <QMouseEvent> <QPainter> <QSettings> <QSlider> <QTimer>
+    <QToolButton> <QWidget>)
+
+# The strict settings of this project's own code; nothing of others is compiled with them.
+function(espalier_own_code target)
+    target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}")
+    target_compile_definitions(${target} PRIVATE ESPALIER_VERSION="${PROJECT_VERSION}")
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow)
+    # The sanitizers' own code makes the compiler see faults that are not there.
+    if(NOT ESPALIER_SANITISE)
+        target_compile_options(${target} PRIVATE -Werror)
+    endif()
+endfunction()
+
+# espalier_precompiled(name LINKS target… HEADERS header…)
+#
+# A set of precompiled headers for the libraries that name it.
+function(espalier_precompiled name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINKS;HEADERS")
+    file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" CONTENT "")
+    add_library(${name} OBJECT EXCLUDE_FROM_ALL "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+    set_target_properties(${name} PROPERTIES AUTOMOC OFF AUTORCC OFF)
+    target_link_libraries(${name} PRIVATE ${arg_LINKS})
+    target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+    espalier_own_code(${name})
+endfunction()
+
+# espalier_library(name PRECOMPILED set [LINKS target…] [SOURCES file…])
+#
+# One layer as a static library. A layer without sources is an interface library, so that it can be linked to before
+# it has any.
+function(espalier_library name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "PRECOMPILED" "LINKS;SOURCES")
+    if(arg_UNPARSED_ARGUMENTS)
+        message(FATAL_ERROR "espalier_library(${name}): what is ${arg_UNPARSED_ARGUMENTS}?")
+    endif()
+    if(NOT arg_SOURCES)
+        add_library(${name} INTERFACE)
+        target_link_libraries(${name} INTERFACE ${arg_LINKS})
+        return()
+    endif()
+    add_library(${name} STATIC)
+    target_sources(${name} PRIVATE ${arg_SOURCES})
+    target_link_libraries(${name} PUBLIC ${arg_LINKS})
+    target_precompile_headers(${name} REUSE_FROM ${arg_PRECOMPILED})
+    espalier_own_code(${name})
+endfunction()
+
+# espalier_resources(name PREFIX prefix BASE folder FILES file…)
+#
+# Files to be found under ":/prefix" in every executable that links to the target of that name, directly or not.
+# Qt registers a resource while the object file that holds it is loaded, and a linker leaves out of a static library
+# any object nobody refers to; so the objects are handed to the executables themselves.
+function(espalier_resources name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX;BASE" "FILES")
+    add_library(${name} INTERFACE)
+    if(NOT arg_FILES)
+        return()
+    endif()
+    add_library(${name}_objects OBJECT)
+    qt_add_resources(${name}_objects ${name} PREFIX "${arg_PREFIX}" BASE "${arg_BASE}" FILES ${arg_FILES})
+    target_link_libraries(${name}_objects PRIVATE Qt6::Core)
+    target_link_libraries(${name} INTERFACE $<TARGET_OBJECTS:${name}_objects>)
+    add_dependencies(${name} ${name}_objects)
+endfunction()

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Vector.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace espalier {
+
+/// What a random number is for. Part of its key, so that two uses never share a value; append only, since the values of
+/// the enumerators are part of "same recipe, same tree".
+enum class Purpose : std::uint32_t {
+    BrushMarker,
+    BudMarker,
+    TropismPlane,
+    BranchingAngle,
+    Phyllotaxis,
+    DeflectionAngle,
+    ShootLength,
+    BudDormancy,
+    Leaf,
+    Direction,
+    InternodeLength,
+};
+
+/// Counter-based random numbers: a pure function of (seed, step, id, purpose, counter), never of the order of calls, so that
+/// one thread or many give the same tree. The mixing is SplitMix64's finaliser, applied to each part of the key in turn.
+class Random {
+public:
+    Random(std::uint64_t seed, std::uint32_t step, std::uint32_t id, Purpose purpose)
+        : m_key(mix(mix(mix(seed) ^ ((std::uint64_t{step} << 32) | id)) ^ static_cast<std::uint64_t>(purpose)))
+    {
+    }
+
+    std::uint64_t bits() { return mix(m_key + kGamma * ++m_counter); }
+
+    /// Uniform in [0, 1), 53 bits.
+    double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+    /// Uniform in [from, to).
+    double uniform(double from, double to) { return from + (to - from) * uniform(); }
+    /// Mean 0, standard deviation 1 (Box-Muller; two draws a call).
+    double normal()
+    {
+        const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+        return radius * std::cos(2.0 * std::numbers::pi * uniform());
+    }
+    /// Uniform on the unit sphere.
+    Vec3 direction()
+    {
+        const double z = uniform(-1.0, 1.0);
+        const double azimuth = uniform(0.0, 2.0 * std::numbers::pi);
+        const double ring = std::sqrt(1.0 - z * z);
+        return {static_cast<float>(ring * std::cos(azimuth)), static_cast<float>(z),
+                static_cast<float>(ring * std::sin(azimuth))};
+    }
+    /// Uniform in the unit ball.
+    Vec3 inBall()
+    {
+        const auto radius = static_cast<float>(std::cbrt(uniform()));
+        return radius * direction();
+    }
+
+private:
+    static constexpr std::uint64_t kGamma = 0x9e3779b97f4a7c15U;
+
+    static std::uint64_t mix(std::uint64_t value)
+    {
+        value += kGamma;
+        value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9U;
+        value = (value ^ (value >> 27)) * 0x94d049bb133111ebU;
+        return value ^ (value >> 31);
+    }
+
+    std::uint64_t m_key;
+    std::uint64_t m_counter = 0;
+};
+
+} // namespace espalier

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/growth/GrowthIndex.h"
+#include "model/tree/Tree.h"
+#include "model/tree/TreeDelta.h"
+#include "model/tree/TreeIndex.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace espalier {
+
+/// What happened to the document's tree.
+struct TreeChange {
+    enum class Kind {
+        Applied,  ///< delta was applied
+        Reverted, ///< delta was reverted
+        Reset,    ///< another tree stands here now; delta is null
+    };
+
+    Kind kind = Kind::Reset;
+    const TreeDelta* delta = nullptr;
+};
+
+/// A tree, its journal and its undo stack. Whoever changes the tree does so by deltas through this class; whoever shows it
+/// listens to changed().
+class TreeDocument : public QObject {
+    Q_OBJECT
+
+public:
+    explicit TreeDocument(QObject* parent = nullptr);
+    ~TreeDocument() override;
+
+    const Tree& tree() const { return m_tree; }
+    const TreeIndex& index() const { return m_index; }
+    const GrowthIndex& growthIndex() const { return m_growthIndex; }
+    const TreeParameters& parameters() const { return m_tree.parameters(); }
+    const Journal& journal() const { return m_journal; }
+    QUndoStack& undoStack() { return m_undoStack; }
+    const QUndoStack& undoStack() const { return m_undoStack; }
+
+    /// Starts anew from a seedling; clears the undo stack.
+    void reset(std::uint64_t seed, const TreeParameters& parameters = {});
+    /// Takes over a tree that was read from a file, with its journal; clears the undo stack.
+    void reset(Tree tree, Journal journal);
+
+    /// Applies @p delta and appends it to the journal.
+    void apply(std::shared_ptr<TreeDelta> delta);
+    /// Reverts the journal's last delta and takes it out.
+    void revertLast();
+    /// See Tree::rememberParameters.
+    std::uint32_t rememberParameters(const TreeParameters& parameters);
+    /// See Tree::forgetLastParameters.
+    void forgetLastParameters();
+
+    /// Bytes of the tree, its indices and its journal.
+    std::size_t bytes() const;
+
+Q_SIGNALS:
+    void changed(const espalier::TreeChange& change);
+
+private:
+    Tree m_tree;
+    TreeIndex m_index;
+    GrowthIndex m_growthIndex;
+    Journal m_journal;
+    QUndoStack m_undoStack;
+};
+
+} // namespace espalier

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/growth/GrowingTree.h"
+
+#include "model/growth/Buds.h"
+
+namespace espalier {
+
+GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspace& workspace)
+    : m_tree(tree), m_index(index), m_workspace(workspace), m_delta(TreeDelta::startingAt(tree)),
+      m_rows(std::make_unique<InternodeColumns>()),
+      m_space(static_cast<float>(tree.parameters().growth.occupancyRadius * tree.parameters().growth.internodeLength),
+              {})
+{
+    m_workspace.buds.clear(tree.size());
+}
+
+InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& direction, double roll, double length,
+                              double vigour)
+{
+    const InternodeId id = size();
+    const auto bit = static_cast<BudMask>(~budBit(slot));
+    if (isNew(parent)) {
+        m_rows->buds[parent - m_tree.size()] &= bit;
+    } else {
+        const auto before = buds(parent);
+        if (m_workspace.buds.setOnce(parent, before & bit))
+            m_changedBuds.push_back(parent);
+        else
+            m_workspace.buds.set(parent, before & bit);
+    }
+
+    const Rotation& parentRotation = rotation(parent);
+    const Vec3 heading = parentRotation * Vec3(Vec3::UnitY());
+    const Rotation turn(Eigen::Quaternionf::FromTwoVectors(heading, direction));
+    const Rotation spin(Eigen::Quaternionf(Eigen::AngleAxisf(static_cast<float>(roll), Vec3::UnitY())));
+    const Rotation local = (parentRotation.conjugate() * (turn * parentRotation) * spin).normalized();
+
+    m_rows->parent.append(parent);
+    m_rows->rotation.append(local);
+    m_rows->length.append(static_cast<float>(length));
+    m_rows->vigour.append(static_cast<float>(vigour));
+    m_rows->slot.append(static_cast<std::uint8_t>(slot));
+    m_rows->buds.append(newBuds(m_tree.parameters().growth));
+    m_rows->birth.append(m_tree.step() + 1);
+    m_rows->death.append(kNever);
+    m_rows->present.append(1);
+    m_rows->parameterSet.append(static_cast<std::uint16_t>(m_tree.currentParameterSet()));
+
+    const Placement placement = placeOn(nodePosition(parent), parentRotation, local, static_cast<float>(length));
+    m_axes.push_back(slot == kTerminalSlot ? axis(parent) : id);
+    m_positions.push_back(placement.node);
+    m_rotations.push_back(placement.rotation);
+    m_space.insert(id - m_tree.size(), placement.node);
+    return id;
+}
+
+std::vector<Cell> GrowingTree::newCells() const
+{
+    std::vector<Cell> cells;
+    cells.reserve(m_positions.size());
+    for (const Vec3& position : m_positions)
+        cells.push_back(m_space.cellAt(position));
+    std::ranges::sort(cells);
+    const auto repeated = std::ranges::unique(cells);
+    cells.erase(repeated.begin(), repeated.end());
+    return cells;
+}
+
+TreeDelta GrowingTree::takeDelta()
+{
+    for (const InternodeId id : m_changedBuds)
+        m_delta.buds.push_back({id, m_tree.buds(id), m_workspace.buds[id]});
+    m_delta.born.count = m_rows->size();
+    if (m_delta.born.count > 0)
+        m_delta.rows = std::move(m_rows);
+    if (!m_delta.isEmpty())
+        m_delta.stepAfter = m_delta.stepBefore + 1;
+    return std::move(m_delta);
+}
+
+} // namespace espalier

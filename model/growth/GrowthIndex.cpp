@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/growth/GrowthIndex.h"
+
+#include "model/growth/Buds.h"
+
+#include <cmath>
+
+namespace espalier {
+
+GrowthIndex::Settings GrowthIndex::settingsOf(const GrowthParameters& p)
+{
+    return {static_cast<float>(p.occupancyRadius * p.internodeLength),
+            {p.shadowIntensity, p.shadowFalloff, p.shadowDepth},
+            p.lightSensitivity,
+            {p.ellipseVertical, p.ellipseParallel, p.ellipseOffset}};
+}
+
+void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
+{
+    m_settings = settingsOf(tree.parameters().growth);
+    m_space = VoxelSpace(m_settings.edge, m_settings.pyramid);
+    m_inSpace.assign(tree.size(), 0);
+    m_own.assign(tree.size(), 0);
+    m_basipetal.assign(tree.size(), 0);
+    m_pending.assign(tree.size(), 0);
+    m_sweep = {};
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id)) {
+            m_space.insert(id, index.nodePosition(id));
+            m_inSpace[id] = 1;
+        }
+    }
+    castAndSweep(tree, index);
+}
+
+void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
+{
+    if (delta.parametersBefore != delta.parametersAfter && settingsOf(tree.parameters().growth) != m_settings) {
+        rebuild(tree, index);
+        return;
+    }
+    m_inSpace.resize(tree.size(), 0);
+    m_own.resize(tree.size(), 0);
+    m_basipetal.resize(tree.size(), 0);
+    m_pending.resize(tree.size(), 0);
+    delta.forEachTouched([&](InternodeId id) {
+        const bool alive = tree.isAlive(id);
+        if (alive == (m_inSpace[id] != 0))
+            return;
+        m_inSpace[id] = alive ? 1 : 0;
+        if (alive)
+            m_space.insert(id, index.nodePosition(id));
+        else
+            m_space.remove(id, index.nodePosition(id));
+    });
+    // Light changes with the shadows cast below; buds that came or went change their node's sum where the light did not.
+    delta.forEachTouched([&](InternodeId id) {
+        refresh(tree, index, id, sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id)))));
+    });
+    castAndSweep(tree, index);
+}
+
+void GrowthIndex::castAndSweep(const Tree& tree, const TreeIndex& index)
+{
+    m_space.castShadows([&](InternodeId first, std::uint32_t shadow) {
+        const double sensed = sensedLight(shadow);
+        for (InternodeId id = first; id != kNoInternode; id = m_space.nextInCell(id))
+            refresh(tree, index, id, sensed);
+    });
+    m_sweep.run(tree.columns().parent, [&](InternodeId id, InternodeId parent) {
+        const std::int64_t pending = std::exchange(m_pending[id], 0);
+        m_basipetal[id] += pending;
+        if (parent != kNoInternode)
+            m_pending[parent] += pending;
+    });
+}
+
+double GrowthIndex::sensedLight(std::uint32_t shadow) const
+{
+    return std::pow(static_cast<double>(m_space.lightOfShadow(shadow)), m_settings.lightSensitivity);
+}
+
+std::int32_t GrowthIndex::bias(const Tree& tree, const TreeIndex& index, InternodeId id, int slot, double sensed) const
+{
+    // Gravimorphism is a matter of lateral buds; a terminal one lies along its axis.
+    double b = 1.0;
+    if (slot != kTerminalSlot && !m_settings.ellipse.isNeutral()) {
+        const Rotation& rotation = index.rotation(id);
+        const Vec3 bud = budDirection(tree.seed(), id, slot, rotation, tree.parametersOf(id).growth);
+        b = gravimorphicBias(m_settings.ellipse, rotation * Vec3(Vec3::UnitY()), bud);
+    }
+    return static_cast<std::int32_t>(b * sensed * kUnit + 0.5);
+}
+
+void GrowthIndex::refresh(const Tree& tree, const TreeIndex& index, InternodeId id, double sensed)
+{
+    std::int32_t own = 0;
+    if (tree.isAlive(id)) {
+        for (unsigned rest = tree.buds(id); rest != 0; rest &= rest - 1)
+            own += bias(tree, index, id, std::countr_zero(rest), sensed);
+    }
+    const std::int32_t change = own - m_own[id];
+    if (change == 0)
+        return;
+    m_own[id] = own;
+    m_pending[id] += change;
+    m_sweep.mark(id);
+}
+
+std::int64_t GrowthIndex::terminalQ(const Tree& tree, const TreeIndex& index, InternodeId id) const
+{
+    return (tree.buds(id) & kTerminalBud) != 0 ? lateralQ(tree, index, id, kTerminalSlot) : 0;
+}
+
+std::int64_t GrowthIndex::lateralQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const
+{
+    return bias(tree, index, id, slot, sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id)))));
+}
+
+std::size_t GrowthIndex::bytes() const
+{
+    return m_space.bytes() + m_inSpace.capacity() + m_own.capacity() * sizeof(std::int32_t) +
+           (m_basipetal.capacity() + m_pending.capacity()) * sizeof(std::int64_t);
+}
+
+} // namespace espalier

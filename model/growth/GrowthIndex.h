@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/growth/Gravimorphism.h"
+#include "model/growth/VoxelSpace.h"
+#include "model/tree/AncestorSweep.h"
+#include "model/tree/TreeIndex.h"
+
+#include <span>
+#include <vector>
+
+namespace espalier {
+
+/// What growth asks of a tree: which buds are near a point, how much light falls there, and how much of it all that an
+/// internode carries receives. Follows the tree's deltas, forwards and backwards; all sums are of integers, so that equal trees
+/// have equal indices, however they came about.
+class GrowthIndex {
+public:
+    /// Q = 1 in the integer unit of the sums.
+    static constexpr double kUnit = 1 << 24;
+
+    GrowthIndex() = default;
+    GrowthIndex(const Tree& tree, const TreeIndex& index) { rebuild(tree, index); }
+
+    void rebuild(const Tree& tree, const TreeIndex& index);
+    /// Follows @p delta, which @p tree and @p index have just applied or reverted.
+    void update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
+
+    const VoxelSpace& space() const { return m_space; }
+
+    /// Light L at a point, 0...1: trilinear between voxels.
+    float light(const Vec3& position) const { return m_space.lightAt(position); }
+
+    /// Q = b L^κ (TreeSketch §3.2), in units of 1 / kUnit, of all living buds at the node of @p id and above: what flows down through
+    /// the internode; 0 for the dead.
+    std::int64_t basipetal(InternodeId id) const { return m_basipetal[id]; }
+    /// The part of it that comes from the node's own terminal bud; 0 if there is none.
+    std::int64_t terminalQ(const Tree& tree, const TreeIndex& index, InternodeId id) const;
+    /// The part of it that comes from the node's living lateral bud @p slot.
+    std::int64_t lateralQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const;
+
+    std::size_t bytes() const;
+
+private:
+    /// What of the parameters the sums depend on.
+    struct Settings {
+        float edge = 0.0F;
+        ShadowPyramid pyramid;
+        double lightSensitivity = 1.0;
+        GravimorphismEllipse ellipse;
+        bool operator==(const Settings&) const = default;
+    };
+    static Settings settingsOf(const GrowthParameters& parameters);
+
+    double sensedLight(std::uint32_t shadow) const;
+    std::int32_t bias(const Tree& tree, const TreeIndex& index, InternodeId id, int slot, double sensed) const;
+    void refresh(const Tree& tree, const TreeIndex& index, InternodeId id, double sensed);
+    void castAndSweep(const Tree& tree, const TreeIndex& index);
+
+    Settings m_settings;
+    VoxelSpace m_space;
+    std::vector<std::uint8_t> m_inSpace;
+    std::vector<std::int32_t> m_own;       ///< Sum over the node's own buds
+    std::vector<std::int64_t> m_basipetal;
+    std::vector<std::int64_t> m_pending;
+    AncestorSweep m_sweep;
+};
+
+} // namespace espalier

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/growth/GrowthStep.h"
+
+#include "model/base/Random.h"
+#include "model/growth/BorchertHonda.h"
+#include "model/growth/Buds.h"
+#include "model/growth/Shedding.h"
+
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+/// Standard deviations at full irregularity.
+constexpr double kRollSpread = radians(30);
+constexpr double kLengthSpread = 0.25;
+constexpr double kDirectionSpread = 0.12;
+
+/// A bud that is becoming a shoot.
+struct Shoot {
+    BudRef bud;      ///< That grows next: moves up with the shoot's tip
+    Vec3 space;      ///< E
+    float vigour;    ///< 0...1 of the step's greatest
+    int remaining;   ///< internodes
+    int grown = 0;
+};
+
+/// The directions that new internodes take.
+class Orientation {
+public:
+    Orientation(const GrowingTree& tree, const GrowthStepOptions& options)
+        : m_tree(tree), m_options(options), m_parameters(tree.tree().parameters().growth)
+    {
+    }
+
+    Vec3 of(const Shoot& shoot) const
+    {
+        const auto [node, slot] = shoot.bud;
+        Vec3 heading = budDirection(m_tree.tree().seed(), node, slot, m_tree.rotation(node), m_tree.grownWith(node));
+        if (slot == kTerminalSlot && shoot.grown == 0)
+            heading = deflected(node, heading);
+
+        const bool isTrunk = slot == kTerminalSlot && m_tree.axis(node) == 0;
+        const double theta = isTrunk && m_parameters.uprightTrunk ? 0.0 : m_options.setPointAngle;
+        Random random(m_tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::TropismPlane);
+        const double azimuth = random.uniform(0.0, 2.0 * std::numbers::pi);
+        const Vec3 level(static_cast<float>(std::cos(azimuth)), 0.0F, static_cast<float>(std::sin(azimuth)));
+
+        const Vec3 direction =
+            growthDirection(m_options.weights, heading, tropismVector(heading, theta, level), shoot.space);
+        const auto spread = static_cast<float>(m_parameters.irregularity * kDirectionSpread * m_options.weights.axis);
+        Random wander(m_tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::Direction);
+        return (direction + spread * wander.direction()).normalized();
+    }
+
+private:
+    /// The main axis turns by δ away from each lateral that has started at its node, in the plane of the two (TreeSketch §3.2).
+    Vec3 deflected(InternodeId node, const Vec3& heading) const
+    {
+        const GrowthParameters& grown = m_tree.grownWith(node);
+        Vec3 result = heading;
+        const auto started = static_cast<unsigned>(newBuds(grown) & ~m_tree.buds(node) & ~kTerminalBud);
+        for (unsigned rest = started; rest != 0; rest &= rest - 1) {
+            const Vec3 lateral = budDirection(m_tree.tree().seed(), node, std::countr_zero(rest), m_tree.rotation(node), grown);
+            const Vec3 axis = heading.cross(lateral);
+            if (axis.norm() > 1e-4F)
+                result = Eigen::AngleAxisf(-static_cast<float>(m_parameters.deflectionAngle), axis.normalized()) * result;
+        }
+        return result;
+    }
+
+    const GrowingTree& m_tree;
+    const GrowthStepOptions& m_options;
+    const GrowthParameters& m_parameters;
+};
+
+InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction)
+{
+    const GrowthParameters& p = tree.tree().parameters().growth;
+    const auto [node, slot] = shoot.bud;
+    Random random(tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::Phyllotaxis);
+    // A new branch starts at a roll of its own; along an axis the phyllotactic angle counts.
+    const double roll = slot == kTerminalSlot ? p.phyllotaxis + p.irregularity * kRollSpread * random.normal()
+                                              : random.uniform(0.0, 2.0 * std::numbers::pi);
+    const double stretch = std::clamp(1.0 + p.irregularity * kLengthSpread * random.normal(), 0.4, 1.6);
+    return tree.grow(node, slot, direction, roll, p.internodeLength * stretch, shoot.vigour);
+}
+
+std::vector<Shoot> startShoots(const std::vector<EnabledBud>& enabled, VigourFlow& flow, const GrowthStepOptions& options,
+                               int longest)
+{
+    std::vector<double> vigours;
+    vigours.reserve(enabled.size());
+    double greatest = 0.0;
+    for (const EnabledBud& bud : enabled) {
+        vigours.push_back(flow.ofBud(bud.bud.node, bud.bud.slot));
+        greatest = std::max(greatest, vigours.back());
+    }
+    std::vector<Shoot> shoots;
+    for (std::size_t i = 0; i < enabled.size(); ++i) {
+        const int length = shootLength(vigours[i], greatest, longest);
+        if (length > 0 && vigours[i] >= options.leastVigour * greatest)
+            shoots.push_back({enabled[i].bud, enabled[i].space, static_cast<float>(vigours[i] / greatest), length});
+    }
+    return shoots;
+}
+
+/// Lets the enabled buds become shoots, in lockstep, and sheds what they put in the dark.
+void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flow, const std::vector<EnabledBud>& enabled,
+                MarkerSet& markers, const GrowthStepOptions& options, GrowthWorkspace& workspace)
+{
+    const Orientation orientation(growing, options);
+    std::vector<Shoot> shoots =
+        startShoots(enabled, flow, options, growing.tree().parameters().growth.maxShootLength);
+    std::vector<InternodeId> growingAt;
+    for (const Shoot& shoot : shoots)
+        growingAt.push_back(shoot.bud.node);
+
+    while (!shoots.empty()) {
+        // By ascending node and slot: laterals that start at a node have turned its axis away before that goes on.
+        for (Shoot& shoot : shoots) {
+            const InternodeId id = growOne(growing, shoot, orientation.of(shoot));
+            shoot.bud = {id, kTerminalSlot};
+            ++shoot.grown;
+            --shoot.remaining;
+        }
+        std::erase_if(shoots, [](const Shoot& shoot) { return shoot.remaining == 0; });
+        if (shoots.empty())
+            break;
+        const auto stillFree =
+            competeForSpace(growing, growth.space(), options.perception, options.competitors, markers);
+        std::erase_if(shoots, [&](Shoot& shoot) {
+            const auto found = std::ranges::lower_bound(stillFree, shoot.bud, {}, &EnabledBud::bud);
+            if (found == stillFree.end() || found->bud != shoot.bud)
+                return true;
+            shoot.space = found->space;
+            return false;
+        });
+    }
+    if (options.sheds)
+        shedBranches(growing, growth, flow, growingAt, workspace);
+}
+
+struct VigorousBud {
+    BudRef bud;
+    double vigour;
+};
+
+/// All competing buds, the most vigorous first.
+std::vector<VigorousBud> budsByVigour(const GrowingTree& growing, VigourFlow& flow, const Competitors& competitors)
+{
+    std::vector<VigorousBud> buds;
+    const Tree& tree = growing.tree();
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id))
+            continue;
+        for (unsigned rest = tree.buds(id); rest != 0; rest &= rest - 1) {
+            const BudRef bud{id, std::countr_zero(rest)};
+            if (competes(growing, competitors, bud))
+                buds.push_back({bud, flow.ofBud(id, bud.slot)});
+        }
+    }
+    std::ranges::sort(buds, [](const VigorousBud& a, const VigorousBud& b) {
+        return a.vigour != b.vigour ? a.vigour > b.vigour : a.bud < b.bud;
+    });
+    return buds;
+}
+
+/// Markers uniform in the bud's volume of perception: the cone of angle ζ between the radii r and r + d.
+void layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Perception& perception, MarkerSet& markers)
+{
+    const Tree& tree = growing.tree();
+    const Vec3 heading =
+        budDirection(tree.seed(), bud.node, bud.slot, growing.rotation(bud.node), growing.grownWith(bud.node));
+    const Vec3 side = anyPerpendicular(heading);
+    const Vec3 other = heading.cross(side);
+    const double inner = std::pow(perception.occupancy, 3);
+    const double outer = std::pow(perception.reach, 3);
+    Random random(tree.seed(), tree.step(), bud.node * 8 + static_cast<std::uint32_t>(bud.slot), Purpose::BudMarker);
+    for (int i = 0; i < tree.parameters().growth.markersPerBud; ++i) {
+        const double radius = std::cbrt(random.uniform(inner, outer));
+        const double cosine = random.uniform(static_cast<double>(perception.cosHalfAngle), 1.0);
+        const double sine = std::sqrt(1.0 - cosine * cosine);
+        const double azimuth = random.uniform(0.0, 2.0 * std::numbers::pi);
+        const Vec3 direction = static_cast<float>(cosine) * heading +
+                               static_cast<float>(sine * std::cos(azimuth)) * side +
+                               static_cast<float>(sine * std::sin(azimuth)) * other;
+        const Vec3 marker = growing.nodePosition(bud.node) + static_cast<float>(radius) * direction;
+        if (marker.y() < 0.0F) // below the ground is no free space
+            continue;
+        markers.positions.push_back(marker);
+        markers.born.push_back(tree.step());
+    }
+}
+
+} // namespace
+
+GrowthStepOptions GrowthStepOptions::of(const GrowthParameters& p)
+{
+    GrowthStepOptions options;
+    options.weights = {p.axisWeight, p.tropismWeight, p.spaceWeight};
+    options.perception = Perception::of(p);
+    options.setPointAngle = p.setPointAngle;
+    return options;
+}
+
+int shootLength(double vigour, double greatestVigour, int longest)
+{
+    return greatestVigour > 0.0 ? static_cast<int>(std::floor(vigour / greatestVigour * longest)) : 0;
+}
+
+TreeDelta growthStep(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth, MarkerSet& markers,
+                     const GrowthStepOptions& options, GrowthWorkspace& workspace)
+{
+    GrowingTree growing(tree, index, workspace);
+    VigourFlow flow(tree, index, growth, workspace.vigour);
+    const auto enabled = competeForSpace(growing, growth.space(), options.perception, options.competitors, markers);
+    growShoots(growing, growth, flow, enabled, markers, options, workspace);
+    return growing.takeDelta();
+}
+
+TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth,
+                         const GrowthStepOptions& options, GrowthWorkspace& workspace)
+{
+    GrowingTree growing(tree, index, workspace);
+    VigourFlow flow(tree, index, growth, workspace.vigour);
+    std::vector<VigorousBud> buds = budsByVigour(growing, flow, options.competitors);
+
+    // A bud grows if v >= v_max / n_max, v_max being that of the strongest bud which is enabled; that is known once enough of the strong
+    // ones have competed. So markers appear for ever weaker buds until those that follow could not grow.
+    const int longest = tree.parameters().growth.maxShootLength;
+    MarkerSet markers;
+    std::vector<EnabledBud> enabled;
+    std::size_t seeded = 0;
+    double least = buds.empty() ? 0.0 : buds.front().vigour / longest;
+    while (seeded < buds.size() && buds[seeded].vigour > 0.0 && buds[seeded].vigour >= least) {
+        for (; seeded < buds.size() && buds[seeded].vigour > 0.0 && buds[seeded].vigour >= least; ++seeded)
+            layBudMarkers(growing, buds[seeded].bud, options.perception, markers);
+        enabled = competeForSpace(growing, growth.space(), options.perception, options.competitors, markers);
+        double greatest = 0.0;
+        for (const EnabledBud& bud : enabled)
+            greatest = std::max(greatest, flow.ofBud(bud.bud.node, bud.bud.slot));
+        // Where all of them are hemmed in, the next ones get their turn.
+        least = greatest > 0.0 ? greatest / longest : least / 2.0;
+    }
+    growShoots(growing, growth, flow, enabled, markers, options, workspace);
+    return growing.takeDelta();
+}
+
+InternodeId trunkTip(const TreeIndex& index)
+{
+    InternodeId tip = 0;
+    while (index.mainChild(tip) != kNoInternode)
+        tip = index.mainChild(tip);
+    return tip;
+}
+
+TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const Vec3& target, float distance, int count,
+                     GrowthWorkspace& workspace)
+{
+    GrowingTree growing(tree, index, workspace);
+    InternodeId tip = trunkTip(index);
+    for (int i = 0; i < count && (growing.buds(tip) & kTerminalBud) != 0; ++i) {
+        const Vec3 toTarget = target - growing.nodePosition(tip);
+        if (toTarget.norm() <= distance)
+            break;
+        const Vec3 heading = growing.heading(tip);
+        const Vec3 direction = growthDirection({0.6, 0.0, 0.4}, heading, heading, toTarget.normalized());
+        tip = growOne(growing, {{tip, kTerminalSlot}, toTarget, 1.0F, 1}, direction);
+    }
+    return growing.takeDelta();
+}
+
+} // namespace espalier

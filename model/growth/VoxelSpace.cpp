@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/growth/VoxelSpace.h"
+
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+/// Voxels further out than this are treated as lying at the border: far beyond any tree, and within 21 bits a coordinate.
+constexpr int kFarthest = 1 << 20;
+
+int coordinate(float value)
+{
+    return static_cast<int>(std::clamp(std::floor(value), -static_cast<float>(kFarthest), static_cast<float>(kFarthest)));
+}
+
+} // namespace
+
+VoxelSpace::VoxelSpace(float edge, const ShadowPyramid& pyramid) : m_edge(edge), m_pyramid(pyramid)
+{
+    for (int q = 0; q <= pyramid.depth; ++q) {
+        const double shadow = pyramid.intensity * std::pow(pyramid.falloff, -q);
+        m_layerShadow.push_back(static_cast<std::uint32_t>(std::llround(shadow * kShadowUnit)));
+    }
+}
+
+Cell VoxelSpace::cellAt(const Vec3& position) const
+{
+    return {coordinate(position.x() / m_edge), coordinate(position.y() / m_edge), coordinate(position.z() / m_edge)};
+}
+
+Vec3 VoxelSpace::centreOf(const Cell& cell) const
+{
+    return m_edge * Vec3(static_cast<float>(cell.x) + 0.5F, static_cast<float>(cell.y) + 0.5F,
+                         static_cast<float>(cell.z) + 0.5F);
+}
+
+void VoxelSpace::insert(InternodeId id, const Vec3& position)
+{
+    if (id >= m_next.size())
+        m_next.resize(std::max<std::size_t>(id + std::size_t{1}, m_next.size() + m_next.size() / 2), kNoInternode);
+    const Cell cell = cellAt(position);
+    Brick& brick = *m_bricks[makeBrick(cell.x >> 3, cell.y >> 3, cell.z >> 3)];
+    InternodeId& first = brick.first[voxelOf(cell)];
+    m_next[id] = first;
+    first = id;
+    ++brick.nodes;
+    m_pending.push_back({cell, 1});
+}
+
+void VoxelSpace::remove(InternodeId id, const Vec3& position)
+{
+    const Cell cell = cellAt(position);
+    Brick& brick = *m_bricks[m_index.at(keyOf(cell.x >> 3, cell.y >> 3, cell.z >> 3))];
+    InternodeId* place = &brick.first[voxelOf(cell)];
+    while (*place != id)
+        place = &m_next[*place];
+    *place = std::exchange(m_next[id], kNoInternode);
+    --brick.nodes;
+    m_pending.push_back({cell, -1});
+}
+
+void VoxelSpace::castPending()
+{
+    std::ranges::sort(m_pending, {}, &Caster::cell);
+    for (std::size_t i = 0; i < m_pending.size();) {
+        const Cell cell = m_pending[i].cell;
+        int count = 0;
+        for (; i < m_pending.size() && m_pending[i].cell == cell; ++i)
+            count += m_pending[i].count;
+        if (count == 0)
+            continue;
+        makeBricksBelow(cell);
+        forEachPyramidRow(cell, [&](std::uint32_t index, std::size_t row, int from, int to, int layer) {
+            Brick& brick = *m_bricks[index];
+            // Modulo 2^32, so that lifting a shadow is adding its complement.
+            const std::uint32_t shadow = static_cast<std::uint32_t>(count) * m_layerShadow[static_cast<std::size_t>(layer)];
+            for (std::size_t voxel = row * 8 + static_cast<std::size_t>(from); voxel <= row * 8 + static_cast<std::size_t>(to); ++voxel)
+                brick.shadow[voxel] += shadow;
+            brick.dirty[row / 8] |= rowBits(row, from, to);
+            if (!std::exchange(brick.listed, true))
+                m_dirtyBricks.push_back(index);
+        });
+    }
+    m_pending.clear();
+    for (const std::uint32_t index : m_dirtyBricks)
+        m_bricks[index]->listed = false;
+}
+
+void VoxelSpace::makeBricksBelow(const Cell& cell)
+{
+    for (int by = (cell.y - m_pyramid.depth) >> 3; by <= cell.y >> 3; ++by) {
+        // The pyramid is widest at the brick's lowest layer that it reaches.
+        const int q = std::min(m_pyramid.depth, cell.y - by * 8);
+        for (int bz = (cell.z - q) >> 3; bz <= (cell.z + q) >> 3; ++bz) {
+            for (int bx = (cell.x - q) >> 3; bx <= (cell.x + q) >> 3; ++bx)
+                makeBrick(bx, by, bz);
+        }
+    }
+}
+
+std::uint64_t VoxelSpace::keyOf(int bx, int by, int bz)
+{
+    const auto part = [](int value) { return static_cast<std::uint64_t>(value + kFarthest) & 0x1fffff; };
+    // Spread, since the map's own hash of an integer is the integer.
+    return (part(bx) << 42 | part(by) << 21 | part(bz)) * 0x9e3779b97f4a7c15U;
+}
+
+std::uint32_t VoxelSpace::makeBrick(int bx, int by, int bz)
+{
+    const auto [place, isNew] = m_index.try_emplace(keyOf(bx, by, bz), static_cast<std::uint32_t>(m_bricks.size()));
+    if (isNew) {
+        m_bricks.push_back(std::make_unique<Brick>());
+        m_bricks.back()->first.fill(kNoInternode);
+        m_coordinates.push_back({bx, by, bz});
+    }
+    return place->second;
+}
+
+std::uint32_t VoxelSpace::shadow(const Cell& cell) const
+{
+    const Brick* brick = findBrick(cell.x >> 3, cell.y >> 3, cell.z >> 3);
+    return brick == nullptr ? 0 : brick->shadow[voxelOf(cell)];
+}
+
+float VoxelSpace::lightOfShadow(std::uint32_t shadow) const
+{
+    const double light = 1.0 - static_cast<double>(shadow) / kShadowUnit + m_pyramid.intensity;
+    return static_cast<float>(std::clamp(light, 0.0, 1.0));
+}
+
+float VoxelSpace::lightAt(const Vec3& position) const
+{
+    const Vec3 scaled = position / m_edge - Vec3::Constant(0.5F);
+    const Cell cell{coordinate(scaled.x()), coordinate(scaled.y()), coordinate(scaled.z())};
+    const Vec3 t = scaled - Vec3(static_cast<float>(cell.x), static_cast<float>(cell.y), static_cast<float>(cell.z));
+    float sum = 0.0F;
+    for (int corner = 0; corner < 8; ++corner) {
+        const int dx = corner & 1;
+        const int dy = (corner >> 1) & 1;
+        const int dz = corner >> 2;
+        const float weight = (dx != 0 ? t.x() : 1.0F - t.x()) * (dy != 0 ? t.y() : 1.0F - t.y()) *
+                             (dz != 0 ? t.z() : 1.0F - t.z());
+        sum += weight * light({cell.x + dx, cell.y + dy, cell.z + dz});
+    }
+    return std::clamp(sum, 0.0F, 1.0F);
+}
+
+VoxelSpace::Bounds VoxelSpace::bounds() const
+{
+    Bounds bounds;
+    for (std::size_t i = 0; i < m_coordinates.size(); ++i) {
+        const Cell& b = m_coordinates[i];
+        const Cell lower{b.x * 8, b.y * 8, b.z * 8};
+        const Cell upper{b.x * 8 + 7, b.y * 8 + 7, b.z * 8 + 7};
+        if (i == 0) {
+            bounds = {lower, upper};
+            continue;
+        }
+        bounds.lower = {std::min(bounds.lower.x, lower.x), std::min(bounds.lower.y, lower.y), std::min(bounds.lower.z, lower.z)};
+        bounds.upper = {std::max(bounds.upper.x, upper.x), std::max(bounds.upper.y, upper.y), std::max(bounds.upper.z, upper.z)};
+    }
+    return bounds;
+}
+
+std::size_t VoxelSpace::bytes() const
+{
+    return m_bricks.size() * (sizeof(Brick) + sizeof(void*) + sizeof(Cell) + 48) + m_next.capacity() * sizeof(InternodeId);
+}
+
+} // namespace espalier

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/ParametersJson.h"
+
+#include "model/io/JsonReader.h"
+
+#include <QCoreApplication>
+#include <QSet>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ParametersJson)
+};
+
+/// "growth" and "shedding" of "growth.shedding".
+struct Key {
+    QString group;
+    QString name;
+
+    explicit Key(const ParameterInfo& info)
+    {
+        const auto parts = QLatin1StringView(info.key).split(QLatin1Char('.')).toVector();
+        group = parts.at(0);
+        name = parts.at(1);
+    }
+};
+
+/// The angle in degrees, with as few digits as lead back to exactly the same radians. Every angle that was ever given in degrees
+/// has such a number; for others the nearest one is taken.
+double shortestDegrees(double angle)
+{
+    const double direct = degrees(angle);
+    char text[40];
+    for (int digits = 1; digits < 17; ++digits) {
+        const auto end = std::to_chars(text, text + sizeof text, direct, std::chars_format::general, digits).ptr;
+        double candidate = 0.0;
+        std::from_chars(text, end, candidate);
+        if (radians(candidate) == angle)
+            return candidate;
+    }
+    double below = direct;
+    double above = direct;
+    for (int i = 0; i < 4; ++i) {
+        if (radians(below) == angle)
+            return below;
+        if (radians(above) == angle)
+            return above;
+        below = std::nextafter(below, -1e9);
+        above = std::nextafter(above, 1e9);
+    }
+    return direct;
+}
+
+template <class T>
+QJsonValue valueToJson(const ParameterInfo& info, T field)
+{
+    if constexpr (std::is_enum_v<T>)
+        return QString(QLatin1StringView(info.choices).split(QLatin1Char(' ')).toVector().at(static_cast<int>(field)));
+    else if constexpr (std::is_same_v<T, double>)
+        return info.quantity == Quantity::Angle ? shortestDegrees(field) : field;
+    else
+        return field;
+}
+
+/// What is wrong with @p value, or nothing; then @p field has it.
+template <class T>
+std::optional<QString> readValue(const ParameterInfo& info, const QJsonValue& value, T& field)
+{
+    if constexpr (std::is_same_v<T, bool>) {
+        if (!value.isBool())
+            return Text::tr("true or false is expected");
+        field = value.toBool();
+    } else if constexpr (std::is_enum_v<T>) {
+        const QStringList choices = QString::fromLatin1(info.choices).split(QLatin1Char(' '));
+        const auto choice = value.isString() ? choices.indexOf(value.toString()) : -1;
+        if (choice < 0)
+            return Text::tr("one of these is expected: %1").arg(choices.join(QLatin1String(", ")));
+        field = static_cast<T>(choice);
+    } else {
+        const double number = value.toDouble();
+        constexpr bool whole = std::is_same_v<T, int>;
+        if (!value.isDouble() || (whole && std::floor(number) != number))
+            return whole ? Text::tr("a whole number is expected") : Text::tr("a number is expected");
+        if (!(number >= info.minimum && number <= info.maximum))
+            return Text::tr("%1 is not within %2…%3").arg(number).arg(info.minimum).arg(info.maximum);
+        field = static_cast<T>(info.quantity == Quantity::Angle ? radians(number) : number);
+    }
+    return {};
+}
+
+/// What contradicts what, and in which field.
+std::optional<Error> contradiction(const GrowthParameters& growth, const QString& place)
+{
+    if (growth.axisWeight + growth.tropismWeight + growth.spaceWeight <= 0.0) {
+        return inputError(place + QLatin1String(".growth.axisWeight"),
+                          Text::tr("axisWeight, tropismWeight and spaceWeight must not all be 0"));
+    }
+    if (std::abs(growth.ellipseOffset) > 0.99 * growth.ellipseVertical) {
+        return inputError(place + QLatin1String(".growth.ellipseOffset"),
+                          Text::tr("it must not be beyond 0.99 times ellipseVertical, which is %1")
+                              .arg(growth.ellipseVertical));
+    }
+    return {};
+}
+
+QString unknownName(const QJsonObject& json, const QHash<QString, QSet<QString>>& known)
+{
+    for (auto group = json.begin(); group != json.end(); ++group) {
+        const auto names = known.find(group.key());
+        if (names == known.end())
+            return group.key();
+        const QJsonObject members = group.value().toObject();
+        for (auto member = members.begin(); member != members.end(); ++member) {
+            if (!names->contains(member.key()))
+                return group.key() + QLatin1Char('.') + member.key();
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+QJsonObject toJson(const TreeParameters& parameters)
+{
+    QHash<QString, QJsonObject> groups;
+    visitParameters(parameters, [&](const ParameterInfo& info, const auto& field) {
+        const Key key(info);
+        groups[key.group].insert(key.name, valueToJson(info, field));
+    });
+    QJsonObject json;
+    for (auto group = groups.cbegin(); group != groups.cend(); ++group)
+        json.insert(group.key(), group.value());
+    return json;
+}
+
+QJsonObject toJson(const TreeParameters& parameters, const TreeParameters& base)
+{
+    QJsonObject json = toJson(parameters);
+    const QJsonObject known = toJson(base);
+    for (const QString& group : known.keys()) {
+        QJsonObject members = json[group].toObject();
+        const QJsonObject same = known[group].toObject();
+        for (const QString& name : same.keys()) {
+            if (members[name] == same[name])
+                members.remove(name);
+        }
+        if (members.isEmpty())
+            json.remove(group);
+        else
+            json[group] = members;
+    }
+    return json;
+}
+
+Result<TreeParameters> fromJson(const QJsonObject& json, const TreeParameters& base, const QString& place)
+{
+    TreeParameters result = base;
+    std::optional<Error> error;
+    QHash<QString, QSet<QString>> known;
+    visitParameters(result, [&](const ParameterInfo& info, auto& field) {
+        const Key key(info);
+        known[key.group].insert(key.name);
+        const QJsonValue group = json.value(key.group);
+        if (error || group.isUndefined())
+            return;
+        if (!group.isObject()) {
+            error = inputError(place + QLatin1Char('.') + key.group, Text::tr("an object is expected"));
+            return;
+        }
+        const QJsonValue value = group.toObject().value(key.name);
+        if (value.isUndefined())
+            return;
+        if (const auto fault = readValue(info, value, field))
+            error = inputError(place + QLatin1Char('.') + QLatin1String(info.key), *fault);
+    });
+    if (!error) {
+        if (const QString name = unknownName(json, known); !name.isEmpty())
+            error = inputError(place + QLatin1Char('.') + name, Text::tr("there is no such parameter"));
+    }
+    if (!error)
+        error = contradiction(result.growth, place);
+    if (error)
+        return *error;
+    return result;
+}
+
+void normaliseDirectionWeights(GrowthParameters& growth)
+{
+    const double sum = growth.axisWeight + growth.tropismWeight + growth.spaceWeight;
+    if (std::abs(sum - 1.0) < 1e-12)
+        return;
+    growth.axisWeight /= sum;
+    growth.tropismWeight /= sum;
+    growth.spaceWeight /= sum;
+}
+
+} // namespace espalier

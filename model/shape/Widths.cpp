@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/shape/Widths.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+constexpr double kSmallestExponent = 0.5;
+constexpr double kLargestExponent = 10.0;
+constexpr std::uint32_t kTableSize = 1024;
+
+} // namespace
+
+double widthExponent(std::uint32_t tips, double tipDiameter, double baseDiameter, double fallback)
+{
+    if (tips < 2 || baseDiameter <= tipDiameter)
+        return fallback;
+    const double exponent = std::log(static_cast<double>(tips)) / (std::log(baseDiameter) - std::log(tipDiameter));
+    return std::clamp(exponent, kSmallestExponent, kLargestExponent);
+}
+
+Widths::Widths(const WidthParameters& parameters, std::uint32_t treeTips)
+    : m_exponent(widthExponent(treeTips, parameters.tipDiameter, parameters.baseDiameter, parameters.exponent)),
+      m_tipRadius(parameters.tipDiameter / 2.0)
+{
+    m_table.reserve(kTableSize);
+    for (std::uint32_t tips = 0; tips < std::min(kTableSize, treeTips + 1); ++tips)
+        m_table.push_back(static_cast<float>(m_tipRadius * std::pow(tips, 1.0 / m_exponent)));
+}
+
+float Widths::radiusOfTips(std::uint32_t tips) const
+{
+    if (tips < m_table.size())
+        return m_table[tips];
+    return static_cast<float>(m_tipRadius * std::pow(tips, 1.0 / m_exponent));
+}
+
+} // namespace espalier

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Ids.h"
+
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace espalier {
+
+/// Visits marked internodes and all their ancestors, each once, children before parents. Because a parent's id is smaller than
+/// its children's, that is one pass down a bit set: its cost is the number of ancestors plus a 64th of the ids.
+class AncestorSweep {
+public:
+    void mark(InternodeId id)
+    {
+        const std::size_t word = id / 64;
+        if (word >= m_words.size())
+            m_words.resize(word + word / 2 + 1, 0);
+        m_words[word] |= std::uint64_t{1} << (id % 64);
+        m_end = std::max(m_end, word + 1);
+    }
+
+    /// Calls @p visit(id, parent) from the highest id down, then forgets the marks; parent is kNoInternode at the base.
+    template <class Visit>
+    void run(std::span<const InternodeId> parents, Visit&& visit)
+    {
+        for (std::size_t word = m_end; word-- > 0;) {
+            while (m_words[word] != 0) {
+                const int bit = 63 - std::countl_zero(m_words[word]);
+                m_words[word] &= ~(std::uint64_t{1} << bit);
+                const auto id = static_cast<InternodeId>(word * 64 + static_cast<std::size_t>(bit));
+                const InternodeId parent = parents[id];
+                visit(id, parent);
+                if (parent != kNoInternode)
+                    m_words[parent / 64] |= std::uint64_t{1} << (parent % 64);
+            }
+        }
+        m_end = 0;
+    }
+
+private:
+    std::vector<std::uint64_t> m_words;
+    std::size_t m_end = 0;
+};
+
+} // namespace espalier

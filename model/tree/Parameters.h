@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Vector.h"
+
+#include <QString>
+
+namespace espalier {
+
+/// How a tree grows (TreeSketch 2012 §3.2; symbols in the comments are the paper's). Lengths that say "in internodes" are
+/// multiples of internodeLength. Any field may change at any step; what has grown stays as it grew.
+struct GrowthParameters {
+    // Form of a shoot
+    double internodeLength = 0.1;       ///< l, m
+    double phyllotaxis = radians(137.5); ///< φ, rad, roll between successive nodes
+    int lateralsPerNode = 1;            ///< lateral buds at a node, 1...6, evenly around it
+    double branchingAngle = radians(52); ///< ψ, rad, between the axis and a lateral bud
+    double deflectionAngle = radians(8); ///< δ, rad, the axis turns away from a lateral that starts to grow
+    double irregularity = 0.5;          ///< 0...1, spread of angles and lengths, as in real trees (0 = a diagram)
+    int maxShootLength = 5;             ///< n_max, internodes of the strongest shoot of a step
+
+    // Competition for space
+    double occupancyRadius = 2.0;       ///< r, in internodes
+    double perceptionDepth = 3.5;       ///< d, in internodes; a bud perceives from r to r + d
+    double perceptionAngle = radians(90); ///< ζ, rad, full apex angle of the cone of perception
+
+    // Competition for light and flow of vigour
+    double apicalDominance = 0.52;      ///< λ, 0...1; above 0.5 favours the main axis
+    double lightSensitivity = 1.0;      ///< κ > 0 in Q = b L^κ
+    double shedding = 0.1;              ///< Th, 0...1; vigour per internode of a branch, relative to the tree's
+    double shadowIntensity = 0.02;      ///< a, shadow of one internode in its own voxel (voxel edge = r)
+    double shadowFalloff = 1.8;         ///< b > 1, a layer's shadow is a b^-q
+    int shadowDepth = 6;                ///< q_max, layers of the pyramid of shadow below an internode
+
+    // Direction of growth
+    double axisWeight = 0.5;            ///< α, weight of the current direction H
+    double tropismWeight = 0.2;         ///< β, weight of the tropism T
+    double spaceWeight = 0.3;           ///< γ, weight of the free space E
+    double setPointAngle = radians(38); ///< θ, rad, gravitropic set-point angle: 0 up, π/2 level, π down
+    bool tropismFromStroke = false;     ///< θ follows the direction of the brush stroke
+    bool uprightTrunk = false;          ///< the trunk keeps θ = 0, whatever the branches do
+
+    // Gravimorphism (eq. 1 and figure 10)
+    double ellipseVertical = 1.0;       ///< s_v
+    double ellipseParallel = 1.0;       ///< s_p
+    double ellipseOffset = 0.0;         ///< e_v, |e_v| < s_v; > 0 favours buds above the axis (epitony), < 0 below
+
+    // Markers of free space
+    double markerDensity = 0.03;        ///< brush: living markers per cubic internode length
+    int markerAge = 8;                  ///< brush: growth steps that a marker lives
+    int markersPerBud = 4;              ///< autonomous growth: markers per bud and step
+
+    bool operator==(const GrowthParameters&) const = default;
+};
+
+/// How thick branches are: d^n = Σ d_i^n (TreeSketch eq. 3).
+struct WidthParameters {
+    double exponent = 2.2;      ///< n, used when baseDiameter is 0
+    double tipDiameter = 0.003; ///< d_e, m
+    double baseDiameter = 0.0;  ///< d_b, m; 0 = follows from the exponent
+
+    bool operator==(const WidthParameters&) const = default;
+};
+
+enum class LeafShape : int { Ovate, Lanceolate, Lobed, Needles };
+inline constexpr int kLeafShapeCount = 4;
+
+/// Leaves on young shoots.
+struct LeafParameters {
+    bool visible = true;
+    LeafShape shape = LeafShape::Ovate;
+    double length = 0.09;         ///< m, petiole to tip
+    double aspect = 0.6;          ///< width / length
+    int perNode = 2;              ///< leaves at a node, 0...8
+    int maxTips = 3;              ///< an internode bears leaves while it carries at most this many twig tips
+    double angle = radians(50);   ///< rad, between the shoot and the petiole
+    double droop = 0.25;          ///< 0...1, how far gravity turns a leaf down
+    double upward = 0.6;          ///< 0...1, how far the blade turns its face to the sky
+    double sizeVariation = 0.25;  ///< 0...1
+    double hue = radians(98);     ///< rad on the colour wheel (0 red, 120° green)
+    double hueVariation = radians(8); ///< rad
+    double vigourHue = 0.25;      ///< 0...1, shift of weak shoots' leaves toward yellow and red
+
+    bool operator==(const LeafParameters&) const = default;
+};
+
+enum class BarkKind : int { Furrowed, Smooth, Plated, Birch };
+inline constexpr int kBarkKindCount = 4;
+
+struct BarkParameters {
+    BarkKind kind = BarkKind::Furrowed;
+    double scale = 0.5; ///< m of trunk length that one tile of texture covers
+
+    bool operator==(const BarkParameters&) const = default;
+};
+
+/// All that shapes a tree but the hand.
+struct TreeParameters {
+    GrowthParameters growth;
+    WidthParameters widths;
+    LeafParameters leaves;
+    BarkParameters bark;
+
+    bool operator==(const TreeParameters&) const = default;
+};
+
+/// A parameter's quantity: how it is written at the surface.
+enum class Quantity { Number, Metres, Angle, Count, Switch, Choice };
+
+/// What the file, the recipe, the help and the panels need to know of one parameter. Limits are in surface units: degrees
+/// for angles, the number of the choice for choices.
+struct ParameterInfo {
+    const char* key;    ///< "group.name", stable: it is in files
+    Quantity quantity;
+    double minimum;
+    double maximum;
+    const char* choices = nullptr; ///< names of a Choice, in order, separated by spaces
+};
+
+/// Calls @p visit(info, field) for each field; the one list of parameters that there is. Works on const and mutable parameters.
+template <class Parameters, class Visit>
+void visitParameters(Parameters& p, Visit&& visit)
+{
+    using enum Quantity;
+    auto& g = p.growth;
+    visit(ParameterInfo{"growth.internodeLength", Metres, 0.005, 2}, g.internodeLength);
+    visit(ParameterInfo{"growth.phyllotaxis", Angle, 0, 360}, g.phyllotaxis);
+    visit(ParameterInfo{"growth.lateralsPerNode", Count, 1, 6}, g.lateralsPerNode);
+    visit(ParameterInfo{"growth.branchingAngle", Angle, 0, 150}, g.branchingAngle);
+    visit(ParameterInfo{"growth.deflectionAngle", Angle, 0, 60}, g.deflectionAngle);
+    visit(ParameterInfo{"growth.irregularity", Number, 0, 1}, g.irregularity);
+    visit(ParameterInfo{"growth.maxShootLength", Count, 1, 40}, g.maxShootLength);
+    visit(ParameterInfo{"growth.occupancyRadius", Number, 0.5, 10}, g.occupancyRadius);
+    visit(ParameterInfo{"growth.perceptionDepth", Number, 0.5, 10}, g.perceptionDepth);
+    visit(ParameterInfo{"growth.perceptionAngle", Angle, 10, 360}, g.perceptionAngle);
+    visit(ParameterInfo{"growth.apicalDominance", Number, 0, 1}, g.apicalDominance);
+    visit(ParameterInfo{"growth.lightSensitivity", Number, 0.05, 8}, g.lightSensitivity);
+    visit(ParameterInfo{"growth.shedding", Number, 0, 1}, g.shedding);
+    visit(ParameterInfo{"growth.shadowIntensity", Number, 0, 1}, g.shadowIntensity);
+    visit(ParameterInfo{"growth.shadowFalloff", Number, 1.01, 10}, g.shadowFalloff);
+    visit(ParameterInfo{"growth.shadowDepth", Count, 0, 16}, g.shadowDepth);
+    visit(ParameterInfo{"growth.axisWeight", Number, 0, 1}, g.axisWeight);
+    visit(ParameterInfo{"growth.tropismWeight", Number, 0, 1}, g.tropismWeight);
+    visit(ParameterInfo{"growth.spaceWeight", Number, 0, 1}, g.spaceWeight);
+    visit(ParameterInfo{"growth.setPointAngle", Angle, 0, 180}, g.setPointAngle);
+    visit(ParameterInfo{"growth.tropismFromStroke", Switch, 0, 1}, g.tropismFromStroke);
+    visit(ParameterInfo{"growth.uprightTrunk", Switch, 0, 1}, g.uprightTrunk);
+    visit(ParameterInfo{"growth.ellipseVertical", Number, 0.05, 3}, g.ellipseVertical);
+    visit(ParameterInfo{"growth.ellipseParallel", Number, 0.05, 3}, g.ellipseParallel);
+    visit(ParameterInfo{"growth.ellipseOffset", Number, -3, 3}, g.ellipseOffset);
+    visit(ParameterInfo{"growth.markerDensity", Number, 0.001, 4}, g.markerDensity);
+    visit(ParameterInfo{"growth.markerAge", Count, 1, 100}, g.markerAge);
+    visit(ParameterInfo{"growth.markersPerBud", Count, 1, 32}, g.markersPerBud);
+
+    auto& w = p.widths;
+    visit(ParameterInfo{"widths.exponent", Number, 0.5, 10}, w.exponent);
+    visit(ParameterInfo{"widths.tipDiameter", Metres, 0.0002, 0.2}, w.tipDiameter);
+    visit(ParameterInfo{"widths.baseDiameter", Metres, 0, 20}, w.baseDiameter);
+
+    auto& f = p.leaves;
+    visit(ParameterInfo{"leaves.visible", Switch, 0, 1}, f.visible);
+    visit(ParameterInfo{"leaves.shape", Choice, 0, kLeafShapeCount - 1, "ovate lanceolate lobed needles"}, f.shape);
+    visit(ParameterInfo{"leaves.length", Metres, 0.005, 2}, f.length);
+    visit(ParameterInfo{"leaves.aspect", Number, 0.02, 3}, f.aspect);
+    visit(ParameterInfo{"leaves.perNode", Count, 0, 8}, f.perNode);
+    visit(ParameterInfo{"leaves.maxTips", Count, 1, 1000}, f.maxTips);
+    visit(ParameterInfo{"leaves.angle", Angle, 0, 150}, f.angle);
+    visit(ParameterInfo{"leaves.droop", Number, 0, 1}, f.droop);
+    visit(ParameterInfo{"leaves.upward", Number, 0, 1}, f.upward);
+    visit(ParameterInfo{"leaves.sizeVariation", Number, 0, 1}, f.sizeVariation);
+    visit(ParameterInfo{"leaves.hue", Angle, 0, 360}, f.hue);
+    visit(ParameterInfo{"leaves.hueVariation", Angle, 0, 90}, f.hueVariation);
+    visit(ParameterInfo{"leaves.vigourHue", Number, 0, 1}, f.vigourHue);
+
+    auto& b = p.bark;
+    visit(ParameterInfo{"bark.kind", Choice, 0, kBarkKindCount - 1, "furrowed smooth plated birch"}, b.kind);
+    visit(ParameterInfo{"bark.scale", Metres, 0.02, 20}, b.scale);
+}
+
+} // namespace espalier

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/tree/Tree.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("Tree", text);
+}
+
+template <class T>
+void appendColumn(QList<T>& column, const QList<T>& rows)
+{
+    column.append(rows);
+}
+
+void append(InternodeColumns& columns, const InternodeColumns& rows)
+{
+    appendColumn(columns.parent, rows.parent);
+    appendColumn(columns.rotation, rows.rotation);
+    appendColumn(columns.length, rows.length);
+    appendColumn(columns.vigour, rows.vigour);
+    appendColumn(columns.slot, rows.slot);
+    appendColumn(columns.buds, rows.buds);
+    appendColumn(columns.birth, rows.birth);
+    appendColumn(columns.death, rows.death);
+    appendColumn(columns.present, rows.present);
+    appendColumn(columns.parameterSet, rows.parameterSet);
+}
+
+bool isUnit(const Rotation& rotation)
+{
+    const float squaredNorm = rotation.coeffs().squaredNorm();
+    return std::abs(squaredNorm - 1.0F) < 1e-3F; // false for NaN
+}
+
+/// What is wrong with row @p id, or nothing.
+QString faultOf(const InternodeColumns& c, InternodeId id, std::uint32_t parameterSets, Step step)
+{
+    if (id > 0 && c.parent[id] >= id)
+        return tr("its parent does not come before it");
+    if (!isUnit(c.rotation[id]))
+        return tr("its rotation is not one");
+    if (!(c.length[id] > 0.0F && c.length[id] <= 1000.0F))
+        return tr("its length is out of range");
+    if (!(c.vigour[id] >= 0.0F && c.vigour[id] <= 1.0F))
+        return tr("its vigour is out of range");
+    if (c.slot[id] != kTerminalSlot && c.slot[id] >= kMaxLaterals)
+        return tr("it grows from a bud that does not exist");
+    if ((c.buds[id] & ~(kTerminalBud | ((1U << kMaxLaterals) - 1U))) != 0)
+        return tr("it has a bud that does not exist");
+    if (c.present[id] > 1)
+        return tr("it is neither there nor away");
+    if (c.parameterSet[id] >= parameterSets)
+        return tr("its parameters are missing");
+    if (c.birth[id] > step && c.present[id] != 0)
+        return tr("it was born in the future");
+    if (c.death[id] != kNever && c.death[id] < c.birth[id])
+        return tr("it died before it was born");
+    return {};
+}
+
+} // namespace
+
+Tree::Tree(std::uint64_t seed, const TreeParameters& parameters) : m_seed(seed)
+{
+    m_parameterSets.append(parameters);
+    InternodeColumns& c = m_columns;
+    c.parent.append(kNoInternode);
+    c.rotation.append(Rotation::Identity());
+    c.length.append(static_cast<float>(parameters.growth.internodeLength));
+    c.vigour.append(1.0F);
+    c.slot.append(kTerminalSlot);
+    c.buds.append(kTerminalBud);
+    c.birth.append(0);
+    c.death.append(kNever);
+    c.present.append(1);
+    c.parameterSet.append(0);
+}
+
+Result<Tree> Tree::fromColumns(std::uint64_t seed, Step step, InternodeColumns columns,
+                               QList<TreeParameters> parameterSets, std::uint32_t currentParameters)
+{
+    const std::uint32_t count = columns.size();
+    bool equalSizes = true;
+    InternodeColumns::visit(columns, [&](const char*, const auto& column) { equalSizes &= column.size() == count; });
+    if (!equalSizes)
+        return Error{Error::Kind::Input, tr("the columns of the tree have different lengths")};
+    if (count == 0 || parameterSets.isEmpty() || currentParameters >= parameterSets.size())
+        return Error{Error::Kind::Input, tr("the tree is empty or lacks its parameters")};
+
+    const auto setCount = static_cast<std::uint32_t>(parameterSets.size());
+    const auto alive = [&](InternodeId id) { return columns.present[id] != 0 && columns.death[id] == kNever; };
+    std::vector<bool> continued(count, false);
+    for (InternodeId id = 0; id < count; ++id) {
+        QString fault = faultOf(std::as_const(columns), id, setCount, step);
+        if (id == 0 && (columns.parent[0] != kNoInternode || !alive(0)))
+            fault = tr("the seedling must stand at the base");
+        if (fault.isEmpty() && id > 0 && alive(id)) {
+            const InternodeId parent = columns.parent[id];
+            if (!alive(parent))
+                fault = tr("it lives on a dead internode");
+            else if (columns.slot[id] == kTerminalSlot && continued[parent])
+                fault = tr("two internodes continue the same axis");
+            else if (columns.slot[id] == kTerminalSlot)
+                continued[parent] = true;
+        }
+        if (!fault.isEmpty())
+            return Error{Error::Kind::Input, tr("internode %1: %2").arg(id).arg(fault)};
+    }
+
+    Tree tree;
+    tree.m_columns = std::move(columns);
+    tree.m_parameterSets = std::move(parameterSets);
+    tree.m_currentParameters = currentParameters;
+    tree.m_seed = seed;
+    tree.m_step = step;
+    return tree;
+}
+
+std::uint32_t Tree::rememberParameters(const TreeParameters& parameters)
+{
+    const auto known = m_parameterSets.lastIndexOf(parameters);
+    if (known >= 0)
+        return static_cast<std::uint32_t>(known);
+    Q_ASSERT(m_parameterSets.size() < 0xffff);
+    m_parameterSets.append(parameters);
+    return static_cast<std::uint32_t>(m_parameterSets.size() - 1);
+}
+
+void Tree::forgetLastParameters()
+{
+    Q_ASSERT(m_currentParameters + 1 < m_parameterSets.size());
+    m_parameterSets.removeLast();
+}
+
+void Tree::apply(TreeDelta& delta)
+{
+    Q_ASSERT(m_step == delta.stepBefore);
+    if (delta.rows) {
+        Q_ASSERT(delta.born.first == size() && delta.born.count == delta.rows->size());
+        append(m_columns, *delta.rows);
+        delta.rows.reset();
+    }
+    std::fill_n(m_columns.present.begin() + delta.born.first, delta.born.count, std::uint8_t{1});
+    for (const InternodeId id : delta.died)
+        m_columns.death[id] = delta.stepAfter;
+    for (const TreeDelta::BudChange& change : delta.buds)
+        m_columns.buds[change.id] = change.after;
+    m_currentParameters = delta.parametersAfter;
+    m_step = delta.stepAfter;
+}
+
+void Tree::revert(const TreeDelta& delta)
+{
+    Q_ASSERT(m_step == delta.stepAfter && !delta.rows);
+    for (const TreeDelta::BudChange& change : delta.buds)
+        m_columns.buds[change.id] = change.before;
+    for (const InternodeId id : delta.died)
+        m_columns.death[id] = kNever;
+    std::fill_n(m_columns.present.begin() + delta.born.first, delta.born.count, std::uint8_t{0});
+    m_currentParameters = delta.parametersBefore;
+    m_step = delta.stepBefore;
+}
+
+bool Tree::operator==(const Tree& other) const
+{
+    const InternodeColumns& a = m_columns;
+    const InternodeColumns& b = other.m_columns;
+    const auto sameRotation = [](const Rotation& r, const Rotation& s) { return r.coeffs() == s.coeffs(); };
+    return m_seed == other.m_seed && m_step == other.m_step && m_currentParameters == other.m_currentParameters &&
+           m_parameterSets == other.m_parameterSets && a.parent == b.parent &&
+           std::ranges::equal(a.rotation, b.rotation, sameRotation) && a.length == b.length && a.vigour == b.vigour &&
+           a.slot == b.slot && a.buds == b.buds && a.birth == b.birth && a.death == b.death &&
+           a.present == b.present && a.parameterSet == b.parameterSet;
+}
+
+std::size_t Tree::bytes() const
+{
+    std::size_t sum = static_cast<std::size_t>(m_parameterSets.size()) * sizeof(TreeParameters);
+    InternodeColumns::visit(m_columns, [&](const char*, const auto& column) {
+        sum += static_cast<std::size_t>(column.capacity()) * sizeof(*column.constData());
+    });
+    return sum;
+}
+
+TreeDelta TreeDelta::startingAt(const Tree& tree)
+{
+    TreeDelta delta;
+    delta.stepBefore = delta.stepAfter = tree.step();
+    delta.parametersBefore = delta.parametersAfter = tree.currentParameterSet();
+    delta.born = {tree.size(), 0};
+    return delta;
+}
+
+bool TreeDelta::isEmpty() const
+{
+    return stepBefore == stepAfter && parametersBefore == parametersAfter && born.count == 0 && died.empty() &&
+           buds.empty();
+}
+
+std::size_t TreeDelta::bytes() const
+{
+    return sizeof(*this) + died.capacity() * sizeof(InternodeId) + buds.capacity() * sizeof(BudChange);
+}
+
+} // namespace espalier

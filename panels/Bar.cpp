@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/Bar.h"
+
+#include "panels/Theme.h"
+
+#include <QAction>
+#include <QFrame>
+#include <QPainter>
+
+namespace espalier {
+
+Bar::Bar(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_NoMousePropagation);
+    setCursor(Qt::ArrowCursor);
+}
+
+void Bar::setFlat(bool flat) {
+    m_flat = flat;
+    update();
+}
+
+void Bar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (m_flat) {
+        painter.fillRect(rect(), theme::kBar);
+        painter.fillRect(0, height() - 1, width(), 1, theme::kEdge);
+        return;
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(theme::kEdge, 1.0));
+    painter.setBrush(theme::kBar);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), theme::kRadius, theme::kRadius);
+}
+
+BarButton::BarButton(Look look, QWidget* parent) : QToolButton(parent), m_look(look) {
+    setAutoRaise(true);
+    setIconSize({24, 24});
+    // A click must not take the keys away from the tree; Tab still reaches the button.
+    setFocusPolicy(Qt::TabFocus);
+    switch (look) {
+    case Look::Icon:
+        setToolButtonStyle(Qt::ToolButtonIconOnly);
+        break;
+    case Look::IconAboveText: {
+        setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        QFont small = font();
+        small.setPointSizeF(small.pointSizeF() * 0.88);
+        setFont(small);
+        break;
+    }
+    case Look::Tab:
+        setToolButtonStyle(Qt::ToolButtonTextOnly);
+        setProperty("tab", true);
+        break;
+    }
+}
+
+BarButton::BarButton(Look look, QAction* action, QWidget* parent) : BarButton(look, parent) {
+    setDefaultAction(action);
+}
+
+QSize BarButton::sizeHint() const {
+    switch (m_look) {
+    case Look::IconAboveText:
+        return {66, 56};
+    case Look::Tab:
+        return {fontMetrics().horizontalAdvance(text()) * 108 / 100 + 36, theme::kTarget};
+    default:
+        return {theme::kTarget, theme::kTarget};
+    }
+}
+
+QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent) {
+    auto* line = new QFrame(parent);
+    line->setFrameShape(QFrame::NoFrame);
+    line->setStyleSheet(QStringLiteral("background: %1;").arg(theme::kEdge.name()));
+    if (orientation == Qt::Horizontal)
+        line->setFixedHeight(1);
+    else
+        line->setFixedWidth(1);
+    return line;
+}
+
+} // namespace espalier

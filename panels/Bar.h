@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QToolButton>
+#include <QWidget>
+
+class QAction;
+
+namespace espalier {
+
+/// A translucent, rounded panel that floats over the tree. The pointer's events on it end there: nobody
+/// brushes through a panel.
+class Bar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Bar(QWidget* parent = nullptr);
+
+    /// A flat bar reaches from edge to edge of the window, and has a line below it.
+    void setFlat(bool flat);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    bool m_flat = false;
+};
+
+/// A button on a bar, large enough for a finger. It shows an action and follows it.
+class BarButton : public QToolButton {
+    Q_OBJECT
+
+public:
+    enum class Look {
+        Icon,          ///< In a row
+        IconAboveText, ///< In a column of tools
+        Tab,           ///< Text; one of several sheets
+    };
+
+    explicit BarButton(Look look, QWidget* parent = nullptr);
+    BarButton(Look look, QAction* action, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+private:
+    Look m_look;
+};
+
+/// A thin line between groups of buttons.
+QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent);
+
+} // namespace espalier

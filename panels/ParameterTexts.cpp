@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/ParameterTexts.h"
+
+#include <QCoreApplication>
+
+#include <array>
+
+namespace espalier {
+
+namespace {
+
+using enum ParameterText::Scale;
+
+constexpr ParameterText kShoot[] = {
+    {"growth.internodeLength", QT_TRANSLATE_NOOP("Parameters", "Internode"), "l",
+     QT_TRANSLATE_NOOP("Parameters", "Length of one internode. It is the measure of everything that grows: "
+                                     "smaller ones make finer trees."),
+     Logarithmic, 1, "cm", 100.0},
+    {"growth.maxShootLength", QT_TRANSLATE_NOOP("Parameters", "Shoot length"), "n",
+     QT_TRANSLATE_NOOP("Parameters", "How many internodes the strongest shoot grows in one step."),
+     Logarithmic, 0},
+    {"growth.branchingAngle", QT_TRANSLATE_NOOP("Parameters", "Branching angle"), "ψ",
+     QT_TRANSLATE_NOOP("Parameters", "Between a branch and what branches off it."), Linear, 0, "°"},
+    {"growth.deflectionAngle", QT_TRANSLATE_NOOP("Parameters", "Deflection"), "δ",
+     QT_TRANSLATE_NOOP("Parameters", "How far an axis turns away from a branch that it bears: 0 keeps it "
+                                     "straight, more makes it zigzag."),
+     Linear, 0, "°"},
+    {"growth.phyllotaxis", QT_TRANSLATE_NOOP("Parameters", "Phyllotaxis"), "φ",
+     QT_TRANSLATE_NOOP("Parameters", "Turn around the axis from one bud to the next: 137.5° is a spiral, "
+                                     "180° two rows, 90° crossed pairs."),
+     Linear, 1, "°"},
+    {"growth.lateralsPerNode", QT_TRANSLATE_NOOP("Parameters", "Buds at a node"), "",
+     QT_TRANSLATE_NOOP("Parameters", "One is alternate, two opposite, more a whorl, as in pines."), Linear,
+     0},
+};
+
+constexpr ParameterText kSpace[] = {
+    {"growth.occupancyRadius", QT_TRANSLATE_NOOP("Parameters", "Occupied radius"), "r",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "Space around each bud that nothing else grows into, in internodes. More makes an airier crown."),
+     Logarithmic},
+    {"growth.perceptionDepth", QT_TRANSLATE_NOOP("Parameters", "Sight"), "d",
+     QT_TRANSLATE_NOOP("Parameters", "How far beyond its own space a bud sees room to grow, in internodes."),
+     Logarithmic},
+    {"growth.perceptionAngle", QT_TRANSLATE_NOOP("Parameters", "Field of view"), "ζ",
+     QT_TRANSLATE_NOOP("Parameters", "How far to the sides a bud sees room to grow."), Linear, 0, "°"},
+    {"growth.markerDensity", QT_TRANSLATE_NOOP("Parameters", "Brush density"), "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "How much room to grow the brush spreads, in points per cubic internode. More makes denser growth."),
+     Logarithmic, 3},
+    {"growth.markerAge", QT_TRANSLATE_NOOP("Parameters", "Brush memory"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Growth steps after which the room that the brush has spread is forgotten."),
+     Logarithmic, 0},
+    {"growth.markersPerBud", QT_TRANSLATE_NOOP("Parameters", "Room at a bud"), "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "When the tree grows on its own: the room to grow that each bud finds around itself in each step."),
+     Logarithmic, 0},
+};
+
+constexpr ParameterText kVigour[] = {
+    {"growth.apicalDominance", QT_TRANSLATE_NOOP("Parameters", "Apical dominance"), "λ",
+     QT_TRANSLATE_NOOP("Parameters", "Who gets the vigour: above 0.5 the main axis, as in conifers; below it "
+                                     "the branches, as in shrubs.")},
+    {"growth.lightSensitivity", QT_TRANSLATE_NOOP("Parameters", "Light sensitivity"), "κ",
+     QT_TRANSLATE_NOOP("Parameters", "How much more a bud in the light thrives than one in the shade."),
+     Logarithmic},
+    {"growth.shedding", QT_TRANSLATE_NOOP("Parameters", "Shedding"), "Th",
+     QT_TRANSLATE_NOOP("Parameters", "Branches with less vigour than this die: 0 keeps them all."), Cubic, 3},
+    {"growth.shadowIntensity", QT_TRANSLATE_NOOP("Parameters", "Shadow"), "a",
+     QT_TRANSLATE_NOOP("Parameters", "How much light one internode takes."), Cubic, 3},
+    {"growth.shadowFalloff", QT_TRANSLATE_NOOP("Parameters", "Shadow falloff"), "b",
+     QT_TRANSLATE_NOOP("Parameters", "How fast a shadow fades on its way down."), Logarithmic},
+    {"growth.shadowDepth", QT_TRANSLATE_NOOP("Parameters", "Shadow depth"), "q",
+     QT_TRANSLATE_NOOP("Parameters", "How many layers below an internode its shadow reaches."), Linear, 0},
+};
+
+constexpr ParameterText kDirection[] = {
+    {"growth.axisWeight", QT_TRANSLATE_NOOP("Parameters", "Straightness"), "α",
+     QT_TRANSLATE_NOOP("Parameters", "How much a shoot keeps the direction that it has.")},
+    {"growth.tropismWeight", QT_TRANSLATE_NOOP("Parameters", "Tropism"), "β",
+     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns toward the set-point angle.")},
+    {"growth.spaceWeight", QT_TRANSLATE_NOOP("Parameters", "Free space"), "γ",
+     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns toward where there is room.")},
+    {"growth.setPointAngle", QT_TRANSLATE_NOOP("Parameters", "Set-point angle"), "θ",
+     QT_TRANSLATE_NOOP("Parameters", "Where shoots turn: 0° is up, 90° level, and more makes them weep."),
+     Linear, 0, "°"},
+    {"growth.tropismFromStroke", QT_TRANSLATE_NOOP("Parameters", "Follow the stroke"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Shoots turn toward where the brush goes, instead of to the set-point angle.")},
+};
+
+constexpr ParameterText kGravimorphism[] = {
+    {"growth.ellipseVertical", QT_TRANSLATE_NOOP("Parameters", "Vertical"), "s_v",
+     QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds above and below a leaning branch."), Cubic},
+    {"growth.ellipseParallel", QT_TRANSLATE_NOOP("Parameters", "Sideways"), "s_p",
+     QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds on the sides of a leaning branch."), Cubic},
+    {"growth.ellipseOffset", QT_TRANSLATE_NOOP("Parameters", "Above or below"), "e_v",
+     QT_TRANSLATE_NOOP("Parameters", "Above 0 the buds on the upper side are stronger, as in fruit trees; "
+                                     "below 0 those on the lower side.")},
+};
+
+constexpr ParameterText kCharacter[] = {
+    {"growth.irregularity", QT_TRANSLATE_NOOP("Parameters", "Irregularity"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Spread of angles and lengths: 0 is a diagram, 1 as wild as nature."),
+     Linear},
+    {"growth.uprightTrunk", QT_TRANSLATE_NOOP("Parameters", "Upright trunk"), "",
+     QT_TRANSLATE_NOOP("Parameters", "The trunk grows straight up, whatever the branches do.")},
+};
+
+constexpr ParameterText kLeafForm[] = {
+    {"leaves.visible", QT_TRANSLATE_NOOP("Parameters", "Leaves"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Whether the tree has any.")},
+    {"leaves.shape", QT_TRANSLATE_NOOP("Parameters", "Shape"), "",
+     QT_TRANSLATE_NOOP("Parameters", "The outline of a leaf.")},
+    {"leaves.length", QT_TRANSLATE_NOOP("Parameters", "Length"), "",
+     QT_TRANSLATE_NOOP("Parameters", "From the stalk to the tip."), Logarithmic, 1, "cm", 100.0},
+    {"leaves.aspect", QT_TRANSLATE_NOOP("Parameters", "Breadth"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Width by length."), Logarithmic},
+    {"leaves.sizeVariation", QT_TRANSLATE_NOOP("Parameters", "Variation of size"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much the sizes of leaves differ.")},
+};
+
+constexpr ParameterText kLeafPlace[] = {
+    {"leaves.perNode", QT_TRANSLATE_NOOP("Parameters", "At a node"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How many leaves grow together."), Linear, 0},
+    {"leaves.maxTips", QT_TRANSLATE_NOOP("Parameters", "How far inward"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Branches that carry more twigs than this are bare."), Logarithmic, 0},
+    {"leaves.angle", QT_TRANSLATE_NOOP("Parameters", "Angle"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Between a shoot and the leaf's stalk."), Linear, 0, "°"},
+    {"leaves.droop", QT_TRANSLATE_NOOP("Parameters", "Droop"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How far leaves hang down.")},
+    {"leaves.upward", QT_TRANSLATE_NOOP("Parameters", "Toward the sky"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How far leaves turn their faces up.")},
+};
+
+constexpr ParameterText kLeafColour[] = {
+    {"leaves.hue", QT_TRANSLATE_NOOP("Parameters", "Hue"), "",
+     QT_TRANSLATE_NOOP("Parameters", "0° is red, 60° yellow, 120° green."), Linear, 0, "°"},
+    {"leaves.hueVariation", QT_TRANSLATE_NOOP("Parameters", "Variation of hue"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much the colours of leaves differ."), Linear, 0, "°"},
+    {"leaves.vigourHue", QT_TRANSLATE_NOOP("Parameters", "Yellow of the weak"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How far the leaves of weak shoots turn toward yellow and red.")},
+};
+
+constexpr ParameterText kWidths[] = {
+    {"widths.exponent", QT_TRANSLATE_NOOP("Parameters", "Exponent"), "n",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks."),
+     Logarithmic},
+    {"widths.tipDiameter", QT_TRANSLATE_NOOP("Parameters", "Tips"), "d_e",
+     QT_TRANSLATE_NOOP("Parameters", "Diameter of the thinnest twigs."), Logarithmic, 1, "mm", 1000.0},
+    {"widths.baseDiameter", QT_TRANSLATE_NOOP("Parameters", "Base"), "d_b",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Diameter of the trunk at the ground; at 0 it follows from the exponent."),
+     Cubic, 1, "cm", 100.0},
+};
+
+constexpr ParameterText kBark[] = {
+    {"bark.kind", QT_TRANSLATE_NOOP("Parameters", "Kind"), "",
+     QT_TRANSLATE_NOOP("Parameters", "What the bark looks like.")},
+    {"bark.scale", QT_TRANSLATE_NOOP("Parameters", "Scale"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Length of trunk after which the bark's pattern repeats."), Logarithmic,
+     0, "cm", 100.0},
+};
+
+constexpr ParameterSection kSections[] = {
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shoot"), kShoot},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Space"), kSpace},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Light and vigour"), kVigour},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Direction"), kDirection},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Gravimorphism"), kGravimorphism},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Character"), kCharacter},
+    {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Form"), kLeafForm},
+    {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Place"), kLeafPlace},
+    {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Colour"), kLeafColour},
+    {ParameterSheet::Branches, QT_TRANSLATE_NOOP("Parameters", "Width"), kWidths},
+    {ParameterSheet::Branches, QT_TRANSLATE_NOOP("Parameters", "Bark"), kBark},
+};
+
+// The names of the choices in ParameterInfo, as a person reads them.
+[[maybe_unused]] constexpr const char* kChoices[] = {
+    QT_TRANSLATE_NOOP("Parameters", "ovate"),    QT_TRANSLATE_NOOP("Parameters", "lanceolate"),
+    QT_TRANSLATE_NOOP("Parameters", "lobed"),    QT_TRANSLATE_NOOP("Parameters", "needles"),
+    QT_TRANSLATE_NOOP("Parameters", "furrowed"), QT_TRANSLATE_NOOP("Parameters", "smooth"),
+    QT_TRANSLATE_NOOP("Parameters", "plated"),   QT_TRANSLATE_NOOP("Parameters", "birch"),
+};
+
+} // namespace
+
+std::span<const ParameterSection> parameterSections() {
+    return kSections;
+}
+
+QString parameterTr(const char* text) {
+    return QCoreApplication::translate("Parameters", text);
+}
+
+QStringList choiceNames(const char* choices) {
+    QStringList names;
+    for (const QByteArray& name : QByteArray(choices).split(' ')) {
+        QString shown = parameterTr(name.constData());
+        if (!shown.isEmpty())
+            shown[0] = shown[0].toUpper();
+        names.append(shown);
+    }
+    return names;
+}
+
+} // namespace espalier

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <span>
+
+namespace espalier {
+
+/// The sheets that parameters are shown on.
+enum class ParameterSheet { Architecture, Leaves, Branches };
+
+/// How a parameter presents itself to a person.
+struct ParameterText {
+    /// How a slider's way is shared among the values.
+    enum class Scale {
+        Linear,
+        Logarithmic, ///< Equal ways are equal ratios; the minimum is above 0
+        Cubic,       ///< Finer toward 0
+    };
+
+    const char* key;    ///< As in ParameterInfo
+    const char* label;  ///< Untranslated; the context is "Parameters"
+    const char* symbol; ///< The papers' sign for it, or ""
+    const char* tip;    ///< Untranslated
+    Scale scale = Scale::Linear;
+    int decimals = 2;
+    const char* unit = ""; ///< As it is shown
+    double factor = 1.0;   ///< From the parameter's surface unit to the one that is shown
+};
+
+/// Parameters that belong together, under a heading.
+struct ParameterSection {
+    ParameterSheet sheet;
+    const char* title; ///< Untranslated
+    std::span<const ParameterText> parameters;
+};
+
+/// All of them, in the order in which they are shown; each parameter once.
+std::span<const ParameterSection> parameterSections();
+
+/// Translates a text of the tables, or the name of a choice.
+QString parameterTr(const char* text);
+/// The names that a person reads for the choices of a ParameterInfo.
+QStringList choiceNames(const char* choices);
+
+} // namespace espalier

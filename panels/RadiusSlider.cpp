@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/RadiusSlider.h"
+
+#include "panels/Theme.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSignalBlocker>
+
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kSteps = 600;
+constexpr double kHandleRadius = 12.0;
+constexpr double kTopWidth = 30.0;
+constexpr double kBottomWidth = 7.0;
+
+} // namespace
+
+RadiusSlider::RadiusSlider(double maximum, QWidget* parent) : QAbstractSlider(parent), m_maximum(maximum)
+{
+    setOrientation(Qt::Vertical);
+    setRange(0, kSteps);
+    setSingleStep(kSteps / 60);
+    setPageStep(kSteps / 12);
+    setFocusPolicy(Qt::TabFocus);
+    setAttribute(Qt::WA_Hover);
+    setCursor(Qt::PointingHandCursor);
+    setAccessibleName(tr("Brush radius"));
+}
+
+void RadiusSlider::setRadius(double metres)
+{
+    if (metres == m_radius)
+        return;
+    m_radius = metres;
+    const QSignalBlocker quiet(this);
+    setValue(static_cast<int>(std::lround(std::cbrt(metres / m_maximum) * kSteps)));
+    m_radius = metres;
+    update();
+}
+
+void RadiusSlider::sliderChange(SliderChange change)
+{
+    if (change == SliderValueChange) {
+        const double t = value() / static_cast<double>(kSteps);
+        // Whole millimetres; a person reads centimetres.
+        m_radius = std::round(m_maximum * t * t * t * 1000.0) / 1000.0;
+        if (!signalsBlocked())
+            Q_EMIT radiusEdited(m_radius);
+    }
+    QAbstractSlider::sliderChange(change);
+    update();
+}
+
+double RadiusSlider::yOf(int position) const
+{
+    const double reach = height() - 2.0 * kHandleRadius - 2.0;
+    return 1.0 + kHandleRadius + reach * (1.0 - position / static_cast<double>(kSteps));
+}
+
+void RadiusSlider::dragTo(double y)
+{
+    const double reach = height() - 2.0 * kHandleRadius - 2.0;
+    const double t = std::clamp(1.0 - (y - 1.0 - kHandleRadius) / reach, 0.0, 1.0);
+    setValue(static_cast<int>(std::lround(t * kSteps)));
+}
+
+void RadiusSlider::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double middle = width() / 2.0;
+    const double top = yOf(kSteps);
+    const double bottom = yOf(0);
+    const double y = yOf(value());
+    const auto halfWidthAt = [&](double at) {
+        return (kTopWidth + (kBottomWidth - kTopWidth) * (at - top) / (bottom - top)) / 2.0;
+    };
+    const auto wedge = [&](double from, double to) {
+        QPainterPath path;
+        path.moveTo(middle - halfWidthAt(from), from);
+        path.lineTo(middle + halfWidthAt(from), from);
+        path.lineTo(middle + halfWidthAt(to), to);
+        path.lineTo(middle - halfWidthAt(to), to);
+        path.closeSubpath();
+        return path;
+    };
+    // Stroked with its own colour, the wedge has round corners.
+    const auto fill = [&](const QPainterPath& path, const QColor& colour) {
+        painter.setPen(QPen(colour, 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setBrush(colour);
+        painter.drawPath(path);
+    };
+    fill(wedge(top, bottom), theme::kSunken);
+    QColor filled = theme::kHandle.darker(165);
+    if (!isEnabled())
+        filled = theme::kFaintText;
+    if (y < bottom - 1.0)
+        fill(wedge(y, bottom), filled);
+
+    painter.setPen(hasFocus() ? QPen(theme::kAccent, 2.0) : QPen(QColor(0, 0, 0, 70), 1.0));
+    painter.setBrush(underMouse() || isSliderDown() ? theme::kHandle.lighter(112) : theme::kHandle);
+    painter.drawEllipse(QPointF(middle, y), kHandleRadius - 0.5, kHandleRadius - 0.5);
+}
+
+void RadiusSlider::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton)
+        return event->ignore();
+    setSliderDown(true);
+    dragTo(event->position().y());
+}
+
+void RadiusSlider::mouseMoveEvent(QMouseEvent* event)
+{
+    if (isSliderDown())
+        dragTo(event->position().y());
+}
+
+void RadiusSlider::mouseReleaseEvent(QMouseEvent*)
+{
+    setSliderDown(false);
+    update();
+}
+
+} // namespace espalier

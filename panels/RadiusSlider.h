@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractSlider>
+
+namespace espalier {
+
+/// An upright, wedge-shaped slider for the brush's radius: wider where the radius is larger, finer where it is small.
+class RadiusSlider : public QAbstractSlider {
+    Q_OBJECT
+
+public:
+    explicit RadiusSlider(double maximum, QWidget* parent = nullptr);
+
+    /// m
+    double radius() const { return m_radius; }
+    /// No signal.
+    void setRadius(double metres);
+
+    QSize sizeHint() const override { return {64, 212}; }
+    QSize minimumSizeHint() const override { return {64, 140}; }
+
+Q_SIGNALS:
+    /// By a person's hand.
+    void radiusEdited(double metres);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void sliderChange(SliderChange change) override;
+
+private:
+    double yOf(int position) const;
+    void dragTo(double y);
+
+    double m_maximum;
+    double m_radius = 0.0;
+};
+
+} // namespace espalier

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every tracked source names its licence in the first line and is as clang-format 14 would write it.
+# Usage: scripts/check-format.sh [--fix]
+# Ends with 77 when all is well as far as it goes, but clang-format 14 is not there to look at the rest.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+list() {
+    if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
+        git ls-files -- '*.cpp' '*.h'
+    else
+        find app commands model panels tests views \( -name '*.cpp' -o -name '*.h' \) -print
+    fi
+}
+mapfile -t files < <(list | while IFS= read -r file; do [[ -f "$file" ]] && echo "$file"; done)
+if ((${#files[@]} == 0)); then
+    exit 0
+fi
+
+status=0
+for file in "${files[@]}"; do
+    IFS= read -r first <"$file" || true
+    if [[ "$first" != "// SPDX-License-Identifier: GPL-3.0-or-later" ]]; then
+        echo "$file:1: the first line should be // SPDX-License-Identifier: GPL-3.0-or-later" >&2
+        status=1
+    fi
+done
+
+program="$(command -v clang-format-14 || command -v clang-format || true)"
+if [[ -z "$program" || "$("$program" --version)" != *"version 14."* ]]; then
+    echo "format: clang-format 14 is not installed, so the layout was not looked at" >&2
+    exit $((status == 0 ? 77 : status))
+fi
+if [[ "${1:-}" == --fix ]]; then
+    "$program" -i "${files[@]}"
+else
+    "$program" --dry-run -Werror "${files[@]}" || status=1
+fi
+exit $status

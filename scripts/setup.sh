@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Installs the Debian packages that are needed and missing. Says nothing when none is.
+# Usage: scripts/setup.sh [build] [display] [test] [bench]     (build when nothing is named)
+set -euo pipefail
+
+readonly build=(
+    g++ cmake ninja-build ccache
+    qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools
+    libassimp-dev libeigen3-dev libmeshoptimizer-dev libopenmesh-dev libtbb-dev libzip-dev
+)
+readonly display=(xvfb xauth libgl1-mesa-dri)
+readonly test=("${display[@]}" blender python3 python3-numpy clang-format)
+readonly bench=(libbenchmark-dev)
+
+fail() {
+    echo "setup: $*" >&2
+    exit 1
+}
+
+wanted=()
+for group in "${@:-build}"; do
+    case "$group" in
+        build) wanted+=("${build[@]}") ;;
+        display) wanted+=("${display[@]}") ;;
+        test) wanted+=("${test[@]}") ;;
+        bench) wanted+=("${bench[@]}") ;;
+        *) fail "there is no group '$group'; there are build, display, test and bench" ;;
+    esac
+done
+
+# Elsewhere the person installs these; CMake says what it misses.
+if ! command -v dpkg-query >/dev/null; then
+    exit 0
+fi
+
+installed=" $(dpkg-query --show --showformat '${db:Status-Status}:${Package} ' 2>/dev/null) "
+missing=()
+for package in "${wanted[@]}"; do
+    [[ "$installed" == *" installed:$package "* ]] || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+    exit 0
+fi
+
+as_root=(env)
+if ((EUID != 0)); then
+    command -v sudo >/dev/null || fail "please install, as root: apt-get install ${missing[*]}"
+    as_root=(sudo env)
+fi
+
+log="$(mktemp)"
+trap 'rm -f "$log"' EXIT
+apt() {
+    "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 \
+        -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3 "$@" >"$log" 2>&1
+}
+
+echo "setup: installing ${missing[*]}" >&2
+apt update || fail "apt-get update failed: $(tail -n 1 "$log")"
+apt install --yes --no-install-recommends "${missing[@]}" ||
+    fail "apt-get install failed: $(grep '^E:' "$log" | head -n 1 || tail -n 1 "$log")"

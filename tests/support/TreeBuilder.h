@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Random.h"
+#include "model/tree/TreeIndex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace espalier::test {
+
+/// Local rotation of an internode that continues its axis: rolled by the phyllotactic angle, then bent by @p
+/// bend (rad) toward the parent's azimuth @p azimuth (rad from +X about +Y).
+inline Rotation continuing(double bend = 0.0, double azimuth = 0.0, double roll = radians(137.5)) {
+    const auto about = [](double angle, const Vec3& axis) {
+        return Rotation(Eigen::AngleAxisf(static_cast<float>(angle), axis));
+    };
+    return about(azimuth, Vec3::UnitY()) * about(-bend, Vec3::UnitZ()) * about(roll - azimuth, Vec3::UnitY());
+}
+
+/// Local rotation of a lateral from bud @p slot of @p laterals around the node, @p angle (rad) away from the
+/// axis.
+inline Rotation branching(double angle, int slot = 0, int laterals = 1, double roll = 0.0) {
+    return continuing(angle, 2.0 * std::numbers::pi * slot / laterals, roll);
+}
+
+/// An internode to be born.
+struct NewInternode {
+    InternodeId parent = 0;
+    int slot = kTerminalSlot;
+    Rotation rotation = Rotation::Identity();
+    float length = 0.1F;
+    float vigour = 1.0F;
+};
+
+/// One step that bears @p internodes (ids from tree.size() on, so that they may hang on each other) and takes
+/// the buds that they grew from. Each gets a terminal bud and the laterals of the parameters in force.
+inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internodes) {
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.stepAfter = delta.stepBefore + 1;
+    delta.born = {tree.size(), static_cast<std::uint32_t>(internodes.size())};
+    delta.rows = std::make_unique<InternodeColumns>();
+    InternodeColumns& rows = *delta.rows;
+    const auto newBuds =
+        static_cast<BudMask>(kTerminalBud | ((1U << tree.parameters().growth.lateralsPerNode) - 1U));
+    for (const NewInternode& internode : internodes) {
+        rows.parent.append(internode.parent);
+        rows.rotation.append(internode.rotation);
+        rows.length.append(internode.length);
+        rows.vigour.append(internode.vigour);
+        rows.slot.append(static_cast<std::uint8_t>(internode.slot));
+        rows.buds.append(newBuds);
+        rows.birth.append(delta.stepAfter);
+        rows.death.append(kNever);
+        rows.present.append(1);
+        rows.parameterSet.append(static_cast<std::uint16_t>(tree.currentParameterSet()));
+
+        const auto taken = static_cast<BudMask>(~budBit(internode.slot));
+        if (delta.born.contains(internode.parent)) {
+            rows.buds[internode.parent - delta.born.first] &= taken;
+            continue;
+        }
+        const auto known = std::ranges::find(delta.buds, internode.parent, &TreeDelta::BudChange::id);
+        if (known != delta.buds.end())
+            known->after &= taken;
+        else if (const BudMask before = tree.buds(internode.parent); (before & ~taken) != 0)
+            delta.buds.push_back({internode.parent, before, static_cast<BudMask>(before & taken)});
+    }
+    return delta;
+}
+
+/// One step in which the branch that begins with @p root dies. Precondition: it lives and is not the
+/// seedling.
+inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId root) {
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.stepAfter = delta.stepBefore + 1;
+    std::vector<InternodeId> open{root};
+    while (!open.empty()) {
+        const InternodeId id = open.back();
+        open.pop_back();
+        delta.died.push_back(id);
+        for (InternodeId child = index.firstChild(id); child != kNoInternode;
+             child = index.nextSibling(child))
+            open.push_back(child);
+    }
+    return delta;
+}
+
+/// One step that puts @p parameters in force.
+inline TreeDelta parameterChange(Tree& tree, const TreeParameters& parameters) {
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.stepAfter = delta.stepBefore + 1;
+    delta.parametersAfter = tree.rememberParameters(parameters);
+    return delta;
+}
+
+/// One step of about @p count internodes on shoots of one to five, from random living buds; young internodes
+/// and terminal buds are preferred, so that axes become long. A pure function of the tree and @p seed.
+inline TreeDelta randomGrowth(const Tree& tree, std::uint32_t count, std::uint64_t seed = 1) {
+    Random random(seed, tree.step(), tree.size(), Purpose::ShootLength);
+    const GrowthParameters& growth = tree.parameters().growth;
+    std::vector<NewInternode> internodes;
+    std::vector<std::pair<InternodeId, int>> used;
+    for (std::uint32_t attempts = 0; internodes.size() < count && attempts < 50 * count; ++attempts) {
+        const double age = std::pow(random.uniform(), 3.0);
+        const auto id = static_cast<InternodeId>((1.0 - age) * (tree.size() - 1) + 0.5);
+        const int slot =
+            random.uniform() < 0.65 ? kTerminalSlot : static_cast<int>(random.bits() % kMaxLaterals);
+        if (!tree.isAlive(id) || (tree.buds(id) & budBit(slot)) == 0 ||
+            std::ranges::count(used, std::pair{id, slot}) != 0)
+            continue;
+        used.emplace_back(id, slot);
+        const auto shoot = 1 + static_cast<std::uint32_t>(random.bits() % 5);
+        const auto vigour = static_cast<float>(random.uniform());
+        InternodeId parent = id;
+        for (std::uint32_t i = 0; i < shoot && internodes.size() < count; ++i) {
+            const bool lateral = i == 0 && slot != kTerminalSlot;
+            const double bend = lateral ? random.uniform(0.4, 1.4) : random.uniform(0.0, 0.35);
+            internodes.push_back({
+                .parent = parent,
+                .slot = lateral ? slot : kTerminalSlot,
+                .rotation = lateral ? branching(bend, slot, growth.lateralsPerNode)
+                                    : continuing(bend, random.uniform(0.0, 2.0 * std::numbers::pi)),
+                .length = static_cast<float>(growth.internodeLength * random.uniform(0.6, 1.4)),
+                .vigour = vigour,
+            });
+            parent = tree.size() + static_cast<InternodeId>(internodes.size()) - 1;
+        }
+    }
+    return births(tree, internodes);
+}
+
+/// A tree with its index and the deltas that made it.
+struct TreeBuilder {
+    Tree tree;
+    TreeIndex index;
+    std::vector<TreeDelta> journal;
+
+    explicit TreeBuilder(std::uint64_t seed = 1, const TreeParameters& parameters = {})
+        : tree(seed, parameters), index(tree) {}
+
+    const TreeDelta& apply(TreeDelta delta) {
+        journal.push_back(std::move(delta));
+        tree.apply(journal.back());
+        index.update(tree, journal.back());
+        return journal.back();
+    }
+
+    /// Takes the last step back and returns it.
+    TreeDelta revert() {
+        TreeDelta delta = std::move(journal.back());
+        journal.pop_back();
+        tree.revert(delta);
+        index.update(tree, delta);
+        return delta;
+    }
+
+    /// Bears one internode in a step of its own.
+    InternodeId grow(const NewInternode& internode) {
+        apply(births(tree, std::span(&internode, 1)));
+        return tree.size() - 1;
+    }
+
+    /// Bears @p count internodes in a row on @p parent, the first from @p slot with @p first as its rotation;
+    /// returns the last.
+    InternodeId growAxis(InternodeId parent, int slot, const Rotation& first, std::uint32_t count,
+                         const Rotation& next = continuing(), float length = 0.1F) {
+        std::vector<NewInternode> internodes;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            internodes.push_back({.parent = i == 0 ? parent : tree.size() + i - 1,
+                                  .slot = i == 0 ? slot : kTerminalSlot,
+                                  .rotation = i == 0 ? first : next,
+                                  .length = length});
+        }
+        apply(births(tree, internodes));
+        return tree.size() - 1;
+    }
+
+    /// Random growth until there are @p count internodes, about a fortieth of them a step.
+    void growTo(std::uint32_t count, std::uint64_t seed = 1) {
+        while (tree.size() < count)
+            apply(randomGrowth(tree, std::min(count - tree.size(), 4 + tree.size() / 40), seed));
+    }
+};
+
+/// A tree of @p count internodes, the same for the same arguments.
+inline TreeBuilder randomTree(std::uint32_t count, std::uint64_t seed = 1,
+                              const TreeParameters& parameters = {}) {
+    TreeBuilder builder(seed, parameters);
+    builder.growTo(count, seed);
+    return builder;
+}
+
+} // namespace espalier::test

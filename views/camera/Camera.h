@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Vector.h"
+
+#include <QPointF>
+#include <QSizeF>
+
+#include <optional>
+
+namespace espalier {
+
+using Matrix4 = Eigen::Matrix4f;
+
+/// A half-line; the direction has length 1.
+struct Ray {
+    Vec3 origin = Vec3::Zero();
+    Vec3 direction = -Vec3::UnitZ();
+};
+
+enum class NamedView { Front, Side, Top, ThreeQuarter };
+
+/// A turntable camera: it looks at a target from a distance, at an azimuth around the vertical and an elevation above the
+/// horizon, and its horizon is always level. A value; it knows the size of the view it fills, so that it can say where on
+/// the screen a point of the world is, and the other way round. Screen positions are device-independent pixels from the
+/// upper left corner.
+class Camera {
+public:
+    /// Full vertical angle of view, rad.
+    static constexpr float kFieldOfView = static_cast<float>(radians(38));
+    static constexpr float kMinDistance = 0.05F; ///< m
+    static constexpr float kMaxDistance = 1000.0F; ///< m
+    static constexpr float kMaxElevation = static_cast<float>(radians(90));
+
+    /// Upright before a seedling: level, so that a stroke straight up makes an upright trunk; 6 m of the world are visible from top
+    /// to bottom at the origin, a quarter of them below ground.
+    Camera() = default;
+
+    const Vec3& target() const { return m_target; }
+    float distance() const { return m_distance; }
+    /// rad, 0 looks from +Z toward −Z, π/2 from +X; not wrapped, so that an animation can turn the short way.
+    float azimuth() const { return m_azimuth; }
+    /// rad above the horizon, −π/2...π/2.
+    float elevation() const { return m_elevation; }
+    const QSizeF& viewSize() const { return m_viewSize; }
+
+    void setTarget(const Vec3& target) { m_target = target; }
+    void setDistance(float metres);
+    void setAzimuth(float angle) { m_azimuth = angle; }
+    void setElevation(float angle);
+    /// Sizes below one pixel count as one.
+    void setViewSize(const QSizeF& size);
+
+    Vec3 right() const;
+    Vec3 up() const;
+    /// Where it looks.
+    Vec3 forward() const;
+    Vec3 position() const { return m_target - m_distance * forward(); }
+
+    /// Turns about the target, rad.
+    void orbit(float byAzimuth, float byElevation);
+    /// As if the plane through the target were drawn along under the pointer, px.
+    void pan(const QPointF& by);
+    /// Multiplies the distance by @p factor (> 0, below 1 comes nearer) while the point under @p about on the plane through the
+    /// target stays under it.
+    void zoom(float factor, const QPointF& about);
+    /// The same camera, moved without turning until it shows all of @p box, in the middle and with a margin; unchanged if
+    /// the box is empty.
+    Camera framing(const Box3& box) const;
+    /// The same camera, turned.
+    Camera turnedTo(NamedView view) const;
+
+    /// Where a point of the world appears; none if it is not in front of the camera.
+    std::optional<QPointF> project(const Vec3& point) const;
+    /// How far in front of the camera a point is, along forward(), m.
+    float depth(const Vec3& point) const { return (point - position()).dot(forward()); }
+    /// Through a point of the screen, from the camera's position.
+    Ray ray(const QPointF& screen) const;
+    /// The point under @p screen of the drawing plane, which goes through @p through and is parallel to the screen; a point at the
+    /// camera or behind it has no such plane, and the one through the target serves.
+    Vec3 onPlane(const QPointF& screen, const Vec3& through) const;
+    /// Of a length that is parallel to the screen, at a depth > 0.
+    float pixelsPerMetre(float depth) const;
+
+    /// World to camera.
+    Matrix4 viewMatrix() const;
+    /// Camera to clip space of OpenGL; 0 < nearest < farthest, m.
+    Matrix4 projectionMatrix(float nearest, float farthest) const;
+
+    bool operator==(const Camera&) const = default;
+
+private:
+    float aspect() const;
+
+    Vec3 m_target{0.0F, 1.5F, 0.0F};
+    float m_distance = 8.7126F;
+    float m_azimuth = 0.0F;
+    float m_elevation = 0.0F;
+    QSizeF m_viewSize{1280.0, 800.0};
+};
+
+} // namespace espalier

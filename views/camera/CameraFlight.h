@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/camera/Camera.h"
+
+namespace espalier {
+
+/// A short, smooth move of the camera from where it is to where it shall be; it turns the short way round.
+class CameraFlight {
+public:
+    static constexpr double kDuration = 0.35; ///< s
+
+    void start(const Camera& from, const Camera& to);
+    void stop() { m_elapsed = kDuration; }
+    bool isFlying() const { return m_elapsed < kDuration; }
+
+    /// Moves @p camera on by @p seconds; it arrives exactly. Its view size stays.
+    void advance(Camera& camera, double seconds);
+
+private:
+    Camera m_from;
+    Camera m_to;
+    double m_elapsed = kDuration;
+};
+
+} // namespace espalier

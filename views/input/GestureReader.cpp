@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/input/GestureReader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+/// A pen that was seen this short a while ago is still near, s.
+constexpr double kPenLinger = 0.6;
+/// Fingers closer than this to their centre do not pinch, px.
+constexpr double kSmallestSpread = 8.0;
+
+/// The last of @p samples that a finger is in, or null.
+const PointerSample* sampleOf(std::span<const PointerSample> samples, int finger)
+{
+    const auto found = std::find_if(samples.rbegin(), samples.rend(),
+                                    [finger](const PointerSample& sample) { return sample.id == finger; });
+    return found == samples.rend() ? nullptr : &*found;
+}
+
+} // namespace
+
+void GestureReader::read(std::span<const PointerSample> samples)
+{
+    if (samples.empty())
+        return;
+    if (samples.front().device == PointerDevice::Finger) {
+        readFingers(samples);
+        return;
+    }
+    for (const PointerSample& sample : samples) {
+        if (sample.device == PointerDevice::Pen) {
+            m_penDown = sample.phase == PointerPhase::Press || sample.phase == PointerPhase::Move;
+            penIsNear(sample.time);
+        }
+        readPointer(sample);
+    }
+}
+
+void GestureReader::setPenInReach(bool inReach, double time)
+{
+    m_penInReach = inReach;
+    if (inReach) {
+        penIsNear(time);
+    } else {
+        m_penSeen = -1e9;
+        m_penDown = false;
+    }
+}
+
+void GestureReader::cancel()
+{
+    if (m_mode == Mode::Idle)
+        return;
+    leaveTool();
+    m_mode = Mode::Spent;
+}
+
+GestureReader::Mode GestureReader::modeOfButton(const PointerSample& sample) const
+{
+    switch (sample.button) {
+    case Qt::LeftButton:
+        if (m_panKey)
+            return Mode::Pan;
+        return sample.modifiers.testFlag(Qt::AltModifier) ? Mode::Orbit : Mode::Tool;
+    case Qt::MiddleButton:
+        return sample.modifiers.testFlag(Qt::ShiftModifier) ? Mode::Pan : Mode::Orbit;
+    case Qt::RightButton:
+        return Mode::Orbit;
+    default:
+        return Mode::Idle;
+    }
+}
+
+void GestureReader::readPointer(const PointerSample& sample)
+{
+    if (m_mode == Mode::Idle) {
+        if (sample.phase == PointerPhase::Hover)
+            m_target.toolHovers(sample);
+        if (sample.phase != PointerPhase::Press)
+            return;
+        m_mode = modeOfButton(sample);
+        m_device = sample.device;
+        m_button = sample.button;
+        m_position = sample.position;
+        if (m_mode == Mode::Tool)
+            m_target.toolBegins(sample);
+        return;
+    }
+    if (sample.device != m_device)
+        return;
+    const bool ends = sample.phase == PointerPhase::Cancel || sample.phase == PointerPhase::Hover
+                      || (sample.phase == PointerPhase::Release && sample.button == m_button);
+    const QPointF distance = sample.position - m_position;
+    m_position = sample.position;
+    if (m_mode == Mode::Tool) {
+        if (sample.phase == PointerPhase::Cancel)
+            m_target.toolIsCancelled();
+        else if (ends)
+            m_target.toolEnds(sample);
+        else
+            m_target.toolMoves(sample);
+    } else if (!distance.isNull()) {
+        if (m_mode == Mode::Orbit)
+            m_target.orbitBy(distance);
+        else if (m_mode == Mode::Pan)
+            m_target.panBy(distance);
+    }
+    if (ends)
+        m_mode = Mode::Idle;
+}
+
+void GestureReader::readFingers(std::span<const PointerSample> samples)
+{
+    const bool taken = std::any_of(samples.begin(), samples.end(),
+                                   [](const PointerSample& s) { return s.phase == PointerPhase::Cancel; });
+    const bool changed = updateFingers(samples);
+    if (m_mode != Mode::Idle && m_device != PointerDevice::Finger)
+        return;
+    m_device = PointerDevice::Finger;
+    if (taken) {
+        leaveTool();
+        m_mode = Mode::Idle;
+    } else if (changed) {
+        changeFingers(samples);
+    } else {
+        moveFingers(samples);
+    }
+}
+
+/// Follows the fingers; true if one came or went.
+bool GestureReader::updateFingers(std::span<const PointerSample> samples)
+{
+    bool changed = false;
+    for (const PointerSample& sample : samples) {
+        const auto finger = std::find_if(m_fingers.begin(), m_fingers.end(),
+                                         [&](const Finger& f) { return f.id == sample.id; });
+        if (sample.phase == PointerPhase::Release || sample.phase == PointerPhase::Cancel) {
+            if (finger != m_fingers.end())
+                m_fingers.erase(finger);
+            changed = true;
+        } else if (finger != m_fingers.end()) {
+            finger->position = sample.position;
+        } else {
+            const bool otherDevice = m_mode != Mode::Idle && m_device != PointerDevice::Finger;
+            m_fingers.push_back({sample.id, sample.position, otherDevice || isPenNear(sample.time)});
+            changed = true;
+        }
+    }
+    return changed;
+}
+
+/// Gestures grow with the number of fingers; once one is lifted, the others leave, too, in their own time, and must not
+/// draw or pull anything along.
+void GestureReader::changeFingers(std::span<const PointerSample> samples)
+{
+    const std::size_t count = fingerCount();
+    if (m_mode == Mode::Tool && count == 0) {
+        m_target.toolEnds(*sampleOf(samples, m_toolFinger));
+        m_mode = Mode::Idle;
+        return;
+    }
+    if (m_mode == Mode::Tool && count == 1)
+        return; // A palm came or went.
+    leaveTool();
+    if (count == 0) {
+        m_mode = Mode::Idle;
+    } else if (count == 1 && m_mode == Mode::Idle) {
+        const auto finger = std::find_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return !f.isPalm; });
+        if (const PointerSample* sample = sampleOf(samples, finger->id)) {
+            m_mode = Mode::Tool;
+            m_toolFinger = finger->id;
+            m_target.toolBegins(*sample);
+        }
+    } else if (count == 2 && (m_mode == Mode::Idle || m_mode == Mode::Tool)) {
+        m_mode = Mode::TwoFingers;
+    } else if (count == 3 && m_mode != Mode::Spent) {
+        m_mode = Mode::ThreeFingers;
+    } else {
+        m_mode = Mode::Spent;
+    }
+    measureFingers();
+}
+
+void GestureReader::moveFingers(std::span<const PointerSample> samples)
+{
+    const QPointF centre = m_centre;
+    const double spread = m_spread;
+    switch (m_mode) {
+    case Mode::Tool:
+        if (const PointerSample* sample = sampleOf(samples, m_toolFinger))
+            m_target.toolMoves(*sample);
+        break;
+    case Mode::TwoFingers:
+        measureFingers();
+        m_target.panBy(m_centre - centre);
+        if (spread > kSmallestSpread && m_spread > kSmallestSpread)
+            m_target.magnify(m_spread / spread, m_centre);
+        break;
+    case Mode::ThreeFingers:
+        measureFingers();
+        m_target.orbitBy(m_centre - centre);
+        break;
+    default:
+        break;
+    }
+}
+
+void GestureReader::measureFingers()
+{
+    const auto count = static_cast<double>(fingerCount());
+    if (count == 0.0)
+        return;
+    m_centre = {};
+    for (const Finger& finger : m_fingers) {
+        if (!finger.isPalm)
+            m_centre += finger.position / count;
+    }
+    m_spread = 0.0;
+    for (const Finger& finger : m_fingers) {
+        const QPointF offset = finger.position - m_centre;
+        if (!finger.isPalm)
+            m_spread += std::hypot(offset.x(), offset.y()) / count;
+    }
+}
+
+std::size_t GestureReader::fingerCount() const
+{
+    return static_cast<std::size_t>(
+        std::count_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return !f.isPalm; }));
+}
+
+/// The hand that holds the pen may have come down before the pen was seen: what it did is taken back.
+void GestureReader::penIsNear(double time)
+{
+    m_penSeen = time;
+    for (Finger& finger : m_fingers)
+        finger.isPalm = true;
+    if (m_device == PointerDevice::Finger && m_mode != Mode::Idle) {
+        leaveTool();
+        m_mode = Mode::Idle;
+    }
+}
+
+bool GestureReader::isPenNear(double time) const
+{
+    return m_penDown || m_penInReach || time - m_penSeen < kPenLinger;
+}
+
+void GestureReader::leaveTool()
+{
+    if (m_mode == Mode::Tool)
+        m_target.toolIsCancelled();
+}
+
+} // namespace espalier

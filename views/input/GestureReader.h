@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/input/PointerSample.h"
+
+#include <span>
+#include <vector>
+
+namespace espalier {
+
+/// What a gesture asks for: the work of a tool, or another view of the tree.
+class GestureTarget {
+public:
+    virtual ~GestureTarget() = default;
+
+    virtual void toolBegins(const PointerSample& sample) = 0;
+    virtual void toolMoves(const PointerSample& sample) = 0;
+    virtual void toolEnds(const PointerSample& sample) = 0;
+    virtual void toolIsCancelled() = 0;
+    virtual void toolHovers(const PointerSample& sample) = 0;
+
+    /// Distances in px.
+    virtual void orbitBy(const QPointF& distance) = 0;
+    virtual void panBy(const QPointF& distance) = 0;
+    /// @p factor > 1 makes larger what is under @p about.
+    virtual void magnify(double factor, const QPointF& about) = 0;
+};
+
+/// Reads gestures before tools are asked (TreeSketch §3.1): one finger, a pen's tip or the left mouse button is the tool; two
+/// fingers pan and pinch, three rotate. The mouse rotates by its right or middle button or with Alt, and pans by Shift and the
+/// middle button or while the space bar is held. A finger that is joined by a second one has not been meant for the tool:
+/// its gesture is cancelled. While a pen is near or down, touch is a palm and counts for nothing.
+class GestureReader {
+public:
+    explicit GestureReader(GestureTarget& target) : m_target(target) {}
+
+    /// Reads samples that belong together: all that one event says.
+    void read(std::span<const PointerSample> samples);
+
+    /// Whether dragging pans (the space bar is held).
+    void setPanKey(bool held) { m_panKey = held; }
+    /// A pen came into or left the tablet's reach; while it moves or touches, the reader knows by itself.
+    void setPenInReach(bool inReach, double time);
+    /// Gives up the gesture under way; what is still held counts for nothing until it is lifted.
+    void cancel();
+
+    bool isBusy() const { return m_mode != Mode::Idle; }
+
+private:
+    enum class Mode {
+        Idle,
+        Tool,
+        Orbit,
+        Pan,
+        TwoFingers,
+        ThreeFingers,
+        Spent, ///< Waits until everything is lifted
+    };
+    struct Finger {
+        int id;
+        QPointF position;
+        bool isPalm;
+    };
+
+    void readPointer(const PointerSample& sample);
+    void readFingers(std::span<const PointerSample> samples);
+    Mode modeOfButton(const PointerSample& sample) const;
+    bool updateFingers(std::span<const PointerSample> samples);
+    void changeFingers(std::span<const PointerSample> samples);
+    void moveFingers(std::span<const PointerSample> samples);
+    void penIsNear(double time);
+    bool isPenNear(double time) const;
+    std::size_t fingerCount() const;
+    void measureFingers();
+    void leaveTool();
+
+    GestureTarget& m_target;
+    Mode m_mode = Mode::Idle;
+    PointerDevice m_device = PointerDevice::Mouse; ///< That drives the mode
+    Qt::MouseButton m_button = Qt::NoButton;       ///< That began it
+    QPointF m_position;
+    bool m_panKey = false;
+
+    std::vector<Finger> m_fingers;
+    int m_toolFinger = 0;
+    QPointF m_centre;
+    double m_spread = 0.0; ///< Mean distance from the centre, px
+
+    bool m_penInReach = false;
+    bool m_penDown = false;
+    double m_penSeen = -1e9; ///< s
+};
+
+} // namespace espalier

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/input/PointerReader.h"
+
+#include "model/base/Vector.h"
+
+#include <QInputDevice>
+#include <QMouseEvent>
+#include <QTabletEvent>
+#include <QTouchEvent>
+
+#include <algorithm>
+
+namespace espalier {
+
+namespace {
+
+/// An event is believed to have waited in the queue at most this long, s.
+constexpr double kLongestDelay = 0.25;
+
+PointerPhase phaseOf(QEventPoint::State state)
+{
+    switch (state) {
+    case QEventPoint::State::Pressed:
+        return PointerPhase::Press;
+    case QEventPoint::State::Released:
+        return PointerPhase::Release;
+    default:
+        return PointerPhase::Move;
+    }
+}
+
+} // namespace
+
+PointerReader::PointerReader()
+{
+    m_timer.start();
+}
+
+double PointerReader::now() const
+{
+    return static_cast<double>(m_timer.nsecsElapsed()) * 1e-9;
+}
+
+/// Events that a busy moment made wait tell the truth about when they happened, so that a stroke keeps its pace; but their
+/// clock may have any origin, and made-up events may have any time at all.
+double PointerReader::timeOf(quint64 timestamp)
+{
+    const double arrived = now();
+    const double stamped = static_cast<double>(timestamp) * 1e-3;
+    if (stamped + m_offset > arrived || stamped + m_offset < arrived - kLongestDelay)
+        m_offset = arrived - stamped;
+    m_last = std::max(m_last, stamped + m_offset);
+    return m_last;
+}
+
+std::span<const PointerSample> PointerReader::read(QEvent& event)
+{
+    m_samples.clear();
+    switch (event.type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick: // Quick strokes are strokes, too.
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+        readMouse(static_cast<const QMouseEvent&>(event));
+        break;
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        readTouch(static_cast<const QTouchEvent&>(event));
+        break;
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+        readTablet(static_cast<const QTabletEvent&>(event));
+        break;
+    default:
+        break;
+    }
+    return m_samples;
+}
+
+void PointerReader::readMouse(const QMouseEvent& event)
+{
+    if (event.source() != Qt::MouseEventNotSynthesized)
+        return;
+    PointerSample sample;
+    if (event.type() == QEvent::MouseButtonRelease)
+        sample.phase = PointerPhase::Release;
+    else if (event.type() != QEvent::MouseMove)
+        sample.phase = PointerPhase::Press;
+    else
+        sample.phase = event.buttons() == Qt::NoButton ? PointerPhase::Hover : PointerPhase::Move;
+    sample.position = event.position();
+    sample.time = timeOf(event.timestamp());
+    sample.button = event.button();
+    sample.buttons = event.buttons();
+    sample.modifiers = event.modifiers();
+    m_samples.push_back(sample);
+}
+
+void PointerReader::readTouch(const QTouchEvent& event)
+{
+    const bool cancelled = event.type() == QEvent::TouchCancel;
+    const bool hasPressure = event.device() != nullptr
+                             && event.device()->hasCapability(QInputDevice::Capability::Pressure);
+    const double time = timeOf(event.timestamp());
+    for (const QEventPoint& point : event.points()) {
+        if (point.state() == QEventPoint::State::Stationary && !cancelled)
+            continue;
+        PointerSample sample;
+        sample.id = point.id();
+        sample.device = PointerDevice::Finger;
+        sample.phase = cancelled ? PointerPhase::Cancel : phaseOf(point.state());
+        sample.position = point.position();
+        sample.pressure = hasPressure ? point.pressure() : 1.0;
+        sample.time = time;
+        sample.modifiers = event.modifiers();
+        m_samples.push_back(sample);
+    }
+}
+
+void PointerReader::readTablet(const QTabletEvent& event)
+{
+    PointerSample sample;
+    sample.device = PointerDevice::Pen;
+    if (event.type() == QEvent::TabletPress)
+        sample.phase = PointerPhase::Press;
+    else if (event.type() == QEvent::TabletRelease)
+        sample.phase = PointerPhase::Release;
+    else
+        sample.phase = event.buttons() == Qt::NoButton ? PointerPhase::Hover : PointerPhase::Move;
+    sample.position = event.position();
+    sample.pressure = std::clamp(event.pressure(), 0.0, 1.0);
+    sample.tilt = {radians(event.xTilt()), radians(event.yTilt())};
+    sample.time = timeOf(event.timestamp());
+    sample.button = event.button();
+    sample.buttons = event.buttons();
+    sample.modifiers = event.modifiers();
+    m_samples.push_back(sample);
+}
+
+} // namespace espalier
