@@ -7,16 +7,17 @@
 
 namespace espalier {
 
-/// A drag of a slider: parameters are tried out live, and all that one gesture tries is one undo step. Nothing is left hanging between
-/// two trials: each leaves a whole command on the undo stack, which the next one replaces, provided that nobody has done or
-/// undone anything since.
+/// A drag of a slider: parameters are tried out live, and all that one gesture tries is one undo step.
+/// Nothing is left hanging between two trials: each leaves a whole command on the undo stack, which the next
+/// one replaces, provided that nobody has done or undone anything since.
 class ParameterGesture {
 public:
     explicit ParameterGesture(TreeDocument& document) : m_document(document) {}
     ParameterGesture(const ParameterGesture&) = delete;
     ParameterGesture& operator=(const ParameterGesture&) = delete;
 
-    /// Puts @p parameters in force, in place of those that the gesture tried before. @p text names the undo step.
+    /// Puts @p parameters in force, in place of those that the gesture tried before. @p text names the undo
+    /// step.
     void tryOut(const TreeParameters& parameters, const QString& text);
     /// The next trial begins another gesture.
     void finish() { m_command.reset(); }

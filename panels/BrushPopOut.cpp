@@ -11,10 +11,14 @@
 namespace espalier {
 
 BrushPopOut::BrushPopOut(const TreeDocument& document, ViewSettings& settings, QWidget* parent)
-    : Bar(parent), m_document(document), m_settings(settings), m_number(new QLabel(this)), m_meaning(new QLabel(this)),
-      m_slider(new RadiusSlider(kMaxBrushRadius, this)), m_pressure(new Toggle(tr("Pressure"), this)),
-      m_markers(new Toggle(tr("Markers"), this))
-{
+    : Bar(parent),
+      m_document(document),
+      m_settings(settings),
+      m_number(new QLabel(this)),
+      m_meaning(new QLabel(this)),
+      m_slider(new RadiusSlider(kMaxBrushRadius, this)),
+      m_pressure(new Toggle(tr("Pressure"), this)),
+      m_markers(new Toggle(tr("Markers"), this)) {
     m_number->setAlignment(Qt::AlignCenter);
     m_meaning->setAlignment(Qt::AlignCenter);
     QFont small = m_meaning->font();
@@ -23,8 +27,9 @@ BrushPopOut::BrushPopOut(const TreeDocument& document, ViewSettings& settings, Q
     QPalette dim = m_meaning->palette();
     dim.setColor(QPalette::WindowText, theme::kDimText);
     m_meaning->setPalette(dim);
-    m_slider->setToolTip(tr("<b>Brush radius</b> [ ]<br>A large brush grows a crown into the space it passes; toward zero it "
-                            "draws a single branch exactly along the stroke."));
+    m_slider->setToolTip(
+        tr("<b>Brush radius</b> [ ]<br>A large brush grows a crown into the space it passes; toward zero it "
+           "draws a single branch exactly along the stroke."));
     m_pressure->setToolTip(tr("A pen's pressure scales the brush."));
     m_markers->setToolTip(tr("Show the points of free space that the brush spreads and shoots grow toward."));
 
@@ -53,8 +58,7 @@ BrushPopOut::BrushPopOut(const TreeDocument& document, ViewSettings& settings, Q
     showValues();
 }
 
-void BrushPopOut::showValues()
-{
+void BrushPopOut::showValues() {
     const ViewValues& values = m_settings.values();
     const double centimetres = values.brushRadius * 100.0;
     m_number->setText(values.brushRadius >= 1.0

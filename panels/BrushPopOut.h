@@ -12,7 +12,8 @@ namespace espalier {
 class RadiusSlider;
 class Toggle;
 
-/// What belongs to the brush in hand: its radius, whether a pen's pressure scales it, and whether its markers show.
+/// What belongs to the brush in hand: its radius, whether a pen's pressure scales it, and whether its markers
+/// show.
 class BrushPopOut : public Bar {
     Q_OBJECT
 

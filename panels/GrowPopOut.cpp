@@ -12,8 +12,7 @@
 namespace espalier {
 
 GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
-    : Bar(parent), m_document(document), m_step(new QLabel(this)), m_count(new QSpinBox(this))
-{
+    : Bar(parent), m_document(document), m_step(new QLabel(this)), m_count(new QSpinBox(this)) {
     auto* hold = new QPushButton(icon(QStringLiteral("grow")), tr("Hold to grow"), this);
     hold->setObjectName(QStringLiteral("holdToGrow"));
     hold->setIconSize({24, 24});
@@ -53,8 +52,7 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     showStep();
 }
 
-void GrowPopOut::showStep()
-{
+void GrowPopOut::showStep() {
     m_step->setText(tr("step %L1").arg(m_document.tree().step()));
 }
 

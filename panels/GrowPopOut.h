@@ -9,7 +9,8 @@ class QSpinBox;
 
 namespace espalier {
 
-/// Lets the tree grow on its own: for as long as a button is held, or for a number of steps. It only asks; see its signals.
+/// Lets the tree grow on its own: for as long as a button is held, or for a number of steps. It only asks;
+/// see its signals.
 class GrowPopOut : public Bar {
     Q_OBJECT
 

@@ -13,7 +13,8 @@ class QPushButton;
 
 namespace espalier {
 
-/// One sentence over the tree: what was done, what went wrong, or how far something has got. It never stops the work.
+/// One sentence over the tree: what was done, what went wrong, or how far something has got. It never stops
+/// the work.
 class Notice : public Bar {
     Q_OBJECT
 

@@ -11,8 +11,9 @@ namespace espalier {
 
 class ParameterRow;
 
-/// One sheet of a document's parameters, in sections side by side. A gesture on a row becomes one undo step. What shows at once (leaves,
-/// widths, bark) is tried out while a slider moves; what steers growth is put in force when the gesture ends.
+/// One sheet of a document's parameters, in sections side by side. A gesture on a row becomes one undo step.
+/// What shows at once (leaves, widths, bark) is tried out while a slider moves; what steers growth is put in
+/// force when the gesture ends.
 class ParameterPanel : public Bar {
     Q_OBJECT
 

@@ -24,15 +24,15 @@ namespace {
 constexpr int kSliderSteps = 1000;
 constexpr int kRowHeight = 42;
 
-/// Takes the wheel and the Tab key only while it has the focus: a panel is scrolled past it, and Tab elsewhere hides the panels.
+/// Takes the wheel and the Tab key only while it has the focus: a panel is scrolled past it, and Tab
+/// elsewhere hides the panels.
 template <class Base>
 class Patient : public Base {
 public:
     using Base::Base;
 
 protected:
-    bool event(QEvent* event) override
-    {
+    bool event(QEvent* event) override {
         if (event->type() == QEvent::ShortcutOverride) {
             const int key = static_cast<QKeyEvent*>(event)->key();
             if (key == Qt::Key_Tab || key == Qt::Key_Backtab) {
@@ -43,8 +43,7 @@ protected:
         return Base::event(event);
     }
 
-    void wheelEvent(QWheelEvent* event) override
-    {
+    void wheelEvent(QWheelEvent* event) override {
         if (this->hasFocus())
             Base::wheelEvent(event);
         else
@@ -55,23 +54,26 @@ protected:
 } // namespace
 
 ParameterRow::ParameterRow(const ParameterInfo& info, const ParameterText& text, QWidget* parent)
-    : QWidget(parent), m_info(info), m_text(text)
-{
+    : QWidget(parent), m_info(info), m_text(text) {
     setObjectName(QString::fromLatin1(info.key));
     setAccessibleName(parameterTr(text.label));
     m_rest.setSingleShot(true);
     m_rest.setInterval(600);
     connect(&m_rest, &QTimer::timeout, this, &ParameterRow::gestureEnded);
     switch (info.quantity) {
-    case Quantity::Switch: makeSwitch(); break;
-    case Quantity::Choice: makeChoice(); break;
-    default: makeSlider();
+    case Quantity::Switch:
+        makeSwitch();
+        break;
+    case Quantity::Choice:
+        makeChoice();
+        break;
+    default:
+        makeSlider();
     }
     setToolTip(toolTipText());
 }
 
-QString ParameterRow::labelText() const
-{
+QString ParameterRow::labelText() const {
     QString symbol = QString::fromUtf8(m_text.symbol);
     if (const auto underscore = symbol.indexOf(QLatin1Char('_')); underscore > 0)
         symbol = QStringLiteral("%1<sub>%2</sub>").arg(symbol.left(underscore), symbol.mid(underscore + 1));
@@ -81,14 +83,12 @@ QString ParameterRow::labelText() const
     return QStringLiteral("%1 <span style='color:%2'>%3</span>").arg(label, theme::kFaintText.name(), symbol);
 }
 
-QString ParameterRow::toolTipText() const
-{
+QString ParameterRow::toolTipText() const {
     // Rich text wraps.
     return QStringLiteral("<b>%1</b><br>%2").arg(labelText(), parameterTr(m_text.tip).toHtmlEscaped());
 }
 
-QLabel* ParameterRow::makeLabel()
-{
+QLabel* ParameterRow::makeLabel() {
     auto* label = new QLabel(labelText(), this);
     label->setTextFormat(Qt::RichText);
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -98,8 +98,7 @@ QLabel* ParameterRow::makeLabel()
     return label;
 }
 
-bool ParameterRow::event(QEvent* event)
-{
+bool ParameterRow::event(QEvent* event) {
     // The whole row drags the slider: its handle alone is small for a finger.
     switch (event->type()) {
     case QEvent::MouseButtonPress:
@@ -108,20 +107,20 @@ bool ParameterRow::event(QEvent* event)
         if (m_slider) {
             const auto* mouse = static_cast<QMouseEvent*>(event);
             const QPointF place(mouse->position().x() - m_slider->x(), m_slider->height() / 2.0);
-            QMouseEvent passedOn(mouse->type(), place, mouse->globalPosition(), mouse->button(), mouse->buttons(),
-                                 mouse->modifiers());
+            QMouseEvent passedOn(mouse->type(), place, mouse->globalPosition(), mouse->button(),
+                                 mouse->buttons(), mouse->modifiers());
             QCoreApplication::sendEvent(m_slider, &passedOn);
             event->accept();
             return true;
         }
         break;
-    default: break;
+    default:
+        break;
     }
     return QWidget::event(event);
 }
 
-void ParameterRow::makeSlider()
-{
+void ParameterRow::makeSlider() {
     QLabel* label = makeLabel();
 
     m_number = new Patient<QDoubleSpinBox>(this);
@@ -132,8 +131,9 @@ void ParameterRow::makeSlider()
     m_number->setDecimals(m_text.decimals);
     m_number->setRange(m_info.minimum * m_text.factor, m_info.maximum * m_text.factor);
     m_number->setSingleStep(std::pow(10.0, -m_text.decimals));
-    m_number->setStepType(m_text.scale == ParameterText::Scale::Linear ? QAbstractSpinBox::DefaultStepType
-                                                                       : QAbstractSpinBox::AdaptiveDecimalStepType);
+    m_number->setStepType(m_text.scale == ParameterText::Scale::Linear
+                              ? QAbstractSpinBox::DefaultStepType
+                              : QAbstractSpinBox::AdaptiveDecimalStepType);
     const QString unit = QString::fromUtf8(m_text.unit);
     m_number->setSuffix(unit == QStringLiteral("°") || unit.isEmpty() ? unit : QLatin1Char(' ') + unit);
     m_number->setKeyboardTracking(false);
@@ -165,11 +165,11 @@ void ParameterRow::makeSlider()
         m_rest.stop();
         Q_EMIT gestureEnded();
     });
-    connect(m_number, &QDoubleSpinBox::valueChanged, this, [this](double shown) { edit(shown / m_text.factor); });
+    connect(m_number, &QDoubleSpinBox::valueChanged, this,
+            [this](double shown) { edit(shown / m_text.factor); });
 }
 
-void ParameterRow::makeSwitch()
-{
+void ParameterRow::makeSwitch() {
     m_switch = new Toggle(parameterTr(m_text.label), this);
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
@@ -182,8 +182,7 @@ void ParameterRow::makeSwitch()
     });
 }
 
-void ParameterRow::makeChoice()
-{
+void ParameterRow::makeChoice() {
     QLabel* label = makeLabel();
     m_choice = new Patient<QComboBox>(this);
     m_choice->addItems(choiceNames(m_info.choices));
@@ -200,15 +199,13 @@ void ParameterRow::makeChoice()
     });
 }
 
-void ParameterRow::setValue(double value)
-{
+void ParameterRow::setValue(double value) {
     m_rest.stop();
     m_value = value;
     present(value);
 }
 
-void ParameterRow::present(double value)
-{
+void ParameterRow::present(double value) {
     if (m_slider) {
         const QSignalBlocker quietSlider(m_slider);
         const QSignalBlocker quietNumber(m_number);
@@ -223,8 +220,7 @@ void ParameterRow::present(double value)
     }
 }
 
-void ParameterRow::edit(double value)
-{
+void ParameterRow::edit(double value) {
     if (value == m_value)
         return;
     m_value = value;
@@ -234,8 +230,7 @@ void ParameterRow::edit(double value)
         m_rest.start();
 }
 
-double ParameterRow::valueAt(int position) const
-{
+double ParameterRow::valueAt(int position) const {
     using enum ParameterText::Scale;
     const double t = position / static_cast<double>(kSliderSteps);
     const double low = m_info.minimum;
@@ -250,8 +245,7 @@ double ParameterRow::valueAt(int position) const
     return std::clamp(std::round(value * grain) / grain, low, high);
 }
 
-int ParameterRow::positionOf(double value) const
-{
+int ParameterRow::positionOf(double value) const {
     using enum ParameterText::Scale;
     const double low = m_info.minimum;
     const double high = m_info.maximum;

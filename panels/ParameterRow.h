@@ -15,8 +15,9 @@ class QSlider;
 
 namespace espalier {
 
-/// One parameter to look at and to change: a slider below its name and its number, a switch, or a list of choices. A gesture is
-/// whatever a person feels to be one change: a drag of the slider, a number typed, a turn of the wheel.
+/// One parameter to look at and to change: a slider below its name and its number, a switch, or a list of
+/// choices. A gesture is whatever a person feels to be one change: a drag of the slider, a number typed, a
+/// turn of the wheel.
 class ParameterRow : public QWidget {
     Q_OBJECT
 

@@ -5,7 +5,8 @@
 
 namespace espalier {
 
-/// An upright, wedge-shaped slider for the brush's radius: wider where the radius is larger, finer where it is small.
+/// An upright, wedge-shaped slider for the brush's radius: wider where the radius is larger, finer where it
+/// is small.
 class RadiusSlider : public QAbstractSlider {
     Q_OBJECT
 

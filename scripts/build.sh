@@ -11,6 +11,10 @@ readonly folder="build/$preset"
 readonly log="$folder/build.log"
 mkdir -p "$folder"
 
+# Two builds in one folder would spoil it: the second waits.
+exec 9>"$folder/build.lock"
+flock 9
+
 fail() {
     [[ -t 2 ]] && printf '\r\033[K' >&2
     # The compiler's complaints without the progress and the long command lines between them.

@@ -1,14 +1,20 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every tracked source names its licence in the first line and is as clang-format 14 would write it.
-# Usage: scripts/check-format.sh [--fix]
+# Usage: scripts/check-format.sh [--fix]       (--fix mends the layout, also of sources not tracked yet)
 # Ends with 77 when all is well as far as it goes, but clang-format 14 is not there to look at the rest.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
+fix="${1:-}"
+untracked=()
+if [[ "$fix" == --fix ]]; then
+    untracked=(--others --exclude-standard)
+fi
+
 list() {
     if git rev-parse --is-inside-work-tree >/dev/null 2>&1; then
-        git ls-files -- '*.cpp' '*.h'
+        git ls-files --cached "${untracked[@]}" -- '*.cpp' '*.h'
     else
         find app commands model panels tests views \( -name '*.cpp' -o -name '*.h' \) -print
     fi
@@ -32,9 +38,14 @@ if [[ -z "$program" || "$("$program" --version)" != *"version 14."* ]]; then
     echo "format: clang-format 14 is not installed, so the layout was not looked at" >&2
     exit $((status == 0 ? 77 : status))
 fi
-if [[ "${1:-}" == --fix ]]; then
+if [[ "$fix" == --fix ]]; then
     "$program" -i "${files[@]}"
 else
-    "$program" --dry-run -Werror "${files[@]}" || status=1
+    wrong="$({ "$program" --dry-run -Werror "${files[@]}" 2>&1 || true; } |
+        sed -n 's/^\([^:]*\):[0-9]*:[0-9]*: error: .*/\1/p' | sort -u)"
+    if [[ -n "$wrong" ]]; then
+        sed 's/$/: clang-format would change it (scripts\/check-format.sh --fix)/' <<<"$wrong" >&2
+        status=1
+    fi
 fi
 exit $status

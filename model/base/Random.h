@@ -39,11 +39,11 @@ public:
     double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
     /// Uniform in [from, to).
     double uniform(double from, double to) { return from + (to - from) * uniform(); }
-    /// Mean 0, standard deviation 1 (Box-Muller; two draws a call).
+    /// Bell-shaped: mean 0, standard deviation 1, within ±3.5 (the sum of four uniforms: Box-Muller costs ten times as much).
     double normal()
     {
-        const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-        return radius * std::cos(2.0 * std::numbers::pi * uniform());
+        const double sum = uniform() + uniform() + uniform() + uniform();
+        return std::numbers::sqrt3 * (sum - 2.0);
     }
     /// Uniform on the unit sphere.
     Vec3 direction()

@@ -2,8 +2,19 @@
 #include "model/document/ViewSettings.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
+
+double steppedBrushRadius(double radius, double notches)
+{
+    constexpr double kSmallest = 0.02;
+    constexpr double kRatio = 1.1;
+    if (radius < kSmallest && notches <= 0.0)
+        return 0.0;
+    const double stepped = std::max(radius, kSmallest / kRatio) * std::pow(kRatio, notches);
+    return stepped < 0.999 * kSmallest ? 0.0 : std::min(stepped, kMaxBrushRadius);
+}
 
 void ViewSettings::setValues(const ViewValues& values)
 {

@@ -12,6 +12,10 @@ namespace espalier {
 /// Largest radius of the brush, m.
 inline constexpr double kMaxBrushRadius = 5.0;
 
+/// The next larger (@p notches > 0) or smaller radius, as a wheel or the keys [ and ] step through them: by a tenth a notch, down
+/// to an axis and up again from it.
+double steppedBrushRadius(double radius, double notches);
+
 /// What stands behind the tree.
 enum class Backdrop : int {
     Studio,  ///< Dark, lighter behind the tree

@@ -18,8 +18,12 @@ struct Neighbour {
 };
 
 constexpr BudRef kNobody{kNoInternode, 0};
-/// Owner of a marker that lies in an occupied zone.
-constexpr BudRef kOccupied{kNoInternode, 1};
+
+/// Memory of one thread.
+struct Scratch {
+    std::vector<Neighbour> neighbours;
+    std::vector<std::pair<float, InternodeId>> byDistance;
+};
 
 class Contest {
 public:
@@ -29,68 +33,90 @@ public:
     {
     }
 
-    /// Nodes with living buds that may reach into voxel @p cell.
+    bool isOccupied(const Vec3& marker) const { return isOccupied(m_space, 0, marker) || isOccupiedAnew(marker); }
+    bool isOccupiedAnew(const Vec3& marker) const
+    {
+        return isOccupied(m_tree.newNodes(), m_tree.tree().size(), marker);
+    }
+    bool perceives(const BudRef& bud, const Vec3& marker) const
+    {
+        const Vec3 toMarker = marker - m_tree.nodePosition(bud.node);
+        const float distance = toMarker.norm();
+        return distance <= m_perception.reach && directionOf(bud).dot(toMarker) >= m_perception.cosHalfAngle * distance;
+    }
+
+    /// Nodes with living buds that may perceive something in voxel @p cell.
     void gather(const Cell& cell, std::vector<Neighbour>& neighbours) const
     {
         neighbours.clear();
-        gatherFrom(m_space, cell, 0, neighbours);
-        gatherFrom(m_tree.newNodes(), cell, m_tree.tree().size(), neighbours);
+        gather(m_space, 0, cell, neighbours);
+        gather(m_tree.newNodes(), m_tree.tree().size(), cell, neighbours);
     }
 
-    /// Of a marker in no occupied zone.
-    BudRef ownerOf(const Vec3& marker, const std::vector<Neighbour>& neighbours) const
+    BudRef ownerOf(const Vec3& marker, Scratch& scratch) const
     {
-        float nearest = m_perception.reach * m_perception.reach;
-        float bestAlignment = 0.0F;
+        auto& nodes = scratch.byDistance;
+        nodes.clear();
+        for (const Neighbour& neighbour : scratch.neighbours) {
+            const float squared = (marker - neighbour.position).squaredNorm();
+            if (squared <= m_perception.reach * m_perception.reach)
+                nodes.emplace_back(squared, neighbour.id);
+        }
+        // A heap, since the first few nodes decide.
+        const auto farther = std::ranges::greater{};
+        std::ranges::make_heap(nodes, farther);
         BudRef owner = kNobody;
-        for (const Neighbour& neighbour : neighbours) {
-            const Vec3 toMarker = marker - neighbour.position;
-            const float squared = toMarker.squaredNorm();
-            if (squared > nearest)
-                continue;
-            const float distance = std::sqrt(squared);
-            for (unsigned rest = m_tree.buds(neighbour.id); rest != 0; rest &= rest - 1) {
-                const BudRef bud{neighbour.id, std::countr_zero(rest)};
-                const float alignment = directionOf(bud).dot(toMarker);
-                if (alignment < m_perception.cosHalfAngle * distance)
+        float distance = 0.0F;
+        float alignment = 0.0F;
+        while (!nodes.empty() && (owner == kNobody || nodes.front().first == distance)) {
+            std::ranges::pop_heap(nodes, farther);
+            const auto [squared, id] = nodes.back();
+            nodes.pop_back();
+            const Vec3 toMarker = marker - m_tree.nodePosition(id);
+            for (unsigned rest = m_tree.buds(id); rest != 0; rest &= rest - 1) {
+                const BudRef bud{id, std::countr_zero(rest)};
+                const float along = directionOf(bud).dot(toMarker);
+                if (along < m_perception.cosHalfAngle * std::sqrt(squared) || (owner != kNobody && along <= alignment) ||
+                    !competes(m_tree, m_competitors, bud))
                     continue;
-                const bool better = squared < nearest || owner == kNobody || alignment > bestAlignment ||
-                                    (alignment == bestAlignment && bud < owner);
-                if (!better || !competes(m_tree, m_competitors, bud))
-                    continue;
-                nearest = squared;
-                bestAlignment = alignment;
                 owner = bud;
+                distance = squared;
+                alignment = along;
             }
         }
         return owner;
     }
 
-    /// Whether any bud's occupied zone holds the marker.
-    bool isOccupied(const Vec3& marker, const std::vector<Neighbour>& neighbours) const
+private:
+    bool isOccupied(const VoxelSpace& space, InternodeId offset, const Vec3& marker) const
     {
-        const float occupied = m_perception.occupancy * m_perception.occupancy;
-        return std::ranges::any_of(neighbours, [&](const Neighbour& neighbour) {
-            return (marker - neighbour.position).squaredNorm() < occupied;
+        const float squaredRadius = m_perception.occupancy * m_perception.occupancy;
+        const Vec3 reach = Vec3::Constant(m_perception.occupancy);
+        return space.anyOccupied(space.cellAt(marker - reach), space.cellAt(marker + reach), [&](InternodeId first) {
+            for (InternodeId node = first; node != kNoInternode; node = space.nextInCell(node)) {
+                if ((m_tree.nodePosition(node + offset) - marker).squaredNorm() < squaredRadius &&
+                    m_tree.buds(node + offset) != 0)
+                    return true;
+            }
+            return false;
         });
     }
 
-private:
-    void gatherFrom(const VoxelSpace& space, const Cell& cell, InternodeId offset, std::vector<Neighbour>& neighbours) const
+    void gather(const VoxelSpace& space, InternodeId offset, const Cell& cell, std::vector<Neighbour>& neighbours) const
     {
-        const int reach = static_cast<int>(std::ceil(m_perception.reach / space.edge()));
-        const Vec3 centre = space.centreOf(cell);
         // Half a voxel's diagonal more than a bud perceives.
+        const Vec3 centre = space.centreOf(cell);
         const float limit = m_perception.reach + 0.8661F * space.edge();
-        space.forEachOccupied({cell.x - reach, cell.y - reach, cell.z - reach},
-                              {cell.x + reach, cell.y + reach, cell.z + reach}, [&](InternodeId first) {
-                                  for (InternodeId node = first; node != kNoInternode; node = space.nextInCell(node)) {
-                                      const InternodeId id = node + offset;
-                                      const Vec3& position = m_tree.nodePosition(id);
-                                      if (m_tree.buds(id) != 0 && (position - centre).squaredNorm() < limit * limit)
-                                          neighbours.push_back({position, id});
-                                  }
-                              });
+        const Vec3 reach = Vec3::Constant(m_perception.reach + 0.5F * space.edge());
+        space.anyOccupied(space.cellAt(centre - reach), space.cellAt(centre + reach), [&](InternodeId first) {
+            for (InternodeId node = first; node != kNoInternode; node = space.nextInCell(node)) {
+                const InternodeId id = node + offset;
+                const Vec3& position = m_tree.nodePosition(id);
+                if ((position - centre).squaredNorm() < limit * limit && m_tree.buds(id) != 0)
+                    neighbours.push_back({position, id});
+            }
+            return false;
+        });
     }
 
     Vec3 directionOf(const BudRef& bud) const
@@ -104,6 +130,51 @@ private:
     const Perception& m_perception;
     const Competitors& m_competitors;
 };
+
+template <class IsGone>
+void removeMarkers(MarkerSet& markers, IsGone&& isGone)
+{
+    std::vector<std::uint8_t> gone(markers.size());
+    parallelFor(markers.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            gone[i] = isGone(markers.positions[i]) ? 1 : 0;
+    });
+    markers.filter([&](std::size_t i) { return gone[i] == 0; });
+}
+
+/// Finds the owners of the markers @p asked (indices) and what space these see.
+std::vector<EnabledBud> distribute(const Contest& contest, const GrowingTree& tree, const VoxelSpace& space,
+                                   const MarkerSet& markers, const std::vector<std::uint32_t>& asked)
+{
+    // Markers of the same voxel share the search for neighbours.
+    std::vector<std::pair<Cell, std::uint32_t>> byCell(asked.size());
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        byCell[i] = {space.cellAt(markers.positions[asked[i]]), asked[i]};
+    std::ranges::sort(byCell);
+    std::vector<std::pair<BudRef, std::uint32_t>> owned(asked.size()); // owner, marker
+    parallelFor(byCell.size(), 512, [&](std::size_t begin, std::size_t end) {
+        Scratch scratch;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& [cell, marker] = byCell[i];
+            if (i == begin || cell != byCell[i - 1].first)
+                contest.gather(cell, scratch.neighbours);
+            owned[i] = {contest.ownerOf(markers.positions[marker], scratch), marker};
+        }
+    });
+    std::erase_if(owned, [](const auto& pair) { return pair.first == kNobody; });
+    std::ranges::sort(owned);
+
+    std::vector<EnabledBud> enabled;
+    for (std::size_t i = 0; i < owned.size();) {
+        const BudRef bud = owned[i].first;
+        Vec3 sum = Vec3::Zero();
+        for (; i < owned.size() && owned[i].first == bud; ++i)
+            sum += (markers.positions[owned[i].second] - tree.nodePosition(bud.node)).normalized();
+        const float norm = sum.norm();
+        enabled.push_back({bud, norm > 1e-6F ? Vec3(sum / norm) : Vec3(Vec3::Zero())});
+    }
+    return enabled;
+}
 
 } // namespace
 
@@ -138,44 +209,39 @@ std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpac
                                         const Competitors& competitors, MarkerSet& markers)
 {
     const Contest contest(tree, space, perception, competitors);
+    removeMarkers(markers, [&](const Vec3& marker) { return contest.isOccupied(marker); });
+    std::vector<std::uint32_t> all(markers.size());
+    std::iota(all.begin(), all.end(), 0U);
+    return distribute(contest, tree, space, markers, all);
+}
 
-    // Markers of the same voxel share the search for neighbours.
-    std::vector<std::pair<Cell, std::uint32_t>> byCell(markers.size());
-    for (std::uint32_t i = 0; i < markers.size(); ++i)
-        byCell[i] = {space.cellAt(markers.positions[i]), i};
-    std::ranges::sort(byCell);
+std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
+                                     const Competitors& competitors, const std::vector<BudRef>& tips, MarkerSet& markers)
+{
+    const Contest contest(tree, space, perception, competitors);
+    removeMarkers(markers, [&](const Vec3& marker) { return contest.isOccupiedAnew(marker); });
 
-    std::vector<BudRef> owners(markers.size(), kNobody);
-    parallelFor(byCell.size(), 512, [&](std::size_t begin, std::size_t end) {
-        std::vector<Neighbour> neighbours;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto& [cell, marker] = byCell[i];
-            if (i == begin || cell != byCell[i - 1].first)
-                contest.gather(cell, neighbours);
-            const Vec3& position = markers.positions[marker];
-            owners[marker] = contest.isOccupied(position, neighbours) ? kOccupied : contest.ownerOf(position, neighbours);
-        }
-    });
-
-    std::vector<std::uint32_t> owned;
-    for (std::uint32_t i = 0; i < owners.size(); ++i) {
-        if (owners[i].node != kNoInternode)
-            owned.push_back(i);
+    // Only markers that a tip perceives can be its own.
+    VoxelSpace tipSpace(perception.reach, {});
+    for (std::uint32_t tip = 0; tip < tips.size(); ++tip)
+        tipSpace.insert(tip, tree.nodePosition(tips[tip].node));
+    const Vec3 reach = Vec3::Constant(perception.reach);
+    std::vector<std::uint32_t> perceived;
+    for (std::uint32_t i = 0; i < markers.size(); ++i) {
+        const Vec3& marker = markers.positions[i];
+        const bool isPerceived = tipSpace.anyOccupied(
+            tipSpace.cellAt(marker - reach), tipSpace.cellAt(marker + reach), [&](std::uint32_t first) {
+                for (std::uint32_t tip = first; tip != kNoInternode; tip = tipSpace.nextInCell(tip)) {
+                    if (contest.perceives(tips[tip], marker))
+                        return true;
+                }
+                return false;
+            });
+        if (isPerceived)
+            perceived.push_back(i);
     }
-    std::ranges::sort(owned, [&](std::uint32_t a, std::uint32_t b) {
-        return owners[a] != owners[b] ? owners[a] < owners[b] : a < b;
-    });
-
-    std::vector<EnabledBud> enabled;
-    for (std::size_t i = 0; i < owned.size();) {
-        const BudRef bud = owners[owned[i]];
-        Vec3 sum = Vec3::Zero();
-        for (; i < owned.size() && owners[owned[i]] == bud; ++i)
-            sum += (markers.positions[owned[i]] - tree.nodePosition(bud.node)).normalized();
-        const float norm = sum.norm();
-        enabled.push_back({bud, norm > 1e-6F ? Vec3(sum / norm) : Vec3(Vec3::Zero())});
-    }
-    markers.filter([&](std::size_t i) { return owners[i] != kOccupied; });
+    std::vector<EnabledBud> enabled = distribute(contest, tree, space, markers, perceived);
+    std::erase_if(enabled, [&](const EnabledBud& bud) { return !std::ranges::binary_search(tips, bud.bud); });
     return enabled;
 }
 

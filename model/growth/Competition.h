@@ -67,7 +67,12 @@ struct EnabledBud {
 std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
                                         const Competitors& competitors, MarkerSet& markers);
 
-/// Whether internode @p id is, or grows from, what @p competitors names.
+/// A further round in the same growth step, which asks for the shoots' tips @p tips only: the same answer for them at the cost of
+/// what is new. Of the other buds none is returned.
+std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
+                                     const Competitors& competitors, const std::vector<BudRef>& tips, MarkerSet& markers);
+
+/// Whether @p bud is, or grows from, what @p competitors names.
 bool competes(const GrowingTree& tree, const Competitors& competitors, BudRef bud);
 
 } // namespace espalier

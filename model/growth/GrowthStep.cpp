@@ -128,8 +128,10 @@ void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flo
         std::erase_if(shoots, [](const Shoot& shoot) { return shoot.remaining == 0; });
         if (shoots.empty())
             break;
-        const auto stillFree =
-            competeForSpace(growing, growth.space(), options.perception, options.competitors, markers);
+        std::vector<BudRef> tips;
+        for (const Shoot& shoot : shoots)
+            tips.push_back(shoot.bud);
+        const auto stillFree = competeAgain(growing, growth.space(), options.perception, options.competitors, tips, markers);
         std::erase_if(shoots, [&](Shoot& shoot) {
             const auto found = std::ranges::lower_bound(stillFree, shoot.bud, {}, &EnabledBud::bud);
             if (found == stillFree.end() || found->bud != shoot.bud)

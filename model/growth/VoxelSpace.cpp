@@ -46,6 +46,7 @@ void VoxelSpace::insert(InternodeId id, const Vec3& position)
     m_next[id] = first;
     first = id;
     ++brick.nodes;
+    brick.occupied[voxelOf(cell) / 64] |= std::uint64_t{1} << (voxelOf(cell) % 64);
     m_pending.push_back({cell, 1});
 }
 
@@ -58,6 +59,8 @@ void VoxelSpace::remove(InternodeId id, const Vec3& position)
         place = &m_next[*place];
     *place = std::exchange(m_next[id], kNoInternode);
     --brick.nodes;
+    if (brick.first[voxelOf(cell)] == kNoInternode)
+        brick.occupied[voxelOf(cell) / 64] &= ~(std::uint64_t{1} << (voxelOf(cell) % 64));
     m_pending.push_back({cell, -1});
 }
 

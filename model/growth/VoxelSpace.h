@@ -86,20 +86,21 @@ public:
         }
     }
 
-    /// Calls @p visit(firstNode) for each voxel with a node among those of the box @p lower … @p upper, inclusive.
+    /// Calls @p visit(firstNode) for each voxel with a node among those of the box @p lower … @p upper, inclusive, until it says true;
+    /// whether it did.
     template <class Visit>
-    void forEachOccupied(const Cell& lower, const Cell& upper, Visit&& visit) const
+    bool anyOccupied(const Cell& lower, const Cell& upper, Visit&& visit) const
     {
         for (int by = lower.y >> 3; by <= upper.y >> 3; ++by) {
             for (int bz = lower.z >> 3; bz <= upper.z >> 3; ++bz) {
                 for (int bx = lower.x >> 3; bx <= upper.x >> 3; ++bx) {
                     const Brick* brick = findBrick(bx, by, bz);
-                    if (brick == nullptr || brick->nodes == 0)
-                        continue;
-                    visitBox(*brick, {bx, by, bz}, lower, upper, visit);
+                    if (brick != nullptr && brick->nodes > 0 && anyInBox(*brick, {bx, by, bz}, lower, upper, visit))
+                        return true;
                 }
             }
         }
+        return false;
     }
 
     InternodeId nextInCell(InternodeId id) const { return m_next[id]; }
@@ -129,6 +130,7 @@ private:
         std::array<std::uint32_t, kVoxels> shadow{};
         std::array<InternodeId, kVoxels> first;
         BitSet dirty{};
+        BitSet occupied{}; ///< Voxels with a node
         std::uint32_t nodes = 0;
         bool listed = false; ///< in m_dirtyBricks
     };
@@ -189,22 +191,25 @@ private:
     }
 
     template <class Visit>
-    static void visitBox(const Brick& brick, const Cell& b, const Cell& lower, const Cell& upper, Visit&& visit)
+    static bool anyInBox(const Brick& brick, const Cell& b, const Cell& lower, const Cell& upper, Visit&& visit)
     {
         const auto low = [](int brickCoordinate, int limit) { return std::max(limit, brickCoordinate * 8) & 7; };
         const auto high = [](int brickCoordinate, int limit) { return std::min(limit, brickCoordinate * 8 + 7) & 7; };
+        const int xFrom = low(b.x, lower.x);
         const int xTo = high(b.x, upper.x);
+        const int zFrom = low(b.z, lower.z);
         const int zTo = high(b.z, upper.z);
         const int yTo = high(b.y, upper.y);
         for (int y = low(b.y, lower.y); y <= yTo; ++y) {
-            for (int z = low(b.z, lower.z); z <= zTo; ++z) {
-                for (int x = low(b.x, lower.x); x <= xTo; ++x) {
-                    const InternodeId first = brick.first[static_cast<std::size_t>((y * 8 + z) * 8 + x)];
-                    if (first != kNoInternode)
-                        visit(first);
+            for (int z = zFrom; z <= zTo; ++z) {
+                const auto row = static_cast<std::size_t>(y * 8 + z);
+                for (std::uint64_t rest = brick.occupied[row / 8] & rowBits(row, xFrom, xTo); rest != 0; rest &= rest - 1) {
+                    if (visit(brick.first[row / 8 * 64 + static_cast<std::size_t>(std::countr_zero(rest))]))
+                        return true;
                 }
             }
         }
+        return false;
     }
 
     float m_edge = 0.2F;

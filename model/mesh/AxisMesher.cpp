@@ -33,7 +33,8 @@ struct RingTable {
     std::array<float, AxisMesher::kMostSides + 1> share{};
 };
 
-std::array<RingTable, kTableCount> makeRingTables() {
+std::array<RingTable, kTableCount> makeRingTables()
+{
     std::array<RingTable, kTableCount> tables;
     for (int t = 0; t < kTableCount; ++t) {
         const int sides = AxisMesher::kLeastSides + 2 * t;
@@ -49,7 +50,8 @@ std::array<RingTable, kTableCount> makeRingTables() {
     return tables;
 }
 
-const RingTable& ringTable(int sides) {
+const RingTable& ringTable(int sides)
+{
     static const std::array<RingTable, kTableCount> tables = makeRingTables();
     return tables[static_cast<std::size_t>((sides - AxisMesher::kLeastSides) / 2)];
 }
@@ -57,7 +59,8 @@ const RingTable& ringTable(int sides) {
 /// Carries @p normal from one point of a curve to the next with as little twist as can be (double reflection,
 /// Wang et al. 2008).
 Vec3 transported(const Vec3& normal, const Vec3& from, const Vec3& fromTangent, const Vec3& to,
-                 const Vec3& toTangent) {
+                 const Vec3& toTangent)
+{
     const Vec3 chord = to - from;
     const float chordSquared = chord.squaredNorm();
     Vec3 carried = normal;
@@ -86,8 +89,8 @@ struct RingFrame {
     std::array<Eigen::Array4f, 3> sine;
 
     /// @p slant: rise of the normal along the axis per unit outward.
-    RingFrame(const Vec3& centre, const Vec3& tangent, const Vec3& normal, float radius, float slant,
-              float v) {
+    RingFrame(const Vec3& centre, const Vec3& tangent, const Vec3& normal, float radius, float slant, float v)
+    {
         const Vec3 binormal = tangent.cross(normal);
         const float outward = 1.0F / std::sqrt(1.0F + slant * slant);
         const Vec3 n = outward * normal;
@@ -106,7 +109,8 @@ struct RingFrame {
         sine[2] = {-normal.z(), 0.0F, 0.0F, 0.0F};
     }
 
-    void write(MeshVertex* vertex, const RingTable& table, int sides, float repeats) const {
+    void write(MeshVertex* vertex, const RingTable& table, int sides, float repeats) const
+    {
         static_assert(offsetof(MeshVertex, normal) == 12 && offsetof(MeshVertex, tangent) == 24 &&
                       offsetof(MeshVertex, uv) == 40);
         for (std::size_t i = 0; i <= static_cast<std::size_t>(sides); ++i) {
@@ -130,9 +134,12 @@ AxisMesher::AxisMesher(const Tree& tree, const TreeIndex& index, const Widths& w
       m_widths(widths),
       m_detail(options.detail),
       m_tipRadius(static_cast<float>(tree.parameters().widths.tipDiameter / 2.0)),
-      m_barkScale(static_cast<float>(tree.parameters().bark.scale)) {}
+      m_barkScale(static_cast<float>(tree.parameters().bark.scale))
+{
+}
 
-MeshSize AxisMesher::prepare(InternodeId axis) {
+MeshSize AxisMesher::prepare(InternodeId axis)
+{
     assert(m_index.axis(axis) == axis && m_tree.isAlive(axis));
     m_internodes.clear();
     m_radii.clear();
@@ -185,19 +192,22 @@ MeshSize AxisMesher::prepare(InternodeId axis) {
 }
 
 void AxisMesher::write(std::span<MeshVertex> vertices, std::span<VertexIndex> indices,
-                       VertexIndex firstVertex) {
+                       VertexIndex firstVertex)
+{
     placeRings();
     writeVertices(vertices);
     writeIndices(indices, firstVertex);
 }
 
-void AxisMesher::chooseSides(float radius) {
+void AxisMesher::chooseSides(float radius)
+{
     const double thickness = std::sqrt(std::max(1.0, static_cast<double>(radius) / m_tipRadius));
     const double sides = (kLeastSides + kSidesPerRoot * (thickness - 1.0)) * m_detail;
     m_sides = 2 * std::clamp(static_cast<int>(std::lround(sides / 2.0)), kLeastSides / 2, kMostSides / 2);
 }
 
-void AxisMesher::chooseKnots() {
+void AxisMesher::chooseKnots()
+{
     m_knots.clear();
     Knot knot;
     knot.position = m_index.basePosition(m_tree, m_internodes.front());
@@ -228,7 +238,8 @@ void AxisMesher::chooseKnots() {
     }
 }
 
-void AxisMesher::findTangents(const Vec3& first) {
+void AxisMesher::findTangents(const Vec3& first)
+{
     const std::size_t last = m_knots.size() - 1;
     m_knots.front().velocity = m_knots.front().root * first;
     for (std::size_t i = 1; i < last; ++i) {
@@ -245,7 +256,8 @@ void AxisMesher::findTangents(const Vec3& first) {
     }
 }
 
-void AxisMesher::chooseRings() {
+void AxisMesher::chooseRings()
+{
     const float bend = (m_sides >= kRoundSides ? 0.2F : 0.45F) / static_cast<float>(std::min(m_detail, 1.0));
     m_ringCount = 1;
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
@@ -262,14 +274,16 @@ void AxisMesher::chooseRings() {
         ++m_ringCount; // of the cap
 }
 
-float AxisMesher::widened(float radius, float path) const {
+float AxisMesher::widened(float radius, float path) const
+{
     if (path >= m_collarEnd)
         return radius;
     const float rest = 1.0F - path / m_collarEnd;
     return radius + m_collar * rest * rest;
 }
 
-void AxisMesher::placeRings() {
+void AxisMesher::placeRings()
+{
     m_rings.clear();
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
         const Knot& a = m_knots[i];
@@ -295,7 +309,8 @@ void AxisMesher::placeRings() {
     m_rings.push_back({end.position, end.tangent, widened(end.radius, end.path), end.path});
 }
 
-void AxisMesher::writeVertices(std::span<MeshVertex> vertices) const {
+void AxisMesher::writeVertices(std::span<MeshVertex> vertices) const
+{
     const RingTable& table = ringTable(m_sides);
     const std::size_t count = m_rings.size();
     const float density = m_repeats / (2.0F * std::numbers::pi_v<float>);
@@ -336,7 +351,8 @@ void AxisMesher::writeVertices(std::span<MeshVertex> vertices) const {
     assert(vertex + 1 == vertices.data() + vertices.size());
 }
 
-void AxisMesher::writeIndices(std::span<VertexIndex> indices, VertexIndex firstVertex) const {
+void AxisMesher::writeIndices(std::span<VertexIndex> indices, VertexIndex firstVertex) const
+{
     const auto sides = static_cast<VertexIndex>(m_sides);
     const VertexIndex stride = sides + 1;
     VertexIndex* index = indices.data();

@@ -11,7 +11,8 @@ constexpr std::size_t kAxesPerTask = 256;
 
 } // namespace
 
-std::vector<InternodeId> livingAxes(const Tree& tree, const TreeIndex& index) {
+std::vector<InternodeId> livingAxes(const Tree& tree, const TreeIndex& index)
+{
     std::vector<InternodeId> axes;
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (index.axis(id) == id && tree.isAlive(id))
@@ -21,7 +22,8 @@ std::vector<InternodeId> livingAxes(const Tree& tree, const TreeIndex& index) {
 }
 
 BranchMesh meshBranches(const Tree& tree, const TreeIndex& index, const Widths& widths,
-                        const BranchMeshOptions& options) {
+                        const BranchMeshOptions& options)
+{
     BranchMesh mesh;
     for (const InternodeId axis : livingAxes(tree, index))
         mesh.parts.push_back({.axis = axis});

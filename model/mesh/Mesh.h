@@ -31,11 +31,13 @@ struct UninitialisedAllocator : std::allocator<T> {
         using other = UninitialisedAllocator<U>;
     };
     template <class U>
-    void construct(U* place) noexcept {
+    void construct(U* place) noexcept
+    {
         ::new (static_cast<void*>(place)) U;
     }
     template <class U, class... Arguments>
-    void construct(U* place, Arguments&&... arguments) {
+    void construct(U* place, Arguments&&... arguments)
+    {
         ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
     }
 };
@@ -58,11 +60,13 @@ struct MeshSize {
     bool operator==(const MeshSize&) const = default;
 };
 
-inline Vec3 toVec3(const std::array<float, 3>& values) {
+inline Vec3 toVec3(const std::array<float, 3>& values)
+{
     return {values[0], values[1], values[2]};
 }
 
-inline std::array<float, 3> toArray(const Vec3& vector) {
+inline std::array<float, 3> toArray(const Vec3& vector)
+{
     return {vector.x(), vector.y(), vector.z()};
 }
 

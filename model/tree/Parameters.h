@@ -48,7 +48,7 @@ struct GrowthParameters {
     // Markers of free space
     double markerDensity = 0.03;        ///< brush: living markers per cubic internode length
     int markerAge = 8;                  ///< brush: growth steps that a marker lives
-    int markersPerBud = 4;              ///< autonomous growth: markers per bud and step
+    int markersPerBud = 3;              ///< autonomous growth: markers per bud and step
 
     bool operator==(const GrowthParameters&) const = default;
 };

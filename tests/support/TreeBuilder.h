@@ -12,17 +12,20 @@
 namespace espalier::test {
 
 /// Local rotation of an internode that continues its axis: rolled by the phyllotactic angle, then bent by @p
-/// bend (rad) toward the parent's azimuth @p azimuth (rad from +X about +Y).
-inline Rotation continuing(double bend = 0.0, double azimuth = 0.0, double roll = radians(137.5)) {
+/// bend (rad) toward the parent's azimuth @p azimuth (rad, from +X toward +Z).
+inline Rotation continuing(double bend = 0.0, double azimuth = 0.0, double roll = radians(137.5))
+{
     const auto about = [](double angle, const Vec3& axis) {
         return Rotation(Eigen::AngleAxisf(static_cast<float>(angle), axis));
     };
-    return about(azimuth, Vec3::UnitY()) * about(-bend, Vec3::UnitZ()) * about(roll - azimuth, Vec3::UnitY());
+    return about(-azimuth, Vec3::UnitY()) * about(-bend, Vec3::UnitZ()) *
+           about(roll + azimuth, Vec3::UnitY());
 }
 
 /// Local rotation of a lateral from bud @p slot of @p laterals around the node, @p angle (rad) away from the
 /// axis.
-inline Rotation branching(double angle, int slot = 0, int laterals = 1, double roll = 0.0) {
+inline Rotation branching(double angle, int slot = 0, int laterals = 1, double roll = 0.0)
+{
     return continuing(angle, 2.0 * std::numbers::pi * slot / laterals, roll);
 }
 
@@ -37,7 +40,8 @@ struct NewInternode {
 
 /// One step that bears @p internodes (ids from tree.size() on, so that they may hang on each other) and takes
 /// the buds that they grew from. Each gets a terminal bud and the laterals of the parameters in force.
-inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internodes) {
+inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internodes)
+{
     TreeDelta delta = TreeDelta::startingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
     delta.born = {tree.size(), static_cast<std::uint32_t>(internodes.size())};
@@ -73,7 +77,8 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
 
 /// One step in which the branch that begins with @p root dies. Precondition: it lives and is not the
 /// seedling.
-inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId root) {
+inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId root)
+{
     TreeDelta delta = TreeDelta::startingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
     std::vector<InternodeId> open{root};
@@ -89,7 +94,8 @@ inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId roo
 }
 
 /// One step that puts @p parameters in force.
-inline TreeDelta parameterChange(Tree& tree, const TreeParameters& parameters) {
+inline TreeDelta parameterChange(Tree& tree, const TreeParameters& parameters)
+{
     TreeDelta delta = TreeDelta::startingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
     delta.parametersAfter = tree.rememberParameters(parameters);
@@ -98,7 +104,8 @@ inline TreeDelta parameterChange(Tree& tree, const TreeParameters& parameters) {
 
 /// One step of about @p count internodes on shoots of one to five, from random living buds; young internodes
 /// and terminal buds are preferred, so that axes become long. A pure function of the tree and @p seed.
-inline TreeDelta randomGrowth(const Tree& tree, std::uint32_t count, std::uint64_t seed = 1) {
+inline TreeDelta randomGrowth(const Tree& tree, std::uint32_t count, std::uint64_t seed = 1)
+{
     Random random(seed, tree.step(), tree.size(), Purpose::ShootLength);
     const GrowthParameters& growth = tree.parameters().growth;
     std::vector<NewInternode> internodes;
@@ -139,9 +146,12 @@ struct TreeBuilder {
     std::vector<TreeDelta> journal;
 
     explicit TreeBuilder(std::uint64_t seed = 1, const TreeParameters& parameters = {})
-        : tree(seed, parameters), index(tree) {}
+        : tree(seed, parameters), index(tree)
+    {
+    }
 
-    const TreeDelta& apply(TreeDelta delta) {
+    const TreeDelta& apply(TreeDelta delta)
+    {
         journal.push_back(std::move(delta));
         tree.apply(journal.back());
         index.update(tree, journal.back());
@@ -149,7 +159,8 @@ struct TreeBuilder {
     }
 
     /// Takes the last step back and returns it.
-    TreeDelta revert() {
+    TreeDelta revert()
+    {
         TreeDelta delta = std::move(journal.back());
         journal.pop_back();
         tree.revert(delta);
@@ -158,7 +169,8 @@ struct TreeBuilder {
     }
 
     /// Bears one internode in a step of its own.
-    InternodeId grow(const NewInternode& internode) {
+    InternodeId grow(const NewInternode& internode)
+    {
         apply(births(tree, std::span(&internode, 1)));
         return tree.size() - 1;
     }
@@ -166,7 +178,8 @@ struct TreeBuilder {
     /// Bears @p count internodes in a row on @p parent, the first from @p slot with @p first as its rotation;
     /// returns the last.
     InternodeId growAxis(InternodeId parent, int slot, const Rotation& first, std::uint32_t count,
-                         const Rotation& next = continuing(), float length = 0.1F) {
+                         const Rotation& next = continuing(), float length = 0.1F)
+    {
         std::vector<NewInternode> internodes;
         for (std::uint32_t i = 0; i < count; ++i) {
             internodes.push_back({.parent = i == 0 ? parent : tree.size() + i - 1,
@@ -179,7 +192,8 @@ struct TreeBuilder {
     }
 
     /// Random growth until there are @p count internodes, about a fortieth of them a step.
-    void growTo(std::uint32_t count, std::uint64_t seed = 1) {
+    void growTo(std::uint32_t count, std::uint64_t seed = 1)
+    {
         while (tree.size() < count)
             apply(randomGrowth(tree, std::min(count - tree.size(), 4 + tree.size() / 40), seed));
     }
@@ -187,7 +201,8 @@ struct TreeBuilder {
 
 /// A tree of @p count internodes, the same for the same arguments.
 inline TreeBuilder randomTree(std::uint32_t count, std::uint64_t seed = 1,
-                              const TreeParameters& parameters = {}) {
+                              const TreeParameters& parameters = {})
+{
     TreeBuilder builder(seed, parameters);
     builder.growTo(count, seed);
     return builder;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QObject>
+
+#include <array>
+#include <cstddef>
+
+namespace espalier {
+
+/// Everything that a person can ask for by a menu, a button or a key.
+enum class ActionId {
+    New,
+    Open,
+    Save,
+    SaveAs,
+    Export,
+    Quit,
+    Undo,
+    Redo,
+    Brush,
+    Grow,
+    GrowStep,
+    SmallerBrush,
+    LargerBrush,
+    Cancel,
+    FrameAll,
+    FrontView,
+    SideView,
+    TopView,
+    ThreeQuarterView,
+    Markers,
+    Leaves,
+    Architecture,
+    LeafSheet,
+    BranchSheet,
+    HideInterface,
+    FullScreen,
+    Help,
+    Count
+};
+
+enum class ActionGroup { File, Edit, Tools, View, Window, Count };
+
+/// A row of the one table of actions; menus, bars, shortcuts and the cheat sheet are made of it. Texts are
+/// untranslated; their context is "Actions".
+struct ActionEntry {
+    ActionId id;
+    ActionGroup group;
+    const char* name; ///< For tests and style; stable
+    const char* text;
+    const char* tip;
+    const char* shortcuts; ///< Portable, separated by "; "
+    const char* icon;      ///< "" for none
+    bool checkable = false;
+};
+
+/// The program's actions, made from the table; they belong to a window, whose keys they are.
+class Actions : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Actions(QWidget& window);
+
+    QAction* operator[](ActionId id) const { return m_actions[static_cast<std::size_t>(id)]; }
+
+    static const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& table();
+    static QString groupTitle(ActionGroup group);
+
+private:
+    std::array<QAction*, static_cast<std::size_t>(ActionId::Count)> m_actions{};
+};
+
+} // namespace espalier

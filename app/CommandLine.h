@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Error.h"
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+#include <optional>
+
+namespace espalier {
+
+/// What the program ends with.
+enum ExitCode : int {
+    kDone = 0,
+    kUsage = 2,           ///< The command line is none
+    kInputUnreadable = 3, ///< A file could not be read, or says something wrong
+    kOutputNotWritten = 4,
+};
+
+/// What a command line asks for.
+struct CommandLine {
+    enum class Verb { Window, Demo, Replay, Export, Render, Info, Help, Version };
+
+    Verb verb = Verb::Window;
+    QStringList inputs;                ///< Recipes or a project
+    QStringList outputs;               ///< Their suffixes say the formats
+    QString picture;                   ///< PNG; empty for none
+    QSize size{1600, 1200};            ///< Of the picture, px
+    QString camera;                    ///< front, side, top, three-quarter; empty for what the recipe says
+    QString stats;                     ///< JSON; empty for none
+    int threads = 0;                   ///< 0 for as many as the machine has
+    std::optional<std::uint64_t> seed; ///< In place of the recipe's
+
+    /// Whether a window or a picture will be drawn, which wants a display.
+    bool needsDisplay() const;
+};
+
+/// Reads the arguments, the program's name not among them. The error's message says in one sentence what is
+/// wrong.
+Result<CommandLine> parseCommandLine(const QStringList& arguments);
+
+/// What --help prints.
+QString commandLineHelp();
+
+} // namespace espalier

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/document/ViewSettings.h"
+
+#include <QByteArray>
+#include <QString>
+#include <QStringList>
+
+namespace espalier {
+
+/// What the program remembers of a person from one day to the next. Each has its default here and nowhere
+/// else.
+class Settings {
+public:
+    static constexpr int kMaxRecentFiles = 10;
+
+    ViewValues viewValues() const;
+    void setViewValues(const ViewValues& values);
+
+    /// Projects, the latest first; only those that are still there.
+    QStringList recentFiles() const;
+    void addRecentFile(const QString& fileName);
+    void clearRecentFiles();
+
+    /// Where files were opened or saved last; at first the person's documents.
+    QString folder() const;
+    void setFolder(const QString& folder);
+    /// Suffix of the last export; at first "glb".
+    QString exportSuffix() const;
+    void setExportSuffix(const QString& suffix);
+
+    /// Of the window; empty at first.
+    QByteArray windowGeometry() const;
+    void setWindowGeometry(const QByteArray& geometry);
+
+    /// Shortest time between two autosaves, s; 20 unless a person wrote something else into the file.
+    int autosaveInterval() const;
+};
+
+} // namespace espalier

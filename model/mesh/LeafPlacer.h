@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/mesh/Mesh.h"
+#include "model/tree/TreeIndex.h"
+
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace espalier {
+
+/// Hue of the leaf textures, rad on the colour wheel; a leaf's hueShift turns it into its own.
+inline constexpr double kLeafTextureHue = radians(98);
+/// Where weak shoots' leaves shift to.
+inline constexpr double kLeafWeakHue = radians(10);
+/// A shoot of at least this vigour has leaves of full colour. Vigour is relative to the strongest bud of its
+/// step.
+inline constexpr double kFullVigour = 0.5;
+
+/// A leaf as it goes to the graphics card: 48 bytes without padding.
+struct LeafInstance {
+    std::array<float, 3> position{}; ///< m, where the petiole begins
+    float length = 0.0F;             ///< m, petiole to tip; 0 hides it
+    /// Quaternion x, y, z, w: turns +Y into the direction of the midrib and +Z into the normal of the upper
+    /// face.
+    std::array<float, 4> rotation{};
+    float width = 0.0F;     ///< m
+    float hueShift = 0.0F;  ///< rad, to be added to the texture's hue
+    float value = 1.0F;     ///< Factor of the texture's brightness
+    std::int32_t shape = 0; ///< LeafShape
+
+    bool operator==(const LeafInstance&) const = default;
+};
+static_assert(sizeof(LeafInstance) == 48 && std::is_trivially_copyable_v<LeafInstance>);
+
+/// How weak a shoot is: u = clamp(1 − v / v_ref, 0, 1). A @p reference of 0 counts every shoot as strong.
+double shootWeakness(double vigour, double reference = kFullVigour);
+
+/// A hue shifted by the share @p amount (0...1) of the way toward red: through green and yellow, or from
+/// purple through magenta, never through blue. All in rad; the result may be above 2π.
+double shiftedLeafHue(double hue, double amount);
+
+/// Leaves on young shoots, by the LeafParameters in force and the frames that the shoots grew with: at each
+/// node of an internode that carries few tips, evenly around, the first above the first lateral bud. Random
+/// spread is a function of the tree's seed and the internode alone, and its amount that of
+/// GrowthParameters::irregularity: at 0 the arrangement is exact.
+class LeafPlacer {
+public:
+    explicit LeafPlacer(const Tree& tree, const TreeIndex& index);
+
+    /// Whether a living internode has leaves.
+    bool bears(InternodeId id) const
+    {
+        const std::uint32_t tips = m_index.tipCount(id);
+        return m_perNode > 0 && tips > 0 && tips <= m_maxTips;
+    }
+    /// On each internode that bears.
+    std::uint32_t leavesPerInternode() const { return m_perNode; }
+
+    /// Writes the leaves of one internode that bears into a span of leavesPerInternode().
+    void place(InternodeId id, std::span<LeafInstance> leaves) const;
+
+    /// Leaves of the axis that begins with the living internode @p axis: how many, and they themselves in a
+    /// span of that size.
+    std::uint32_t count(InternodeId axis) const;
+    void placeAxis(InternodeId axis, std::span<LeafInstance> leaves) const;
+
+private:
+    const Tree& m_tree;
+    const TreeIndex& m_index;
+    LeafParameters m_parameters;
+    std::uint32_t m_perNode;
+    std::uint32_t m_maxTips;
+    float m_jitter;
+    float m_cosine; ///< Of the angle between shoot and petiole
+    float m_sine;
+    bool m_alongInternode;
+    std::array<Vec2, 8> m_azimuths;
+};
+
+/// All leaves of a tree, axis by axis as BranchMesh has them; in parallel, with the same result on one thread
+/// or many.
+MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index);
+
+} // namespace espalier

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all programs of one picture share; FrameUniforms.h has the same fields in the same order.
+layout(std140) uniform Frame {
+    mat4 viewProjection;
+    mat4 inverseViewProjection;
+    mat4 shadowFromWorld;   // to texture coordinates and depth of the shadow map
+    vec4 eye;               // xyz; w: size of a pixel at distance 1, m
+    vec4 sunDirection;      // toward the sun; w: strength of its shadows, 0...1
+    vec4 sunColour;
+    vec4 skyColour;         // ambient light from above
+    vec4 groundColour;      // ambient light from below
+    vec4 rimColour;         // cool light from behind that parts the tree from a dark background
+    vec4 lightOrigin;       // corner of the light volume; w: edge of a shadow map's texel, m
+    vec4 lightScale;        // 1 / its size; w: least share of ambient light, a_min
+    vec4 crown;             // centre; w: exponent of the light, gamma
+    vec4 crownRadii;        // half-extents of the tree; w: exposure
+    vec4 viewSize;          // px; zw: 1 / px
+    vec4 backgroundInner;   // as shown (sRGB); w: 0 studio, 1 horizon, 2 plain, 3 none
+    vec4 backgroundOuter;   // as shown (sRGB)
+    vec4 ground;            // albedo; w: radius of the ground, m
+} frame;

@@ -1,0 +1,13 @@
+#version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "leaf.glsl"
+
+uniform mat4 clipFromWorld;
+
+out vec2 leafUv;
+
+void main()
+{
+    leafUv = cardUv;
+    gl_Position = clipFromWorld * vec4(leafPosition(), 1.0);
+}

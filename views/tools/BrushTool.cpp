@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/tools/BrushTool.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+/// A stroke's clock goes on by at most this much at a time, s: where growth cannot keep up, the stroke slows down rather than
+/// the program.
+constexpr double kLongestStep = 0.1;
+/// And by at least this much: samples ascend.
+constexpr double kShortestStep = 1e-4;
+
+/// Below this sine of the angle between them, plane and ground meet too far away to be shown.
+constexpr float kGrazing = 0.1F;
+
+const QColor kBrushColour(232, 168, 100);
+const QColor kMarkerColour(255, 214, 120);
+const QColor kPickedColour(240, 168, 184);
+const QColor kHintColour(150, 168, 190);
+
+} // namespace
+
+void BrushTool::begin(const PointerSample& sample)
+{
+    m_pointer = sample.position;
+    m_pressure = sample.pressure;
+    m_isPen = sample.device == PointerDevice::Pen;
+    m_hovers = false;
+    TreeDocument& document = context().document();
+    m_picked = pickNode(document.tree(), document.index(), context().camera(), m_pointer, kPickReach);
+    m_anchor = m_picked ? m_picked->position : Vec3(Vec3::Zero());
+    m_lastTime = sample.time;
+    m_strokeTime = 0.0;
+    const BrushSample first = sampleAt(0.0);
+    m_trail = {first.position};
+    m_gesture = std::make_unique<BrushGesture>(document, first);
+    context().requestRepaint();
+}
+
+void BrushTool::move(const PointerSample& sample)
+{
+    if (!isActive())
+        return;
+    m_pointer = sample.position;
+    m_pressure = sample.pressure;
+    continueTo(sample.time);
+}
+
+void BrushTool::end(const PointerSample& sample)
+{
+    if (!isActive())
+        return;
+    // A pen is lifted with no pressure at all: what it did last counts.
+    m_pointer = sample.position;
+    continueTo(sample.time);
+    m_gesture->finish();
+    m_hovers = sample.device != PointerDevice::Finger;
+    stop();
+}
+
+void BrushTool::cancel()
+{
+    if (!isActive())
+        return;
+    m_gesture->cancel();
+    stop();
+}
+
+void BrushTool::stop()
+{
+    m_gesture.reset();
+    m_trail.clear();
+    m_picked.reset();
+    m_pressure = 1.0;
+    context().requestRepaint();
+}
+
+void BrushTool::hover(const PointerSample& sample)
+{
+    m_pointer = sample.position;
+    m_pressure = 1.0;
+    m_hovers = true;
+    TreeDocument& document = context().document();
+    m_picked = pickNode(document.tree(), document.index(), context().camera(), m_pointer, kPickReach);
+    m_anchor = m_picked ? m_picked->position : Vec3(Vec3::Zero());
+    context().requestRepaint();
+}
+
+void BrushTool::leave()
+{
+    m_hovers = false;
+    m_picked.reset();
+    context().requestRepaint();
+}
+
+void BrushTool::tick(double now)
+{
+    if (isActive())
+        continueTo(now);
+}
+
+void BrushTool::wheel(double notches)
+{
+    ViewSettings& settings = context().viewSettings();
+    settings.set(&ViewValues::brushRadius, steppedBrushRadius(settings.values().brushRadius, notches));
+    context().requestRepaint();
+}
+
+double BrushTool::radiusShare(double pressure)
+{
+    return 0.1 + 0.9 * std::pow(std::clamp(pressure, 0.0, 1.0), 0.8);
+}
+
+BrushSample BrushTool::sampleAt(double time) const
+{
+    const ViewValues& view = context().viewSettings().values();
+    const double share = m_isPen && view.pressureScales ? radiusShare(m_pressure) : 1.0;
+    return {time, context().camera().onPlane(m_pointer, m_anchor), static_cast<float>(view.brushRadius * share)};
+}
+
+void BrushTool::continueTo(double time)
+{
+    m_strokeTime += std::clamp(time - m_lastTime, kShortestStep, kLongestStep);
+    m_lastTime = std::max(time, m_lastTime);
+    const BrushSample sample = sampleAt(m_strokeTime);
+    const float stride = 6.0F / context().camera().pixelsPerMetre(context().camera().distance());
+    if ((sample.position - m_trail.back()).norm() > stride)
+        m_trail.push_back(sample.position);
+    m_gesture->add(sample);
+    context().requestRepaint();
+}
+
+void BrushTool::paint(Overlay& overlay) const
+{
+    const Camera& camera = context().camera();
+    const ViewValues& view = context().viewSettings().values();
+    if (m_gesture && view.markersShown)
+        overlay.addDots(m_gesture->markers(), kMarkerColour, 3.0F, 0.7F);
+    if (!m_gesture && !m_hovers)
+        return;
+
+    const BrushSample brush = sampleAt(0.0);
+    const Vec3& centre = brush.position;
+    if (view.planeShown) {
+        const float reach = std::max(3.0F * brush.radius, 0.12F * camera.distance());
+        QColor faint = kHintColour;
+        faint.setAlphaF(0.22F);
+        overlay.addGrid({.centre = centre,
+                         .right = camera.right(),
+                         .up = camera.up(),
+                         .extent = reach,
+                         .spacing = std::exp2(std::round(std::log2(reach / 4.0F))),
+                         .origin = m_anchor,
+                         .colour = faint});
+        // A plumb line and its foot tell where over the ground the brush is; the plane meets the ground in a level line.
+        const Vec3 foot(centre.x(), 0.0F, centre.z());
+        faint.setAlphaF(0.5F);
+        overlay.addLine(std::array{centre, foot}, faint, 1.0F, 4.0F);
+        overlay.addCircle(foot, Vec3::UnitX(), Vec3::UnitZ(), std::max(brush.radius, 0.01F * camera.distance()), faint,
+                          1.0F);
+        if (camera.up().y() > kGrazing) {
+            const Vec3 meets = centre - centre.y() / camera.up().y() * camera.up();
+            overlay.addLine(std::array{Vec3(meets - reach * camera.right()), Vec3(meets + reach * camera.right())}, faint,
+                            1.0F);
+        }
+    }
+    if (m_trail.size() > 1) {
+        std::vector<Vec3> trail = m_trail;
+        trail.push_back(centre);
+        overlay.addLine(trail, kBrushColour, 1.8F, 5.0F);
+    }
+    if (brush.radius > 0.0F)
+        overlay.addSphere({centre, brush.radius, kBrushColour, m_gesture ? 0.16F : 0.09F});
+    overlay.addDots(std::array{m_picked && !m_gesture ? m_picked->position : centre}, kPickedColour, m_picked ? 10.0F : 6.0F);
+}
+
+QString BrushTool::tip() const
+{
+    return tr("Drag to brush a tree into being; begin at a branch to go on from its depth");
+}
+
+} // namespace espalier

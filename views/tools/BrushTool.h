@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "commands/BrushGesture.h"
+#include "views/tools/NodePicker.h"
+#include "views/tools/Tool.h"
+
+#include <QCoreApplication>
+
+#include <memory>
+#include <vector>
+
+namespace espalier {
+
+/// The brush (TreeSketch §3.2): fills a ball with markers of free space, which the tree grows into. It moves in the plane that is
+/// parallel to the screen and goes through the base of the tree, or through the node that the stroke begins at. The plane
+/// turns with the camera, so that a hand at rest draws a helix while the view rotates.
+class BrushTool : public Tool {
+    Q_DECLARE_TR_FUNCTIONS(BrushTool)
+
+public:
+    /// A node this near to the pointer is taken for the beginning of a stroke, px.
+    static constexpr double kPickReach = 12.0;
+
+    using Tool::Tool;
+
+    void begin(const PointerSample& sample) override;
+    void move(const PointerSample& sample) override;
+    void end(const PointerSample& sample) override;
+    void cancel() override;
+    void hover(const PointerSample& sample) override;
+    void leave() override;
+    void tick(double now) override;
+    void wheel(double notches) override;
+
+    bool isActive() const override { return m_gesture != nullptr; }
+    bool wantsTicks() const override { return isActive(); }
+    void paint(Overlay& overlay) const override;
+    QString tip() const override;
+
+    /// Share of the brush's radius that a pen's pressure (0...1) leaves: a light touch draws fine, a firm one at full size.
+    static double radiusShare(double pressure);
+
+private:
+    BrushSample sampleAt(double time) const;
+    void continueTo(double time);
+    void stop();
+
+    std::unique_ptr<BrushGesture> m_gesture;
+    Vec3 m_anchor = Vec3::Zero(); ///< Where the drawing plane goes through
+    QPointF m_pointer;
+    double m_pressure = 1.0;
+    bool m_isPen = false;
+    bool m_hovers = false;
+    std::optional<PickedNode> m_picked; ///< Under the hovering pointer
+    double m_lastTime = 0.0;   ///< s, of the samples' clock
+    double m_strokeTime = 0.0; ///< s since the stroke began
+    std::vector<Vec3> m_trail;
+};
+
+} // namespace espalier

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Vector.h"
+
+#include <QColor>
+
+#include <span>
+#include <vector>
+
+namespace espalier {
+
+/// What a tool shows over the tree: shapes in the world, with line widths and point sizes in device-independent pixels. What
+/// lies behind the tree is shown fainter, so that one sees where in the depth it is.
+class Overlay {
+public:
+    /// A translucent ball with an outline.
+    struct Sphere {
+        Vec3 centre = Vec3::Zero();
+        float radius = 0.5F; ///< m
+        QColor colour;
+        float fill = 0.2F; ///< Opacity of its inside, 0...1
+    };
+    struct Line {
+        std::size_t first = 0; ///< Of points()
+        std::size_t count = 0;
+        QColor colour;
+        float width = 1.5F;
+        float dash = 0.0F; ///< Length of a dash and of a gap, px; 0 = solid
+    };
+    struct Dots {
+        std::size_t first = 0; ///< Of points()
+        std::size_t count = 0;
+        QColor colour;
+        float size = 5.0F; ///< Diameter of the bright middle
+        float glow = 0.0F; ///< Strength of the halo around it, 0...1
+    };
+    /// A faint grid in a plane, fading out from its middle.
+    struct Grid {
+        Vec3 centre = Vec3::Zero();
+        Vec3 right = Vec3::UnitX(); ///< Unit
+        Vec3 up = Vec3::UnitY();    ///< Unit
+        float extent = 1.0F;        ///< m, from the middle to where it has faded
+        float spacing = 0.25F;      ///< m
+        Vec3 origin = Vec3::Zero(); ///< A point of the plane that two lines of the grid cross at
+        QColor colour;
+    };
+
+    void clear();
+    void addSphere(const Sphere& sphere) { m_spheres.push_back(sphere); }
+    void addLine(std::span<const Vec3> points, const QColor& colour, float width, float dash = 0.0F);
+    void addDots(std::span<const Vec3> points, const QColor& colour, float size, float glow = 0.0F);
+    void addGrid(const Grid& grid) { m_grids.push_back(grid); }
+    /// A circle as a line; @p u and @p v are perpendicular unit vectors.
+    void addCircle(const Vec3& centre, const Vec3& u, const Vec3& v, float radius, const QColor& colour, float width);
+
+    const std::vector<Sphere>& spheres() const { return m_spheres; }
+    const std::vector<Line>& lines() const { return m_lines; }
+    const std::vector<Dots>& dots() const { return m_dots; }
+    const std::vector<Grid>& grids() const { return m_grids; }
+    std::span<const Vec3> points() const { return m_points; }
+
+private:
+    std::vector<Sphere> m_spheres;
+    std::vector<Line> m_lines;
+    std::vector<Dots> m_dots;
+    std::vector<Grid> m_grids;
+    std::vector<Vec3> m_points;
+};
+
+} // namespace espalier

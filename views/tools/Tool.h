@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/input/PointerSample.h"
+#include "views/tools/Overlay.h"
+#include "views/tools/ToolContext.h"
+
+#include <QCursor>
+#include <QString>
+
+namespace espalier {
+
+/// Turns what a hand does into commands. Gestures are read before: a tool gets begin, any number of move and tick, and then
+/// either end or cancel; hover and leave come between gestures. The camera may move at any time, during a gesture as well.
+class Tool {
+public:
+    explicit Tool(ToolContext& context) : m_context(context) {}
+    /// Cancels a gesture under way.
+    virtual ~Tool() = default;
+    Tool(const Tool&) = delete;
+    Tool& operator=(const Tool&) = delete;
+
+    virtual void begin(const PointerSample& sample) = 0;
+    virtual void move(const PointerSample& sample) = 0;
+    /// Makes what was done one undo step.
+    virtual void end(const PointerSample& sample) = 0;
+    /// Leaves the document as it was before the gesture.
+    virtual void cancel() = 0;
+    virtual void hover(const PointerSample& sample) { Q_UNUSED(sample) }
+    /// The pointer is over the view no longer.
+    virtual void leave() {}
+    /// Time goes on while the hand rests; called about 60 times a second while wantsTicks(). @p now: s, of the samples' clock.
+    virtual void tick(double now) { Q_UNUSED(now) }
+    /// The wheel with Ctrl held, in notches; a gesture may be under way.
+    virtual void wheel(double notches) { Q_UNUSED(notches) }
+
+    /// Whether a gesture is under way.
+    virtual bool isActive() const = 0;
+    virtual bool wantsTicks() const { return false; }
+    virtual void paint(Overlay& overlay) const { Q_UNUSED(overlay) }
+    virtual QCursor cursor() const { return Qt::CrossCursor; }
+    /// What to do with it, in one short sentence.
+    virtual QString tip() const = 0;
+
+protected:
+    ToolContext& context() const { return m_context; }
+
+private:
+    ToolContext& m_context;
+};
+
+} // namespace espalier
