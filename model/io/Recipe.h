@@ -13,21 +13,26 @@
 
 namespace espalier {
 
-/// What a person did, as data. One struct an operation; resources/recipe.schema.json describes the JSON.
+/// What a person did, as data. One struct an operation; docs/recipes.md and resources/recipe.schema.json describe the JSON.
 struct SetParametersOperation {
     TreeParameters parameters; ///< Complete: those before, with the recipe's changes
+    bool operator==(const SetParametersOperation&) const = default;
 };
 struct BrushStrokeOperation {
     std::vector<BrushSample> samples; ///< At least one, times ascending
+    bool operator==(const BrushStrokeOperation&) const = default;
 };
 struct GrowOperation {
     int steps = 1; ///< 1...10,000
+    bool operator==(const GrowOperation&) const = default;
 };
 struct UndoOperation {
-    int count = 1;
+    int count = 1; ///< 1...100,000
+    bool operator==(const UndoOperation&) const = default;
 };
 struct RedoOperation {
-    int count = 1;
+    int count = 1; ///< 1...100,000
+    bool operator==(const RedoOperation&) const = default;
 };
 using RecipeOperation =
     std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, UndoOperation, RedoOperation>;
@@ -35,6 +40,7 @@ using RecipeOperation =
 /// From where a picture is taken.
 struct RecipeCamera {
     QString view; ///< front, side, top, three-quarter; empty for none said
+    bool operator==(const RecipeCamera&) const = default;
 };
 
 struct Recipe {
@@ -44,11 +50,29 @@ struct Recipe {
     TreeParameters parameters;
     RecipeCamera camera;
     std::vector<RecipeOperation> operations;
+    bool operator==(const Recipe&) const = default;
 };
 
-/// Reads a recipe. Unknown keys, values out of range, too many samples (1,000,000 in all) and JSON that is none give an error that names the
-/// place, such as "operations[3].samples[17]: the time goes backwards".
+/// The limits of a recipe beside those of the parameters (see visitParameters); resources/recipe.schema.json has them too.
+namespace recipeLimits {
+inline constexpr int kVersion = 1;
+inline constexpr double kCoordinate = 1000.0;      ///< m, either way
+inline constexpr double kRadius = 100.0;           ///< m
+inline constexpr double kStrokeTime = 600.0;       ///< s
+inline constexpr qsizetype kSamples = 1'000'000;   ///< in all
+inline constexpr qsizetype kOperations = 100'000;
+inline constexpr int kGrowSteps = 10'000;          ///< an operation
+inline constexpr int kUndoCount = 100'000;         ///< an operation
+inline constexpr qsizetype kBytes = 64 << 20;
+} // namespace recipeLimits
+
+/// Reads a recipe. Unknown keys, wrong types, values beyond the limits and JSON that is none give an error that names the place,
+/// such as "operations[3].samples[17]: the time does not go forwards".
 Result<Recipe> parseRecipe(const QByteArray& json);
+/// The same from a file, whose name the error begins with.
 Result<Recipe> readRecipe(const QString& fileName);
+
+/// The JSON that parseRecipe turns into the same recipe, to the last bit. Precondition: the recipe is within the limits.
+QByteArray writeRecipe(const Recipe& recipe);
 
 } // namespace espalier

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/Recipe.h"
+
+#include "model/io/JsonReader.h"
+#include "model/io/ParametersJson.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+
+#include <charconv>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+constexpr QLatin1StringView kVersionKey("espalier-recipe");
+constexpr QLatin1StringView kParametersKey("parameters");
+constexpr QLatin1StringView kSamplesKey("samples");
+constexpr QLatin1StringView kViews[] = {QLatin1StringView("front"), QLatin1StringView("side"),
+                                        QLatin1StringView("top"), QLatin1StringView("three-quarter")};
+
+/// Reads the operations in turn; each may lean on those before.
+class OperationsParser {
+public:
+    explicit OperationsParser(const TreeParameters& parameters) : m_parameters(parameters) {}
+
+    Result<RecipeOperation> parse(const QJsonValue& value, const QString& place);
+
+private:
+    Result<RecipeOperation> parseParameters(JsonReader& reader);
+    RecipeOperation parseStroke(JsonReader& reader);
+    std::optional<QString> parseSample(const QJsonValue& value, double previousTime, BrushSample& sample) const;
+
+    TreeParameters m_parameters; ///< In force
+    qsizetype m_samples = 0;
+};
+
+Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const QString& place)
+{
+    if (!value.isObject())
+        return inputError(place, Text::tr("an object is expected"));
+    JsonReader reader(value.toObject(), place);
+    const QString op = reader.text(QLatin1StringView("op"));
+    Result<RecipeOperation> operation = RecipeOperation{};
+    if (op == QLatin1StringView("setParameters")) {
+        operation = parseParameters(reader);
+    } else if (op == QLatin1StringView("brushStroke")) {
+        operation = parseStroke(reader);
+    } else if (op == QLatin1StringView("grow")) {
+        const auto steps = reader.integer(QLatin1StringView("steps"), 1, recipeLimits::kGrowSteps);
+        operation = RecipeOperation(GrowOperation{static_cast<int>(steps)});
+    } else if (op == QLatin1StringView("undo") || op == QLatin1StringView("redo")) {
+        const auto count = reader.integer(QLatin1StringView("count"), 1, recipeLimits::kUndoCount, 1);
+        operation = op == QLatin1StringView("undo") ? RecipeOperation(UndoOperation{static_cast<int>(count)})
+                                                    : RecipeOperation(RedoOperation{static_cast<int>(count)});
+    } else {
+        reader.fail(QLatin1StringView("op"),
+                    Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, undo and redo")
+                        .arg(op));
+    }
+    if (!operation)
+        return operation;
+    if (const Result<void> end = reader.finish(); !end)
+        return end.error();
+    return operation;
+}
+
+Result<RecipeOperation> OperationsParser::parseParameters(JsonReader& reader)
+{
+    if (!reader.has(kParametersKey))
+        reader.fail(kParametersKey, Text::tr("it is missing"));
+    Result<TreeParameters> parameters =
+        fromJson(reader.object(kParametersKey), m_parameters, reader.placeOf(kParametersKey));
+    if (!parameters)
+        return parameters.error();
+    normaliseDirectionWeights(parameters->growth);
+    m_parameters = *parameters;
+    return RecipeOperation(SetParametersOperation{m_parameters});
+}
+
+RecipeOperation OperationsParser::parseStroke(JsonReader& reader)
+{
+    const QJsonArray array = reader.array(kSamplesKey);
+    const QString place = reader.placeOf(kSamplesKey);
+    BrushStrokeOperation stroke;
+    if (array.isEmpty())
+        reader.fail(kSamplesKey, Text::tr("a stroke has at least one sample"));
+    m_samples += array.size();
+    if (m_samples > recipeLimits::kSamples) {
+        reader.fail(kSamplesKey, Text::tr("a recipe has at most %1 samples").arg(recipeLimits::kSamples));
+        return stroke;
+    }
+    stroke.samples.resize(static_cast<std::size_t>(array.size()));
+    double time = -1.0;
+    for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+        if (const auto fault = parseSample(array.at(static_cast<qsizetype>(i)), time, stroke.samples[i])) {
+            reader.fail(inputError(QStringLiteral("%1[%2]").arg(place).arg(i), *fault));
+            break;
+        }
+        time = stroke.samples[i].time;
+    }
+    return stroke;
+}
+
+std::optional<QString> OperationsParser::parseSample(const QJsonValue& value, double previousTime,
+                                                     BrushSample& sample) const
+{
+    const QJsonArray array = value.toArray();
+    std::array<double, 5> numbers{};
+    bool good = array.size() == 5;
+    for (qsizetype i = 0; good && i < 5; ++i) {
+        good = array.at(i).isDouble();
+        numbers[static_cast<std::size_t>(i)] = array.at(i).toDouble();
+    }
+    if (!good)
+        return Text::tr("an array of five numbers is expected: time, x, y, z, radius");
+    const auto& [time, x, y, z, radius] = numbers;
+    if (!(time >= 0.0 && time <= recipeLimits::kStrokeTime))
+        return Text::tr("the time is not within 0…%1 s").arg(recipeLimits::kStrokeTime);
+    if (time <= previousTime)
+        return Text::tr("the time does not go forwards");
+    for (const double coordinate : {x, y, z}) {
+        if (!(std::abs(coordinate) <= recipeLimits::kCoordinate))
+            return Text::tr("a coordinate is not within ±%1 m").arg(recipeLimits::kCoordinate);
+    }
+    if (!(radius >= 0.0 && radius <= recipeLimits::kRadius))
+        return Text::tr("the radius is not within 0…%1 m").arg(recipeLimits::kRadius);
+    sample = {time, Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)),
+              static_cast<float>(radius)};
+    return {};
+}
+
+RecipeCamera parseCamera(JsonReader& parent)
+{
+    const QLatin1StringView key("camera");
+    JsonReader reader(parent.object(key), parent.placeOf(key));
+    RecipeCamera camera;
+    camera.view = reader.text(QLatin1StringView("view"), QString());
+    if (!camera.view.isEmpty() && std::ranges::find(kViews, camera.view) == std::end(kViews)) {
+        reader.fail(QLatin1StringView("view"),
+                    Text::tr("there is no view “%1”; there are front, side, top and three-quarter").arg(camera.view));
+    }
+    if (const Result<void> end = reader.finish(); !end)
+        parent.fail(end.error());
+    return camera;
+}
+
+/// As few digits as lead back to the same number.
+template <class T>
+void appendNumber(QByteArray& text, T number)
+{
+    char digits[40];
+    text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr - digits);
+}
+
+QByteArray compact(const QJsonObject& json)
+{
+    return QJsonDocument(json).toJson(QJsonDocument::Compact);
+}
+
+QByteArray compact(const QString& text)
+{
+    const QByteArray array = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
+    return array.mid(1, array.size() - 2);
+}
+
+/// Writes the operations in turn; parameters only as far as they change.
+struct OperationWriter {
+    QByteArray& text;
+    TreeParameters parameters; ///< In force
+
+    void operator()(const SetParametersOperation& operation)
+    {
+        text += R"({"op":"setParameters","parameters":)" + compact(toJson(operation.parameters, parameters)) + '}';
+        parameters = operation.parameters;
+    }
+    void operator()(const BrushStrokeOperation& operation) const
+    {
+        text += R"({"op":"brushStroke","samples":[)";
+        for (const BrushSample& sample : operation.samples) {
+            text += &sample == operation.samples.data() ? "\n      [" : ",\n      [";
+            appendNumber(text, sample.time);
+            for (const float number :
+                 {sample.position.x(), sample.position.y(), sample.position.z(), sample.radius}) {
+                text += ',';
+                appendNumber(text, number);
+            }
+            text += ']';
+        }
+        text += "\n    ]}";
+    }
+    void operator()(const GrowOperation& operation) const { write("grow", "steps", operation.steps); }
+    void operator()(const UndoOperation& operation) const { write("undo", "count", operation.count); }
+    void operator()(const RedoOperation& operation) const { write("redo", "count", operation.count); }
+
+    void write(const char* op, const char* key, int number) const
+    {
+        text += R"({"op":")" + QByteArray(op) + R"(",")" + key + R"(":)" + QByteArray::number(number) + '}';
+    }
+};
+
+} // namespace
+
+Result<Recipe> parseRecipe(const QByteArray& json)
+{
+    const Result<QJsonObject> parsed = parseJsonObject(json, recipeLimits::kBytes);
+    if (!parsed)
+        return parsed.error();
+    JsonReader reader(*parsed, {});
+    if (!reader.has(kVersionKey)) {
+        return inputError({}, Text::tr("this is no recipe: one begins with “%1”: %2")
+                                  .arg(QString(kVersionKey))
+                                  .arg(recipeLimits::kVersion));
+    }
+    const auto version = reader.integer(kVersionKey, 1, std::numeric_limits<std::int32_t>::max());
+    if (version > recipeLimits::kVersion) {
+        return inputError({}, Text::tr("the recipe is of version %1, this program reads versions up to %2")
+                                  .arg(version)
+                                  .arg(recipeLimits::kVersion));
+    }
+    Recipe recipe;
+    recipe.name = reader.text(QLatin1StringView("name"), QString());
+    recipe.description = reader.text(QLatin1StringView("description"), QString());
+    recipe.seed = reader.seed(QLatin1StringView("seed"), 1);
+    Result<TreeParameters> parameters = fromJson(reader.object(kParametersKey), {}, QString(kParametersKey));
+    if (!parameters)
+        reader.fail(parameters.error());
+    else
+        recipe.parameters = *parameters;
+    normaliseDirectionWeights(recipe.parameters.growth);
+    recipe.camera = parseCamera(reader);
+    const QJsonArray operations = reader.array(QLatin1StringView("operations"));
+    if (operations.size() > recipeLimits::kOperations) {
+        reader.fail(QLatin1StringView("operations"),
+                    Text::tr("a recipe has at most %1 operations").arg(recipeLimits::kOperations));
+    }
+    if (const Result<void> end = reader.finish(); !end)
+        return end.error();
+
+    OperationsParser parser(recipe.parameters);
+    recipe.operations.reserve(static_cast<std::size_t>(operations.size()));
+    for (qsizetype i = 0; i < operations.size(); ++i) {
+        Result<RecipeOperation> operation = parser.parse(operations.at(i), QStringLiteral("operations[%1]").arg(i));
+        if (!operation)
+            return operation.error();
+        recipe.operations.push_back(std::move(*operation));
+    }
+    return recipe;
+}
+
+Result<Recipe> readRecipe(const QString& fileName)
+{
+    const QString name = QFileInfo(fileName).fileName();
+    QFile file(fileName);
+    if (!file.open(QIODevice::ReadOnly))
+        return inputError(name, file.errorString());
+    // One byte too many is enough to know, whatever the file pretends to be.
+    Result<Recipe> recipe = parseRecipe(file.read(recipeLimits::kBytes + 1));
+    if (!recipe)
+        return inputError(name, recipe.error().message);
+    return recipe;
+}
+
+QByteArray writeRecipe(const Recipe& recipe)
+{
+    QByteArray text = "{\n  \"" + QByteArray(kVersionKey.data()) +
+                      "\": " + QByteArray::number(recipeLimits::kVersion);
+    text += ",\n  \"name\": " + compact(recipe.name);
+    text += ",\n  \"description\": " + compact(recipe.description);
+    const QByteArray seed = compact(QJsonObject{{QStringLiteral("seed"), seedToJson(recipe.seed)}});
+    text += ",\n  \"seed\": " + seed.mid(8, seed.size() - 9);
+    text += ",\n  \"parameters\": " + compact(toJson(recipe.parameters));
+    if (!recipe.camera.view.isEmpty())
+        text += ",\n  \"camera\": {\"view\":" + compact(recipe.camera.view) + '}';
+    text += ",\n  \"operations\": [";
+    OperationWriter writer{text, recipe.parameters};
+    for (const RecipeOperation& operation : recipe.operations) {
+        text += &operation == recipe.operations.data() ? "\n    " : ",\n    ";
+        std::visit(writer, operation);
+    }
+    text += recipe.operations.empty() ? "]\n}\n" : "\n  ]\n}\n";
+    return text;
+}
+
+} // namespace espalier
