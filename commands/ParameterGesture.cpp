@@ -5,20 +5,24 @@
 
 namespace espalier {
 
-namespace {
-
-/// Lets its gesture know when the undo stack drops it.
-class TrialCommand : public DeltaCommand {
+/// Lets its gesture know when the undo stack drops it, and can leave the stack on being undone.
+class ParameterGesture::TrialCommand : public DeltaCommand {
 public:
     using DeltaCommand::DeltaCommand;
 
-    std::weak_ptr<QUndoCommand*> handle() const { return m_self; }
+    void undo() override
+    {
+        DeltaCommand::undo();
+        setObsolete(m_isTakenBack);
+    }
+
+    std::weak_ptr<TrialCommand*> handle() const { return m_self; }
+    void takeBack() { m_isTakenBack = true; }
 
 private:
-    std::shared_ptr<QUndoCommand*> m_self = std::make_shared<QUndoCommand*>(this);
+    std::shared_ptr<TrialCommand*> m_self = std::make_shared<TrialCommand*>(this);
+    bool m_isTakenBack = false;
 };
-
-} // namespace
 
 void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& text) {
     if (parameters == m_document.parameters())
@@ -43,8 +47,7 @@ void ParameterGesture::takeBack() {
     QUndoStack& stack = m_document.undoStack();
     if (!command || stack.index() == 0 || stack.command(stack.index() - 1) != *command)
         return;
-    // Obsolete: undone, it leaves the stack and cannot be redone.
-    (*command)->setObsolete(true);
+    (*command)->takeBack();
     stack.undo();
     if (m_remembered)
         m_document.forgetLastParameters();

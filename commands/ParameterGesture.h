@@ -23,11 +23,13 @@ public:
     void finish() { m_command.reset(); }
 
 private:
+    class TrialCommand;
+
     void takeBack();
 
     TreeDocument& m_document;
     /// The command of the last trial, as long as it exists.
-    std::weak_ptr<QUndoCommand*> m_command;
+    std::weak_ptr<TrialCommand*> m_command;
     /// Its parameters were new to the document.
     bool m_remembered = false;
 };

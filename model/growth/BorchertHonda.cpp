@@ -65,7 +65,7 @@ VigourShares VigourFlow::atNode(InternodeId id, double vigour) const
 double VigourFlow::mainQ(InternodeId id) const
 {
     const InternodeId main = m_index.mainChild(id);
-    return static_cast<double>(main == kNoInternode ? m_growth.terminalQ(m_tree, m_index, id) : m_growth.basipetal(main));
+    return static_cast<double>(main == kNoInternode ? m_growth.terminalQ(m_tree, id) : m_growth.basipetal(main));
 }
 
 double VigourFlow::ofChild(InternodeId parent, InternodeId child, double vigour) const

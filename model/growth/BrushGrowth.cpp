@@ -11,13 +11,15 @@ namespace {
 
 /// More markers a step than this bring nothing but waiting.
 constexpr double kMostNewMarkers = 4000;
+/// A brush thinner than this many occupancy radii begins to draw.
+constexpr double kThinBrush = 1.0;
 /// m; a stroke's direction is an average over about this length.
 constexpr float kDirectionWindow = 0.25F;
 
 /// How far a brush of this radius is on the way from growing (0) to drawing (1).
 double drawnness(const GrowthParameters& p, float radius)
 {
-    return std::clamp(1.0 - radius / (p.occupancyRadius * p.internodeLength), 0.0, 1.0);
+    return std::clamp(1.0 - radius / (kThinBrush * p.occupancyRadius * p.internodeLength), 0.0, 1.0);
 }
 
 bool draws(const GrowthParameters& p, float radius)

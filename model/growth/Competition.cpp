@@ -11,7 +11,11 @@ namespace espalier {
 
 namespace {
 
-/// A node with living buds near the markers of one voxel.
+/// Markers in the same block of 2³ voxels share the search for neighbours.
+constexpr int kBlockBits = 1;
+constexpr int kBlock = 1 << kBlockBits;
+
+/// A node with living buds near the markers of one block.
 struct Neighbour {
     Vec3 position;
     InternodeId id;
@@ -45,12 +49,19 @@ public:
         return distance <= m_perception.reach && directionOf(bud).dot(toMarker) >= m_perception.cosHalfAngle * distance;
     }
 
-    /// Nodes with living buds that may perceive something in voxel @p cell.
-    void gather(const Cell& cell, std::vector<Neighbour>& neighbours) const
+    /// The block of kBlock³ voxels that a marker lies in.
+    Cell blockOf(const Vec3& marker) const
+    {
+        const Cell cell = m_space.cellAt(marker);
+        return {cell.x >> kBlockBits, cell.y >> kBlockBits, cell.z >> kBlockBits};
+    }
+
+    /// Nodes with living buds that may perceive something in @p block.
+    void gather(const Cell& block, std::vector<Neighbour>& neighbours) const
     {
         neighbours.clear();
-        gather(m_space, 0, cell, neighbours);
-        gather(m_tree.newNodes(), m_tree.tree().size(), cell, neighbours);
+        gather(m_space, 0, block, neighbours);
+        gather(m_tree.newNodes(), m_tree.tree().size(), block, neighbours);
     }
 
     BudRef ownerOf(const Vec3& marker, Scratch& scratch) const
@@ -102,12 +113,15 @@ private:
         });
     }
 
-    void gather(const VoxelSpace& space, InternodeId offset, const Cell& cell, std::vector<Neighbour>& neighbours) const
+    void gather(const VoxelSpace& space, InternodeId offset, const Cell& block, std::vector<Neighbour>& neighbours) const
     {
-        // Half a voxel's diagonal more than a bud perceives.
-        const Vec3 centre = space.centreOf(cell);
-        const float limit = m_perception.reach + 0.8661F * space.edge();
-        const Vec3 reach = Vec3::Constant(m_perception.reach + 0.5F * space.edge());
+        const float half = 0.5F * static_cast<float>(kBlock) * m_space.edge();
+        const Vec3 centre = 2.0F * half *
+                            Vec3(static_cast<float>(block.x) + 0.5F, static_cast<float>(block.y) + 0.5F,
+                                 static_cast<float>(block.z) + 0.5F);
+        // Half a block's diagonal more than a bud perceives.
+        const float limit = m_perception.reach + 1.7321F * half;
+        const Vec3 reach = Vec3::Constant(m_perception.reach + half);
         space.anyOccupied(space.cellAt(centre - reach), space.cellAt(centre + reach), [&](InternodeId first) {
             for (InternodeId node = first; node != kNoInternode; node = space.nextInCell(node)) {
                 const InternodeId id = node + offset;
@@ -143,21 +157,20 @@ void removeMarkers(MarkerSet& markers, IsGone&& isGone)
 }
 
 /// Finds the owners of the markers @p asked (indices) and what space these see.
-std::vector<EnabledBud> distribute(const Contest& contest, const GrowingTree& tree, const VoxelSpace& space,
-                                   const MarkerSet& markers, const std::vector<std::uint32_t>& asked)
+std::vector<EnabledBud> distribute(const Contest& contest, const GrowingTree& tree, const MarkerSet& markers,
+                                   const std::vector<std::uint32_t>& asked)
 {
-    // Markers of the same voxel share the search for neighbours.
-    std::vector<std::pair<Cell, std::uint32_t>> byCell(asked.size());
+    std::vector<std::pair<Cell, std::uint32_t>> byBlock(asked.size());
     for (std::size_t i = 0; i < asked.size(); ++i)
-        byCell[i] = {space.cellAt(markers.positions[asked[i]]), asked[i]};
-    std::ranges::sort(byCell);
+        byBlock[i] = {contest.blockOf(markers.positions[asked[i]]), asked[i]};
+    std::ranges::sort(byBlock);
     std::vector<std::pair<BudRef, std::uint32_t>> owned(asked.size()); // owner, marker
-    parallelFor(byCell.size(), 512, [&](std::size_t begin, std::size_t end) {
+    parallelFor(byBlock.size(), 512, [&](std::size_t begin, std::size_t end) {
         Scratch scratch;
         for (std::size_t i = begin; i < end; ++i) {
-            const auto& [cell, marker] = byCell[i];
-            if (i == begin || cell != byCell[i - 1].first)
-                contest.gather(cell, scratch.neighbours);
+            const auto& [block, marker] = byBlock[i];
+            if (i == begin || block != byBlock[i - 1].first)
+                contest.gather(block, scratch.neighbours);
             owned[i] = {contest.ownerOf(markers.positions[marker], scratch), marker};
         }
     });
@@ -212,7 +225,7 @@ std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpac
     removeMarkers(markers, [&](const Vec3& marker) { return contest.isOccupied(marker); });
     std::vector<std::uint32_t> all(markers.size());
     std::iota(all.begin(), all.end(), 0U);
-    return distribute(contest, tree, space, markers, all);
+    return distribute(contest, tree, markers, all);
 }
 
 std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
@@ -240,7 +253,7 @@ std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& 
         if (isPerceived)
             perceived.push_back(i);
     }
-    std::vector<EnabledBud> enabled = distribute(contest, tree, space, markers, perceived);
+    std::vector<EnabledBud> enabled = distribute(contest, tree, markers, perceived);
     std::erase_if(enabled, [&](const EnabledBud& bud) { return !std::ranges::binary_search(tips, bud.bud); });
     return enabled;
 }

@@ -20,6 +20,7 @@ void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
     m_settings = settingsOf(tree.parameters().growth);
     m_space = VoxelSpace(m_settings.edge, m_settings.pyramid);
     m_inSpace.assign(tree.size(), 0);
+    m_sensed.assign(tree.size(), 0);
     m_own.assign(tree.size(), 0);
     m_basipetal.assign(tree.size(), 0);
     m_pending.assign(tree.size(), 0);
@@ -40,6 +41,7 @@ void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDel
         return;
     }
     m_inSpace.resize(tree.size(), 0);
+    m_sensed.resize(tree.size(), 0);
     m_own.resize(tree.size(), 0);
     m_basipetal.resize(tree.size(), 0);
     m_pending.resize(tree.size(), 0);
@@ -53,9 +55,10 @@ void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDel
         else
             m_space.remove(id, index.nodePosition(id));
     });
-    // Light changes with the shadows cast below; buds that came or went change their node's sum where the light did not.
+    // Light follows with the shadows cast below; buds that came or went change their node's sum where the light does not.
     delta.forEachTouched([&](InternodeId id) {
-        refresh(tree, index, id, sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id)))));
+        m_sensed[id] = sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id))));
+        refresh(tree, index, id);
     });
     castAndSweep(tree, index);
 }
@@ -63,9 +66,11 @@ void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDel
 void GrowthIndex::castAndSweep(const Tree& tree, const TreeIndex& index)
 {
     m_space.castShadows([&](InternodeId first, std::uint32_t shadow) {
-        const double sensed = sensedLight(shadow);
-        for (InternodeId id = first; id != kNoInternode; id = m_space.nextInCell(id))
-            refresh(tree, index, id, sensed);
+        const std::int32_t sensed = sensedLight(shadow);
+        for (InternodeId id = first; id != kNoInternode; id = m_space.nextInCell(id)) {
+            m_sensed[id] = sensed;
+            refresh(tree, index, id);
+        }
     });
     m_sweep.run(tree.columns().parent, [&](InternodeId id, InternodeId parent) {
         const std::int64_t pending = std::exchange(m_pending[id], 0);
@@ -75,29 +80,30 @@ void GrowthIndex::castAndSweep(const Tree& tree, const TreeIndex& index)
     });
 }
 
-double GrowthIndex::sensedLight(std::uint32_t shadow) const
+std::int32_t GrowthIndex::sensedLight(std::uint32_t shadow) const
 {
-    return std::pow(static_cast<double>(m_space.lightOfShadow(shadow)), m_settings.lightSensitivity);
+    const auto light = static_cast<double>(m_space.lightOfShadow(shadow));
+    const double kappa = m_settings.lightSensitivity;
+    return static_cast<std::int32_t>((kappa == 1.0 ? light : std::pow(light, kappa)) * kUnit + 0.5);
 }
 
-std::int32_t GrowthIndex::bias(const Tree& tree, const TreeIndex& index, InternodeId id, int slot, double sensed) const
+std::int32_t GrowthIndex::budQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const
 {
     // Gravimorphism is a matter of lateral buds; a terminal one lies along its axis.
-    double b = 1.0;
-    if (slot != kTerminalSlot && !m_settings.ellipse.isNeutral()) {
-        const Rotation& rotation = index.rotation(id);
-        const Vec3 bud = budDirection(tree.seed(), id, slot, rotation, tree.parametersOf(id).growth);
-        b = gravimorphicBias(m_settings.ellipse, rotation * Vec3(Vec3::UnitY()), bud);
-    }
-    return static_cast<std::int32_t>(b * sensed * kUnit + 0.5);
+    if (slot == kTerminalSlot || m_settings.ellipse.isNeutral())
+        return m_sensed[id];
+    const Rotation& rotation = index.rotation(id);
+    const Vec3 bud = budDirection(tree.seed(), id, slot, rotation, tree.parametersOf(id).growth);
+    const double bias = gravimorphicBias(m_settings.ellipse, rotation * Vec3(Vec3::UnitY()), bud);
+    return static_cast<std::int32_t>(bias * m_sensed[id] + 0.5);
 }
 
-void GrowthIndex::refresh(const Tree& tree, const TreeIndex& index, InternodeId id, double sensed)
+void GrowthIndex::refresh(const Tree& tree, const TreeIndex& index, InternodeId id)
 {
     std::int32_t own = 0;
     if (tree.isAlive(id)) {
         for (unsigned rest = tree.buds(id); rest != 0; rest &= rest - 1)
-            own += bias(tree, index, id, std::countr_zero(rest), sensed);
+            own += budQ(tree, index, id, std::countr_zero(rest));
     }
     const std::int32_t change = own - m_own[id];
     if (change == 0)
@@ -107,19 +113,14 @@ void GrowthIndex::refresh(const Tree& tree, const TreeIndex& index, InternodeId 
     m_sweep.mark(id);
 }
 
-std::int64_t GrowthIndex::terminalQ(const Tree& tree, const TreeIndex& index, InternodeId id) const
-{
-    return (tree.buds(id) & kTerminalBud) != 0 ? lateralQ(tree, index, id, kTerminalSlot) : 0;
-}
-
 std::int64_t GrowthIndex::lateralQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const
 {
-    return bias(tree, index, id, slot, sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id)))));
+    return budQ(tree, index, id, slot);
 }
 
 std::size_t GrowthIndex::bytes() const
 {
-    return m_space.bytes() + m_inSpace.capacity() + m_own.capacity() * sizeof(std::int32_t) +
+    return m_space.bytes() + m_inSpace.capacity() + 2 * m_own.capacity() * sizeof(std::int32_t) +
            (m_basipetal.capacity() + m_pending.capacity()) * sizeof(std::int64_t);
 }
 

@@ -35,7 +35,10 @@ public:
     /// the internode; 0 for the dead.
     std::int64_t basipetal(InternodeId id) const { return m_basipetal[id]; }
     /// The part of it that comes from the node's own terminal bud; 0 if there is none.
-    std::int64_t terminalQ(const Tree& tree, const TreeIndex& index, InternodeId id) const;
+    std::int64_t terminalQ(const Tree& tree, InternodeId id) const
+    {
+        return (tree.buds(id) & kTerminalBud) != 0 ? m_sensed[id] : 0;
+    }
     /// The part of it that comes from the node's living lateral bud @p slot.
     std::int64_t lateralQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const;
 
@@ -52,17 +55,18 @@ private:
     };
     static Settings settingsOf(const GrowthParameters& parameters);
 
-    double sensedLight(std::uint32_t shadow) const;
-    std::int32_t bias(const Tree& tree, const TreeIndex& index, InternodeId id, int slot, double sensed) const;
-    void refresh(const Tree& tree, const TreeIndex& index, InternodeId id, double sensed);
+    std::int32_t sensedLight(std::uint32_t shadow) const;
+    std::int32_t budQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const;
+    void refresh(const Tree& tree, const TreeIndex& index, InternodeId id);
     void castAndSweep(const Tree& tree, const TreeIndex& index);
 
     Settings m_settings;
     VoxelSpace m_space;
     std::vector<std::uint8_t> m_inSpace;
+    std::vector<std::int32_t> m_sensed;    ///< L^κ at the node
     std::vector<std::int32_t> m_own;       ///< Sum over the node's own buds
     std::vector<std::int64_t> m_basipetal;
-    std::vector<std::int64_t> m_pending;
+    std::vector<std::int64_t> m_pending; ///< Differences on their way down
     AncestorSweep m_sweep;
 };
 

@@ -2,6 +2,7 @@
 #include "model/growth/VoxelSpace.h"
 
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 

@@ -46,8 +46,8 @@ struct GrowthParameters {
     double ellipseOffset = 0.0;         ///< e_v, |e_v| < s_v; > 0 favours buds above the axis (epitony), < 0 below
 
     // Markers of free space
-    double markerDensity = 0.03;        ///< brush: living markers per cubic internode length
-    int markerAge = 8;                  ///< brush: growth steps that a marker lives
+    double markerDensity = 0.15;        ///< brush: living markers per cubic internode length
+    int markerAge = 5;                  ///< brush: growth steps that a marker lives
     int markersPerBud = 3;              ///< autonomous growth: markers per bud and step
 
     bool operator==(const GrowthParameters&) const = default;
