@@ -3,7 +3,29 @@
 
 #include "model/tree/Tree.h"
 
+#include <array>
+
 namespace espalier {
+
+/// The angles at which buds stand, prepared for many of them.
+class BudAngles {
+public:
+    explicit BudAngles(const GrowthParameters& grown);
+
+    /// Direction of the bud @p slot in its internode's frame.
+    Vec3 direction(std::uint64_t seed, InternodeId id, int slot) const;
+
+private:
+    struct Turn {
+        double cosine;
+        double sine;
+    };
+
+    double m_branchingAngle;
+    Turn m_branching;
+    std::array<Turn, kMaxLaterals> m_azimuths{};
+    double m_irregularity;
+};
 
 /// World direction, of unit length, of the bud @p slot at a node: along the internode for the terminal bud, else at the branching angle
 /// ψ and evenly around the node, from its frame's +X on (TreeSketch figure 8A), with the irregularity of the parameters that the

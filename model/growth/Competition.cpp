@@ -2,9 +2,9 @@
 #include "model/growth/Competition.h"
 
 #include "model/base/Parallel.h"
-#include "model/growth/Buds.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace espalier {
@@ -15,18 +15,53 @@ namespace {
 constexpr int kBlockBits = 1;
 constexpr int kBlock = 1 << kBlockBits;
 
-/// A node with living buds near the markers of one block.
-struct Neighbour {
-    Vec3 position;
-    InternodeId id;
-};
-
 constexpr BudRef kNobody{kNoInternode, 0};
 
-/// Memory of one thread.
-struct Scratch {
-    std::vector<Neighbour> neighbours;
-    std::vector<std::pair<float, InternodeId>> byDistance;
+/// The nodes with living buds around the markers of one block, as columns; and their distances from the marker at hand.
+struct Neighbours {
+    std::vector<float> x;
+    std::vector<float> y;
+    std::vector<float> z;
+    std::vector<InternodeId> ids;
+    std::vector<std::int32_t> squaredDistances; ///< Bits of the floats: as integers, which compare alike, they make faster loops
+
+    void clear()
+    {
+        x.clear();
+        y.clear();
+        z.clear();
+        ids.clear();
+    }
+    void add(const Vec3& position, InternodeId id)
+    {
+        x.push_back(position.x());
+        y.push_back(position.y());
+        z.push_back(position.z());
+        ids.push_back(id);
+    }
+    void measureFrom(const Vec3& point)
+    {
+        const std::size_t count = ids.size();
+        squaredDistances.resize(count);
+        const float px = point.x();
+        const float py = point.y();
+        const float pz = point.z();
+        for (std::size_t i = 0; i < count; ++i) {
+            const float dx = px - x[i];
+            const float dy = py - y[i];
+            const float dz = pz - z[i];
+            squaredDistances[i] = std::bit_cast<std::int32_t>(dx * dx + dy * dy + dz * dz);
+        }
+    }
+    std::int32_t nearest() const
+    {
+        std::int32_t least = kFar;
+        for (const std::int32_t squared : squaredDistances)
+            least = std::min(least, squared);
+        return least;
+    }
+
+    static constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
 };
 
 class Contest {
@@ -46,7 +81,7 @@ public:
     {
         const Vec3 toMarker = marker - m_tree.nodePosition(bud.node);
         const float distance = toMarker.norm();
-        return distance <= m_perception.reach && directionOf(bud).dot(toMarker) >= m_perception.cosHalfAngle * distance;
+        return distance <= m_perception.reach && m_tree.budDirection(bud.node, bud.slot).dot(toMarker) >= m_perception.cosHalfAngle * distance;
     }
 
     /// The block of kBlock³ voxels that a marker lies in.
@@ -57,48 +92,51 @@ public:
     }
 
     /// Nodes with living buds that may perceive something in @p block.
-    void gather(const Cell& block, std::vector<Neighbour>& neighbours) const
+    void gather(const Cell& block, Neighbours& neighbours) const
     {
         neighbours.clear();
         gather(m_space, 0, block, neighbours);
         gather(m_tree.newNodes(), m_tree.tree().size(), block, neighbours);
     }
 
-    BudRef ownerOf(const Vec3& marker, Scratch& scratch) const
+    /// Of a marker in no occupied zone.
+    BudRef ownerOf(const Vec3& marker, Neighbours& neighbours) const
     {
-        auto& nodes = scratch.byDistance;
-        nodes.clear();
-        for (const Neighbour& neighbour : scratch.neighbours) {
-            const float squared = (marker - neighbour.position).squaredNorm();
-            if (squared <= m_perception.reach * m_perception.reach)
-                nodes.emplace_back(squared, neighbour.id);
-        }
-        // A heap, since the first few nodes decide.
-        const auto farther = std::ranges::greater{};
-        std::ranges::make_heap(nodes, farther);
-        BudRef owner = kNobody;
-        float distance = 0.0F;
-        float alignment = 0.0F;
-        while (!nodes.empty() && (owner == kNobody || nodes.front().first == distance)) {
-            std::ranges::pop_heap(nodes, farther);
-            const auto [squared, id] = nodes.back();
-            nodes.pop_back();
-            const Vec3 toMarker = marker - m_tree.nodePosition(id);
-            for (unsigned rest = m_tree.buds(id); rest != 0; rest &= rest - 1) {
-                const BudRef bud{id, std::countr_zero(rest)};
-                const float along = directionOf(bud).dot(toMarker);
-                if (along < m_perception.cosHalfAngle * std::sqrt(squared) || (owner != kNobody && along <= alignment) ||
-                    !competes(m_tree, m_competitors, bud))
-                    continue;
-                owner = bud;
-                distance = squared;
-                alignment = along;
+        neighbours.measureFrom(marker);
+        const auto limit = std::bit_cast<std::int32_t>(m_perception.reach * m_perception.reach);
+        for (std::int32_t nearest = neighbours.nearest(); nearest <= limit; nearest = neighbours.nearest()) {
+            BudRef owner = kNobody;
+            float alignment = 0.0F;
+            for (std::size_t i = 0; i < neighbours.ids.size(); ++i) {
+                if (neighbours.squaredDistances[i] == nearest) {
+                    neighbours.squaredDistances[i] = Neighbours::kFar;
+                    contend(neighbours.ids[i], marker, owner, alignment);
+                }
             }
+            if (owner != kNobody)
+                return owner;
         }
-        return owner;
+        return kNobody;
     }
 
 private:
+    /// Makes a bud of the node the marker's owner if one perceives it and points at it better than the owner so far.
+    void contend(InternodeId id, const Vec3& marker, BudRef& owner, float& alignment) const
+    {
+        const Vec3 toMarker = marker - m_tree.nodePosition(id);
+        const float least = m_perception.cosHalfAngle * toMarker.norm();
+        for (unsigned rest = m_tree.buds(id); rest != 0; rest &= rest - 1) {
+            const BudRef bud{id, std::countr_zero(rest)};
+            const float along = m_tree.budDirection(id, bud.slot).dot(toMarker);
+            if (along < least || !competes(m_tree, m_competitors, bud))
+                continue;
+            if (owner == kNobody || along > alignment || (along == alignment && bud < owner)) {
+                owner = bud;
+                alignment = along;
+            }
+        }
+    }
+
     bool isOccupied(const VoxelSpace& space, InternodeId offset, const Vec3& marker) const
     {
         const float squaredRadius = m_perception.occupancy * m_perception.occupancy;
@@ -113,7 +151,7 @@ private:
         });
     }
 
-    void gather(const VoxelSpace& space, InternodeId offset, const Cell& block, std::vector<Neighbour>& neighbours) const
+    void gather(const VoxelSpace& space, InternodeId offset, const Cell& block, Neighbours& neighbours) const
     {
         const float half = 0.5F * static_cast<float>(kBlock) * m_space.edge();
         const Vec3 centre = 2.0F * half *
@@ -127,16 +165,10 @@ private:
                 const InternodeId id = node + offset;
                 const Vec3& position = m_tree.nodePosition(id);
                 if ((position - centre).squaredNorm() < limit * limit && m_tree.buds(id) != 0)
-                    neighbours.push_back({position, id});
+                    neighbours.add(position, id);
             }
             return false;
         });
-    }
-
-    Vec3 directionOf(const BudRef& bud) const
-    {
-        return budDirection(m_tree.tree().seed(), bud.node, bud.slot, m_tree.rotation(bud.node),
-                            m_tree.grownWith(bud.node));
     }
 
     const GrowingTree& m_tree;
@@ -166,12 +198,12 @@ std::vector<EnabledBud> distribute(const Contest& contest, const GrowingTree& tr
     std::ranges::sort(byBlock);
     std::vector<std::pair<BudRef, std::uint32_t>> owned(asked.size()); // owner, marker
     parallelFor(byBlock.size(), 512, [&](std::size_t begin, std::size_t end) {
-        Scratch scratch;
+        Neighbours neighbours;
         for (std::size_t i = begin; i < end; ++i) {
             const auto& [block, marker] = byBlock[i];
             if (i == begin || block != byBlock[i - 1].first)
-                contest.gather(block, scratch.neighbours);
-            owned[i] = {contest.ownerOf(markers.positions[marker], scratch), marker};
+                contest.gather(block, neighbours);
+            owned[i] = {contest.ownerOf(markers.positions[marker], neighbours), marker};
         }
     });
     std::erase_if(owned, [](const auto& pair) { return pair.first == kNobody; });

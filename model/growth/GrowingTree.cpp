@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/GrowingTree.h"
 
-#include "model/growth/Buds.h"
-
 namespace espalier {
 
 GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspace& workspace)
@@ -12,6 +10,8 @@ GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspa
               {})
 {
     m_workspace.buds.clear(tree.size());
+    for (const TreeParameters& parameters : tree.parameterSets())
+        m_budAngles.emplace_back(parameters.growth);
 }
 
 InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& direction, double roll, double length,

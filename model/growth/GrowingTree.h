@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/growth/Buds.h"
 #include "model/growth/StampedColumn.h"
 #include "model/growth/VoxelSpace.h"
 #include "model/tree/TreeDelta.h"
@@ -55,6 +56,13 @@ public:
         return isNew(id) ? m_tree.parameters().growth : m_tree.parametersOf(id).growth;
     }
 
+    /// World direction of the bud @p slot at a node.
+    Vec3 budDirection(InternodeId id, int slot) const
+    {
+        const std::size_t set = isNew(id) ? m_tree.currentParameterSet() : m_tree.columns().parameterSet[id];
+        return rotation(id) * m_budAngles[set].direction(m_tree.seed(), id, slot);
+    }
+
     /// The new nodes alone, by voxel.
     const VoxelSpace& newNodes() const { return m_space; }
     /// The voxels, each once, that new nodes lie in.
@@ -74,6 +82,7 @@ private:
     const Tree& m_tree;
     const TreeIndex& m_index;
     GrowthWorkspace& m_workspace;
+    std::vector<BudAngles> m_budAngles; ///< By parameter set
     TreeDelta m_delta;
     std::unique_ptr<InternodeColumns> m_rows;
     std::vector<Vec3> m_positions;

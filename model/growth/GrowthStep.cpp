@@ -37,7 +37,7 @@ public:
     Vec3 of(const Shoot& shoot) const
     {
         const auto [node, slot] = shoot.bud;
-        Vec3 heading = budDirection(m_tree.tree().seed(), node, slot, m_tree.rotation(node), m_tree.grownWith(node));
+        Vec3 heading = m_tree.budDirection(node, slot);
         if (slot == kTerminalSlot && shoot.grown == 0)
             heading = deflected(node, heading);
 
@@ -58,11 +58,10 @@ private:
     /// The main axis turns by δ away from each lateral that has started at its node, in the plane of the two (TreeSketch §3.2).
     Vec3 deflected(InternodeId node, const Vec3& heading) const
     {
-        const GrowthParameters& grown = m_tree.grownWith(node);
         Vec3 result = heading;
-        const auto started = static_cast<unsigned>(newBuds(grown) & ~m_tree.buds(node) & ~kTerminalBud);
+        const auto started = static_cast<unsigned>(newBuds(m_tree.grownWith(node)) & ~m_tree.buds(node) & ~kTerminalBud);
         for (unsigned rest = started; rest != 0; rest &= rest - 1) {
-            const Vec3 lateral = budDirection(m_tree.tree().seed(), node, std::countr_zero(rest), m_tree.rotation(node), grown);
+            const Vec3 lateral = m_tree.budDirection(node, std::countr_zero(rest));
             const Vec3 axis = heading.cross(lateral);
             if (axis.norm() > 1e-4F)
                 result = Eigen::AngleAxisf(-static_cast<float>(m_parameters.deflectionAngle), axis.normalized()) * result;
@@ -173,8 +172,7 @@ std::vector<VigorousBud> budsByVigour(const GrowingTree& growing, VigourFlow& fl
 void layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Perception& perception, MarkerSet& markers)
 {
     const Tree& tree = growing.tree();
-    const Vec3 heading =
-        budDirection(tree.seed(), bud.node, bud.slot, growing.rotation(bud.node), growing.grownWith(bud.node));
+    const Vec3 heading = growing.budDirection(bud.node, bud.slot);
     const Vec3 side = anyPerpendicular(heading);
     const Vec3 other = heading.cross(side);
     const double inner = std::pow(perception.occupancy, 3);

@@ -13,7 +13,9 @@ constexpr int kFarthest = 1 << 20;
 
 int coordinate(float value)
 {
-    return static_cast<int>(std::clamp(std::floor(value), -static_cast<float>(kFarthest), static_cast<float>(kFarthest)));
+    const float limited = std::clamp(value, -static_cast<float>(kFarthest), static_cast<float>(kFarthest));
+    const int truncated = static_cast<int>(limited);
+    return truncated - (limited < static_cast<float>(truncated) ? 1 : 0); // floor, without a call
 }
 
 } // namespace
