@@ -8,7 +8,8 @@
 
 namespace espalier {
 
-const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Actions::table() {
+const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Actions::table()
+{
     using enum ActionId;
     using Group = ActionGroup;
     static const std::array<ActionEntry, static_cast<std::size_t>(Count)> entries{{
@@ -78,7 +79,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
     return entries;
 }
 
-QString Actions::groupTitle(ActionGroup group) {
+QString Actions::groupTitle(ActionGroup group)
+{
     switch (group) {
     case ActionGroup::File:
         return QCoreApplication::translate("Actions", "Files");
@@ -96,7 +98,8 @@ QString Actions::groupTitle(ActionGroup group) {
     return {};
 }
 
-Actions::Actions(QWidget& window) : QObject(&window) {
+Actions::Actions(QWidget& window) : QObject(&window)
+{
     for (const ActionEntry& entry : table()) {
         auto* action = new QAction(QCoreApplication::translate("Actions", entry.text), &window);
         action->setObjectName(QString::fromLatin1(entry.name));

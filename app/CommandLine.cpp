@@ -14,18 +14,21 @@ namespace {
 
 using Verb = CommandLine::Verb;
 
-QString tr(const char* text) {
+QString tr(const char* text)
+{
     return QCoreApplication::translate("CommandLine", text);
 }
 
-Error usage(const QString& message) {
+Error usage(const QString& message)
+{
     return {Error::Kind::Input, message};
 }
 
 constexpr int kMaxPictureEdge = 16384;
 constexpr int kMaxThreads = 1024;
 
-Result<QSize> parseSize(const QString& text) {
+Result<QSize> parseSize(const QString& text)
+{
     static const QRegularExpression pattern(QStringLiteral("^([0-9]{1,5})x([0-9]{1,5})$"));
     const QRegularExpressionMatch match = pattern.match(text);
     const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
@@ -103,7 +106,8 @@ constexpr Option kOptions[] = {
      }},
 };
 
-const Option* findOption(const QString& name, const QString& verb) {
+const Option* findOption(const QString& name, const QString& verb)
+{
     const QByteArray spaced = ' ' + verb.toLatin1() + ' ';
     for (const Option& option : kOptions) {
         if (name == QLatin1String(option.name) && QByteArray(option.verbs).contains(spaced))
@@ -113,7 +117,8 @@ const Option* findOption(const QString& name, const QString& verb) {
 }
 
 /// Reads what follows a verb.
-Result<void> parseArguments(CommandLine& line, const QString& verb, std::span<const QString> arguments) {
+Result<void> parseArguments(CommandLine& line, const QString& verb, std::span<const QString> arguments)
+{
     bool onlyFiles = false;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const QString& argument = arguments[i];
@@ -143,7 +148,8 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, std::span<co
 }
 
 /// Whether the verb has what it needs, and no more.
-Result<void> checkComplete(const CommandLine& line) {
+Result<void> checkComplete(const CommandLine& line)
+{
     switch (line.verb) {
     case Verb::Replay:
         if (line.inputs.isEmpty())
@@ -171,11 +177,13 @@ Result<void> checkComplete(const CommandLine& line) {
 
 } // namespace
 
-bool CommandLine::needsDisplay() const {
+bool CommandLine::needsDisplay() const
+{
     return verb == Verb::Window || verb == Verb::Demo || !picture.isEmpty();
 }
 
-Result<CommandLine> parseCommandLine(const QStringList& arguments) {
+Result<CommandLine> parseCommandLine(const QStringList& arguments)
+{
     CommandLine line;
     const std::span<const QString> all(arguments.data(), static_cast<std::size_t>(arguments.size()));
     if (all.empty())
@@ -214,7 +222,8 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     return line;
 }
 
-QString commandLineHelp() {
+QString commandLineHelp()
+{
     return tr("Espalier: brush trees into being.\n"
               "\n"
               "espalier [PROJECT]\n"

@@ -18,7 +18,8 @@ const QString kWindowGeometry = QStringLiteral("window/geometry");
 /// Calls @p visit(key, field) for each value that is remembered. Backdrop and sun stay as they are at the
 /// start.
 template <class Values, class Visit>
-void visitViewValues(Values& values, Visit&& visit) {
+void visitViewValues(Values& values, Visit&& visit)
+{
     visit(QStringLiteral("view/brushRadius"), values.brushRadius);
     visit(QStringLiteral("view/pressureScales"), values.pressureScales);
     visit(QStringLiteral("view/markersShown"), values.markersShown);
@@ -29,7 +30,8 @@ void visitViewValues(Values& values, Visit&& visit) {
 
 } // namespace
 
-ViewValues Settings::viewValues() const {
+ViewValues Settings::viewValues() const
+{
     const QSettings store;
     ViewValues values;
     visitViewValues(values, [&](const QString& key, auto& field) {
@@ -41,18 +43,21 @@ ViewValues Settings::viewValues() const {
     return values;
 }
 
-void Settings::setViewValues(const ViewValues& values) {
+void Settings::setViewValues(const ViewValues& values)
+{
     QSettings store;
     visitViewValues(values, [&](const QString& key, const auto& field) { store.setValue(key, field); });
 }
 
-QStringList Settings::recentFiles() const {
+QStringList Settings::recentFiles() const
+{
     QStringList files = QSettings().value(kRecentFiles).toStringList();
     files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
     return files;
 }
 
-void Settings::addRecentFile(const QString& fileName) {
+void Settings::addRecentFile(const QString& fileName)
+{
     const QString path = QFileInfo(fileName).absoluteFilePath();
     QStringList files = QSettings().value(kRecentFiles).toStringList();
     files.removeAll(path);
@@ -60,38 +65,46 @@ void Settings::addRecentFile(const QString& fileName) {
     QSettings().setValue(kRecentFiles, QStringList(files.mid(0, kMaxRecentFiles)));
 }
 
-void Settings::clearRecentFiles() {
+void Settings::clearRecentFiles()
+{
     QSettings().remove(kRecentFiles);
 }
 
-QString Settings::folder() const {
+QString Settings::folder() const
+{
     const QString folder = QSettings().value(kFolder).toString();
     if (!folder.isEmpty() && QFileInfo(folder).isDir())
         return folder;
     return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }
 
-void Settings::setFolder(const QString& folder) {
+void Settings::setFolder(const QString& folder)
+{
     QSettings().setValue(kFolder, folder);
 }
 
-QString Settings::exportSuffix() const {
+QString Settings::exportSuffix() const
+{
     return QSettings().value(kExportSuffix, QStringLiteral("glb")).toString();
 }
 
-void Settings::setExportSuffix(const QString& suffix) {
+void Settings::setExportSuffix(const QString& suffix)
+{
     QSettings().setValue(kExportSuffix, suffix);
 }
 
-QByteArray Settings::windowGeometry() const {
+QByteArray Settings::windowGeometry() const
+{
     return QSettings().value(kWindowGeometry).toByteArray();
 }
 
-void Settings::setWindowGeometry(const QByteArray& geometry) {
+void Settings::setWindowGeometry(const QByteArray& geometry)
+{
     QSettings().setValue(kWindowGeometry, geometry);
 }
 
-int Settings::autosaveInterval() const {
+int Settings::autosaveInterval() const
+{
     return std::clamp(QSettings().value(kAutosaveInterval, 20).toInt(), 1, 3600);
 }
 

@@ -9,17 +9,20 @@
 
 namespace espalier {
 
-Bar::Bar(QWidget* parent) : QWidget(parent) {
+Bar::Bar(QWidget* parent) : QWidget(parent)
+{
     setAttribute(Qt::WA_NoMousePropagation);
     setCursor(Qt::ArrowCursor);
 }
 
-void Bar::setFlat(bool flat) {
+void Bar::setFlat(bool flat)
+{
     m_flat = flat;
     update();
 }
 
-void Bar::paintEvent(QPaintEvent*) {
+void Bar::paintEvent(QPaintEvent*)
+{
     QPainter painter(this);
     if (m_flat) {
         painter.fillRect(rect(), theme::kBar);
@@ -32,7 +35,8 @@ void Bar::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), theme::kRadius, theme::kRadius);
 }
 
-BarButton::BarButton(Look look, QWidget* parent) : QToolButton(parent), m_look(look) {
+BarButton::BarButton(Look look, QWidget* parent) : QToolButton(parent), m_look(look)
+{
     setAutoRaise(true);
     setIconSize({24, 24});
     // A click must not take the keys away from the tree; Tab still reaches the button.
@@ -55,11 +59,13 @@ BarButton::BarButton(Look look, QWidget* parent) : QToolButton(parent), m_look(l
     }
 }
 
-BarButton::BarButton(Look look, QAction* action, QWidget* parent) : BarButton(look, parent) {
+BarButton::BarButton(Look look, QAction* action, QWidget* parent) : BarButton(look, parent)
+{
     setDefaultAction(action);
 }
 
-QSize BarButton::sizeHint() const {
+QSize BarButton::sizeHint() const
+{
     switch (m_look) {
     case Look::IconAboveText:
         return {66, 56};
@@ -70,7 +76,8 @@ QSize BarButton::sizeHint() const {
     }
 }
 
-QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent) {
+QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent)
+{
     auto* line = new QFrame(parent);
     line->setFrameShape(QFrame::NoFrame);
     line->setStyleSheet(QStringLiteral("background: %1;").arg(theme::kEdge.name()));

@@ -18,7 +18,8 @@ BrushPopOut::BrushPopOut(const TreeDocument& document, ViewSettings& settings, Q
       m_meaning(new QLabel(this)),
       m_slider(new RadiusSlider(kMaxBrushRadius, this)),
       m_pressure(new Toggle(tr("Pressure"), this)),
-      m_markers(new Toggle(tr("Markers"), this)) {
+      m_markers(new Toggle(tr("Markers"), this))
+{
     m_number->setAlignment(Qt::AlignCenter);
     m_meaning->setAlignment(Qt::AlignCenter);
     QFont small = m_meaning->font();
@@ -58,7 +59,8 @@ BrushPopOut::BrushPopOut(const TreeDocument& document, ViewSettings& settings, Q
     showValues();
 }
 
-void BrushPopOut::showValues() {
+void BrushPopOut::showValues()
+{
     const ViewValues& values = m_settings.values();
     const double centimetres = values.brushRadius * 100.0;
     m_number->setText(values.brushRadius >= 1.0

@@ -12,7 +12,8 @@
 namespace espalier {
 
 GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
-    : Bar(parent), m_document(document), m_step(new QLabel(this)), m_count(new QSpinBox(this)) {
+    : Bar(parent), m_document(document), m_step(new QLabel(this)), m_count(new QSpinBox(this))
+{
     auto* hold = new QPushButton(icon(QStringLiteral("grow")), tr("Hold to grow"), this);
     hold->setObjectName(QStringLiteral("holdToGrow"));
     hold->setIconSize({24, 24});
@@ -21,6 +22,7 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     hold->setToolTip(tr("A tap grows one step; hold to grow on. One hold is one undo step."));
     m_count->setRange(1, 1000);
     m_count->setValue(10);
+    m_count->setButtonSymbols(QAbstractSpinBox::NoButtons);
     m_count->setMinimumHeight(theme::kTarget - 8);
     m_count->setFocusPolicy(Qt::ClickFocus);
     m_count->setAlignment(Qt::AlignRight);
@@ -52,7 +54,8 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     showStep();
 }
 
-void GrowPopOut::showStep() {
+void GrowPopOut::showStep()
+{
     m_step->setText(tr("step %L1").arg(m_document.tree().step()));
 }
 

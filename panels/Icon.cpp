@@ -13,7 +13,8 @@ namespace espalier {
 
 namespace {
 
-QColor colourFor(QIcon::Mode mode, QIcon::State state) {
+QColor colourFor(QIcon::Mode mode, QIcon::State state)
+{
     if (mode == QIcon::Disabled)
         return theme::kFaintText;
     if (state == QIcon::On)
@@ -23,22 +24,26 @@ QColor colourFor(QIcon::Mode mode, QIcon::State state) {
 
 class StrokedIconEngine : public QIconEngine {
 public:
-    explicit StrokedIconEngine(QByteArray svg, QString name)
-        : m_svg(std::move(svg)), m_name(std::move(name)) {}
+    explicit StrokedIconEngine(QByteArray svg, QString name) : m_svg(std::move(svg)), m_name(std::move(name))
+    {
+    }
 
     QIconEngine* clone() const override { return new StrokedIconEngine(*this); }
 
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override
+    {
         QByteArray svg = m_svg;
         svg.replace("currentColor", colourFor(mode, state).name().toLatin1());
         QSvgRenderer(svg).render(painter, rect);
     }
 
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override
+    {
         return scaledPixmap(size, mode, state, 1.0);
     }
 
-    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state, qreal) override {
+    QPixmap scaledPixmap(const QSize& size, QIcon::Mode mode, QIcon::State state, qreal) override
+    {
         const QString key =
             QStringLiteral("espalier-icon-%1-%2-%3-%4").arg(m_name).arg(size.width()).arg(mode).arg(state);
         QPixmap pixmap;
@@ -60,7 +65,8 @@ private:
 
 } // namespace
 
-QIcon icon(const QString& name) {
+QIcon icon(const QString& name)
+{
     QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
     if (!file.open(QIODevice::ReadOnly))
         qFatal("There is no icon \"%s\".", qPrintable(name));

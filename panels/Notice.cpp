@@ -16,7 +16,8 @@ Notice::Notice(QWidget* parent)
       m_text(new QLabel(this)),
       m_progress(new QProgressBar(this)),
       m_yes(new QPushButton(this)),
-      m_no(new QPushButton(this)) {
+      m_no(new QPushButton(this))
+{
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setMinimumWidth(260);
@@ -49,22 +50,26 @@ Notice::Notice(QWidget* parent)
     hide();
 }
 
-QString Notice::text() const {
+QString Notice::text() const
+{
     return m_text->text();
 }
 
-void Notice::showInformation(const QString& text) {
+void Notice::showInformation(const QString& text)
+{
     m_answer = {};
     present(text, false, {}, {});
     m_timer.start();
 }
 
-void Notice::showWarning(const QString& text) {
+void Notice::showWarning(const QString& text)
+{
     m_answer = {};
     present(text, true, {}, tr("Close"));
 }
 
-void Notice::showProgress(const QString& text, double progress, std::function<void()> cancel) {
+void Notice::showProgress(const QString& text, double progress, std::function<void()> cancel)
+{
     const bool cancellable = static_cast<bool>(cancel);
     m_answer = [cancel = std::move(cancel)](bool) {
         if (cancel)
@@ -76,13 +81,14 @@ void Notice::showProgress(const QString& text, double progress, std::function<vo
     Q_EMIT resized();
 }
 
-void Notice::ask(const QString& text, const QString& yes, const QString& no,
-                 std::function<void(bool)> answer) {
+void Notice::ask(const QString& text, const QString& yes, const QString& no, std::function<void(bool)> answer)
+{
     m_answer = std::move(answer);
     present(text, false, yes, no);
 }
 
-void Notice::present(const QString& text, bool warning, const QString& yes, const QString& no) {
+void Notice::present(const QString& text, bool warning, const QString& yes, const QString& no)
+{
     m_timer.stop();
     m_isWarning = warning;
     m_text->setText(text);
@@ -97,7 +103,8 @@ void Notice::present(const QString& text, bool warning, const QString& yes, cons
     update();
 }
 
-void Notice::paintEvent(QPaintEvent* event) {
+void Notice::paintEvent(QPaintEvent* event)
+{
     Bar::paintEvent(event);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

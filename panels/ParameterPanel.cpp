@@ -19,18 +19,18 @@ namespace espalier {
 
 namespace {
 
-/// Rows and headings that a column takes.
-constexpr std::size_t kColumnRows = 7;
 constexpr int kColumnWidth = 196;
 
 /// Whether existing wood shows a change of that parameter at once.
-bool showsAtOnce(const char* key) {
+bool showsAtOnce(const char* key)
+{
     return std::strncmp(key, "growth.", 7) != 0;
 }
 
 /// Mends what the change of one parameter makes contradictory: the weights of direction share a whole, and an
 /// ellipse's offset stays inside it.
-void reconcile(TreeParameters& parameters, std::string_view changed) {
+void reconcile(TreeParameters& parameters, std::string_view changed)
+{
     GrowthParameters& growth = parameters.growth;
     double* const weights[] = {&growth.axisWeight, &growth.tropismWeight, &growth.spaceWeight};
     const std::string_view keys[] = {"growth.axisWeight", "growth.tropismWeight", "growth.spaceWeight"};
@@ -52,7 +52,8 @@ void reconcile(TreeParameters& parameters, std::string_view changed) {
 /// Scrolls sideways where the window is too narrow, and is exactly as high as what it shows.
 class Sideways : public QScrollArea {
 public:
-    explicit Sideways(QWidget* content, QWidget* parent) : QScrollArea(parent) {
+    explicit Sideways(QWidget* content, QWidget* parent) : QScrollArea(parent)
+    {
         setFrameShape(QFrame::NoFrame);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
@@ -67,7 +68,8 @@ public:
 } // namespace
 
 ParameterPanel::ParameterPanel(TreeDocument& document, ParameterSheet sheet, QWidget* parent)
-    : Bar(parent), m_document(document), m_gesture(document) {
+    : Bar(parent), m_document(document), m_gesture(document)
+{
     build(sheet);
     showValues();
     connect(&document, &TreeDocument::changed, this, [this](const TreeChange& change) {
@@ -78,19 +80,18 @@ ParameterPanel::ParameterPanel(TreeDocument& document, ParameterSheet sheet, QWi
     });
 }
 
-void ParameterPanel::build(ParameterSheet sheet) {
+void ParameterPanel::build(ParameterSheet sheet)
+{
     auto* content = new QWidget;
     auto* columns = new QHBoxLayout(content);
     columns->setContentsMargins(20, 14, 20, 12);
     columns->setSpacing(18);
 
     QVBoxLayout* column = nullptr;
-    std::size_t used = 0;
     for (const ParameterSection& section : parameterSections()) {
         if (section.sheet != sheet)
             continue;
-        const std::size_t need = section.parameters.size() + 1;
-        if (!column || used + need > kColumnRows + 1) {
+        if (!section.below) {
             if (column) {
                 column->addStretch();
                 columns->addWidget(barSeparator(Qt::Vertical, content));
@@ -98,10 +99,8 @@ void ParameterPanel::build(ParameterSheet sheet) {
             column = new QVBoxLayout;
             column->setSpacing(8);
             columns->addLayout(column);
-            used = 0;
         }
         column->addWidget(makeSection(section, content));
-        used += need;
     }
     column->addStretch();
 
@@ -110,7 +109,8 @@ void ParameterPanel::build(ParameterSheet sheet) {
     whole->addWidget(new Sideways(content, this));
 }
 
-QWidget* ParameterPanel::makeSection(const ParameterSection& section, QWidget* parent) {
+QWidget* ParameterPanel::makeSection(const ParameterSection& section, QWidget* parent)
+{
     auto* box = new QWidget(parent);
     box->setFixedWidth(kColumnWidth);
     auto* lines = new QVBoxLayout(box);
@@ -120,6 +120,10 @@ QWidget* ParameterPanel::makeSection(const ParameterSection& section, QWidget* p
     QFont bold = title->font();
     bold.setBold(true);
     title->setFont(bold);
+    // For all states: a panel that rests during a stroke shall not flicker.
+    QPalette bright = title->palette();
+    bright.setColor(QPalette::WindowText, theme::kText);
+    title->setPalette(bright);
     title->setFixedHeight(24);
     title->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     lines->addWidget(title);
@@ -130,7 +134,8 @@ QWidget* ParameterPanel::makeSection(const ParameterSection& section, QWidget* p
     return box;
 }
 
-void ParameterPanel::addRow(const ParameterText& text, QWidget* parent) {
+void ParameterPanel::addRow(const ParameterText& text, QWidget* parent)
+{
     visitParameter(m_document.parameters(), text.key, [&](const ParameterInfo& info, const auto&) {
         auto* row = new ParameterRow(info, text, parent);
         m_rows.push_back(row);
@@ -139,13 +144,15 @@ void ParameterPanel::addRow(const ParameterText& text, QWidget* parent) {
     });
 }
 
-ParameterRow* ParameterPanel::row(const char* key) const {
+ParameterRow* ParameterPanel::row(const char* key) const
+{
     const auto found = std::ranges::find_if(
         m_rows, [&](const ParameterRow* row) { return std::strcmp(row->key(), key) == 0; });
     return found == m_rows.end() ? nullptr : *found;
 }
 
-void ParameterPanel::showValues() {
+void ParameterPanel::showValues()
+{
     m_shown = m_document.parameters();
     for (ParameterRow* row : m_rows) {
         visitParameter(m_shown, row->key(), [&](const ParameterInfo& info, const auto& field) {
@@ -154,7 +161,8 @@ void ParameterPanel::showValues() {
     }
 }
 
-void ParameterPanel::edit(const ParameterRow& row, double value) {
+void ParameterPanel::edit(const ParameterRow& row, double value)
+{
     visitParameter(m_shown, row.key(),
                    [&](const ParameterInfo& info, auto& field) { setSurfaceValue(info, field, value); });
     reconcile(m_shown, row.key());
@@ -170,13 +178,15 @@ void ParameterPanel::edit(const ParameterRow& row, double value) {
         putInForce(row);
 }
 
-void ParameterPanel::finish(const ParameterRow& row) {
+void ParameterPanel::finish(const ParameterRow& row)
+{
     putInForce(row);
     m_gesture.finish();
     showValues();
 }
 
-void ParameterPanel::putInForce(const ParameterRow& row) {
+void ParameterPanel::putInForce(const ParameterRow& row)
+{
     const QScopedValueRollback quiet(m_isOwnChange, true);
     m_gesture.tryOut(m_shown, row.accessibleName());
 }

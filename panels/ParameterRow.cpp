@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
@@ -32,7 +33,8 @@ public:
     using Base::Base;
 
 protected:
-    bool event(QEvent* event) override {
+    bool event(QEvent* event) override
+    {
         if (event->type() == QEvent::ShortcutOverride) {
             const int key = static_cast<QKeyEvent*>(event)->key();
             if (key == Qt::Key_Tab || key == Qt::Key_Backtab) {
@@ -43,7 +45,8 @@ protected:
         return Base::event(event);
     }
 
-    void wheelEvent(QWheelEvent* event) override {
+    void wheelEvent(QWheelEvent* event) override
+    {
         if (this->hasFocus())
             Base::wheelEvent(event);
         else
@@ -54,7 +57,8 @@ protected:
 } // namespace
 
 ParameterRow::ParameterRow(const ParameterInfo& info, const ParameterText& text, QWidget* parent)
-    : QWidget(parent), m_info(info), m_text(text) {
+    : QWidget(parent), m_info(info), m_text(text)
+{
     setObjectName(QString::fromLatin1(info.key));
     setAccessibleName(parameterTr(text.label));
     m_rest.setSingleShot(true);
@@ -73,7 +77,8 @@ ParameterRow::ParameterRow(const ParameterInfo& info, const ParameterText& text,
     setToolTip(toolTipText());
 }
 
-QString ParameterRow::labelText() const {
+QString ParameterRow::labelText() const
+{
     QString symbol = QString::fromUtf8(m_text.symbol);
     if (const auto underscore = symbol.indexOf(QLatin1Char('_')); underscore > 0)
         symbol = QStringLiteral("%1<sub>%2</sub>").arg(symbol.left(underscore), symbol.mid(underscore + 1));
@@ -83,28 +88,35 @@ QString ParameterRow::labelText() const {
     return QStringLiteral("%1 <span style='color:%2'>%3</span>").arg(label, theme::kFaintText.name(), symbol);
 }
 
-QString ParameterRow::toolTipText() const {
+QString ParameterRow::toolTipText() const
+{
     // Rich text wraps.
     return QStringLiteral("<b>%1</b><br>%2").arg(labelText(), parameterTr(m_text.tip).toHtmlEscaped());
 }
 
-QLabel* ParameterRow::makeLabel() {
+QLabel* ParameterRow::makeLabel()
+{
     auto* label = new QLabel(labelText(), this);
     label->setTextFormat(Qt::RichText);
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
     QPalette dim = label->palette();
-    dim.setColor(QPalette::WindowText, theme::kDimText);
+    // Rich text is drawn in the colour of Text while the label is disabled; it shall not flicker when a panel rests during a stroke.
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text})
+        dim.setColor(role, theme::kDimText);
     label->setPalette(dim);
     return label;
 }
 
-bool ParameterRow::event(QEvent* event) {
+bool ParameterRow::event(QEvent* event)
+{
     // The whole row drags the slider: its handle alone is small for a finger.
     switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
-        if (m_slider) {
+        // What the slider does not want comes back here.
+        if (m_slider && !m_isPassingOn) {
+            const QScopedValueRollback passing(m_isPassingOn, true);
             const auto* mouse = static_cast<QMouseEvent*>(event);
             const QPointF place(mouse->position().x() - m_slider->x(), m_slider->height() / 2.0);
             QMouseEvent passedOn(mouse->type(), place, mouse->globalPosition(), mouse->button(),
@@ -120,7 +132,8 @@ bool ParameterRow::event(QEvent* event) {
     return QWidget::event(event);
 }
 
-void ParameterRow::makeSlider() {
+void ParameterRow::makeSlider()
+{
     QLabel* label = makeLabel();
 
     m_number = new Patient<QDoubleSpinBox>(this);
@@ -135,6 +148,7 @@ void ParameterRow::makeSlider() {
                               ? QAbstractSpinBox::DefaultStepType
                               : QAbstractSpinBox::AdaptiveDecimalStepType);
     const QString unit = QString::fromUtf8(m_text.unit);
+    m_number->setSpecialValueText(*m_text.least == '\0' ? QString() : parameterTr(m_text.least));
     m_number->setSuffix(unit == QStringLiteral("°") || unit.isEmpty() ? unit : QLatin1Char(' ') + unit);
     m_number->setKeyboardTracking(false);
     m_number->setAccessibleName(parameterTr(m_text.label));
@@ -169,7 +183,8 @@ void ParameterRow::makeSlider() {
             [this](double shown) { edit(shown / m_text.factor); });
 }
 
-void ParameterRow::makeSwitch() {
+void ParameterRow::makeSwitch()
+{
     m_switch = new Toggle(parameterTr(m_text.label), this);
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
@@ -182,7 +197,8 @@ void ParameterRow::makeSwitch() {
     });
 }
 
-void ParameterRow::makeChoice() {
+void ParameterRow::makeChoice()
+{
     QLabel* label = makeLabel();
     m_choice = new Patient<QComboBox>(this);
     m_choice->addItems(choiceNames(m_info.choices));
@@ -199,13 +215,15 @@ void ParameterRow::makeChoice() {
     });
 }
 
-void ParameterRow::setValue(double value) {
+void ParameterRow::setValue(double value)
+{
     m_rest.stop();
     m_value = value;
     present(value);
 }
 
-void ParameterRow::present(double value) {
+void ParameterRow::present(double value)
+{
     if (m_slider) {
         const QSignalBlocker quietSlider(m_slider);
         const QSignalBlocker quietNumber(m_number);
@@ -220,7 +238,8 @@ void ParameterRow::present(double value) {
     }
 }
 
-void ParameterRow::edit(double value) {
+void ParameterRow::edit(double value)
+{
     if (value == m_value)
         return;
     m_value = value;
@@ -230,7 +249,8 @@ void ParameterRow::edit(double value) {
         m_rest.start();
 }
 
-double ParameterRow::valueAt(int position) const {
+double ParameterRow::valueAt(int position) const
+{
     using enum ParameterText::Scale;
     const double t = position / static_cast<double>(kSliderSteps);
     const double low = m_info.minimum;
@@ -245,7 +265,8 @@ double ParameterRow::valueAt(int position) const {
     return std::clamp(std::round(value * grain) / grain, low, high);
 }
 
-int ParameterRow::positionOf(double value) const {
+int ParameterRow::positionOf(double value) const
+{
     using enum ParameterText::Scale;
     const double low = m_info.minimum;
     const double high = m_info.maximum;

@@ -55,6 +55,7 @@ private:
     ParameterText m_text;
     double m_value = 0.0;
     bool m_dragging = false;
+    bool m_isPassingOn = false;
     /// Ends the gesture of a wheel or of a key, which has no end of its own.
     QTimer m_rest;
     QSlider* m_slider = nullptr;

@@ -142,7 +142,7 @@ constexpr ParameterText kLeafColour[] = {
      QT_TRANSLATE_NOOP("Parameters", "0° is red, 60° yellow, 120° green."), Linear, 0, "°"},
     {"leaves.hueVariation", QT_TRANSLATE_NOOP("Parameters", "Variation of hue"), "",
      QT_TRANSLATE_NOOP("Parameters", "How much the colours of leaves differ."), Linear, 0, "°"},
-    {"leaves.vigourHue", QT_TRANSLATE_NOOP("Parameters", "Yellow of the weak"), "",
+    {"leaves.vigourHue", QT_TRANSLATE_NOOP("Parameters", "Yellowing"), "",
      QT_TRANSLATE_NOOP("Parameters", "How far the leaves of weak shoots turn toward yellow and red.")},
 };
 
@@ -157,7 +157,7 @@ constexpr ParameterText kWidths[] = {
     {"widths.baseDiameter", QT_TRANSLATE_NOOP("Parameters", "Base"), "d_b",
      QT_TRANSLATE_NOOP("Parameters",
                        "Diameter of the trunk at the ground; at 0 it follows from the exponent."),
-     Cubic, 1, "cm", 100.0},
+     Cubic, 1, "cm", 100.0, QT_TRANSLATE_NOOP("Parameters", "automatic")},
 };
 
 constexpr ParameterText kBark[] = {
@@ -174,7 +174,7 @@ constexpr ParameterSection kSections[] = {
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Light and vigour"), kVigour},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Direction"), kDirection},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Gravimorphism"), kGravimorphism},
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Character"), kCharacter},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Character"), kCharacter, true},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Form"), kLeafForm},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Place"), kLeafPlace},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Colour"), kLeafColour},
@@ -192,15 +192,18 @@ constexpr ParameterSection kSections[] = {
 
 } // namespace
 
-std::span<const ParameterSection> parameterSections() {
+std::span<const ParameterSection> parameterSections()
+{
     return kSections;
 }
 
-QString parameterTr(const char* text) {
+QString parameterTr(const char* text)
+{
     return QCoreApplication::translate("Parameters", text);
 }
 
-QStringList choiceNames(const char* choices) {
+QStringList choiceNames(const char* choices)
+{
     QStringList names;
     for (const QByteArray& name : QByteArray(choices).split(' ')) {
         QString shown = parameterTr(name.constData());

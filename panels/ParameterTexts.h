@@ -28,6 +28,7 @@ struct ParameterText {
     int decimals = 2;
     const char* unit = ""; ///< As it is shown
     double factor = 1.0;   ///< From the parameter's surface unit to the one that is shown
+    const char* least = "";  ///< What its smallest value is called instead of the number; untranslated
 };
 
 /// Parameters that belong together, under a heading.
@@ -35,6 +36,7 @@ struct ParameterSection {
     ParameterSheet sheet;
     const char* title; ///< Untranslated
     std::span<const ParameterText> parameters;
+    bool below = false; ///< Below the section before it, not beside
 };
 
 /// All of them, in the order in which they are shown; each parameter once.

@@ -11,7 +11,8 @@ namespace espalier {
 /// A parameter as the number that it is at the surface (ParameterInfo's unit); switches and choices are 0,
 /// 1, 2...
 template <class Field>
-double surfaceValue(const ParameterInfo& info, const Field& field) {
+double surfaceValue(const ParameterInfo& info, const Field& field)
+{
     if constexpr (std::is_same_v<Field, double>)
         return info.quantity == Quantity::Angle ? degrees(field) : field;
     else
@@ -20,7 +21,8 @@ double surfaceValue(const ParameterInfo& info, const Field& field) {
 
 /// The reverse of surfaceValue().
 template <class Field>
-void setSurfaceValue(const ParameterInfo& info, Field& field, double value) {
+void setSurfaceValue(const ParameterInfo& info, Field& field, double value)
+{
     if constexpr (std::is_same_v<Field, double>)
         field = info.quantity == Quantity::Angle ? radians(value) : value;
     else if constexpr (std::is_same_v<Field, bool>)
@@ -31,7 +33,8 @@ void setSurfaceValue(const ParameterInfo& info, Field& field, double value) {
 
 /// Calls @p visit(info, field) for the one parameter of that key.
 template <class Parameters, class Visit>
-void visitParameter(Parameters& parameters, std::string_view key, Visit&& visit) {
+void visitParameter(Parameters& parameters, std::string_view key, Visit&& visit)
+{
     visitParameters(parameters, [&](const ParameterInfo& info, auto& field) {
         if (key == info.key)
             visit(info, field);

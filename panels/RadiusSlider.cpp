@@ -21,7 +21,8 @@ constexpr double kBottomWidth = 7.0;
 
 } // namespace
 
-RadiusSlider::RadiusSlider(double maximum, QWidget* parent) : QAbstractSlider(parent), m_maximum(maximum) {
+RadiusSlider::RadiusSlider(double maximum, QWidget* parent) : QAbstractSlider(parent), m_maximum(maximum)
+{
     setOrientation(Qt::Vertical);
     setRange(0, kSteps);
     setSingleStep(kSteps / 60);
@@ -32,7 +33,8 @@ RadiusSlider::RadiusSlider(double maximum, QWidget* parent) : QAbstractSlider(pa
     setAccessibleName(tr("Brush radius"));
 }
 
-void RadiusSlider::setRadius(double metres) {
+void RadiusSlider::setRadius(double metres)
+{
     if (metres == m_radius)
         return;
     m_radius = metres;
@@ -42,7 +44,8 @@ void RadiusSlider::setRadius(double metres) {
     update();
 }
 
-void RadiusSlider::sliderChange(SliderChange change) {
+void RadiusSlider::sliderChange(SliderChange change)
+{
     if (change == SliderValueChange) {
         const double t = value() / static_cast<double>(kSteps);
         // Whole millimetres; a person reads centimetres.
@@ -54,18 +57,21 @@ void RadiusSlider::sliderChange(SliderChange change) {
     update();
 }
 
-double RadiusSlider::yOf(int position) const {
+double RadiusSlider::yOf(int position) const
+{
     const double reach = height() - 2.0 * kHandleRadius - 2.0;
     return 1.0 + kHandleRadius + reach * (1.0 - position / static_cast<double>(kSteps));
 }
 
-void RadiusSlider::dragTo(double y) {
+void RadiusSlider::dragTo(double y)
+{
     const double reach = height() - 2.0 * kHandleRadius - 2.0;
     const double t = std::clamp(1.0 - (y - 1.0 - kHandleRadius) / reach, 0.0, 1.0);
     setValue(static_cast<int>(std::lround(t * kSteps)));
 }
 
-void RadiusSlider::paintEvent(QPaintEvent*) {
+void RadiusSlider::paintEvent(QPaintEvent*)
+{
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double middle = width() / 2.0;
@@ -102,19 +108,22 @@ void RadiusSlider::paintEvent(QPaintEvent*) {
     painter.drawEllipse(QPointF(middle, y), kHandleRadius - 0.5, kHandleRadius - 0.5);
 }
 
-void RadiusSlider::mousePressEvent(QMouseEvent* event) {
+void RadiusSlider::mousePressEvent(QMouseEvent* event)
+{
     if (event->button() != Qt::LeftButton)
         return event->ignore();
     setSliderDown(true);
     dragTo(event->position().y());
 }
 
-void RadiusSlider::mouseMoveEvent(QMouseEvent* event) {
+void RadiusSlider::mouseMoveEvent(QMouseEvent* event)
+{
     if (isSliderDown())
         dragTo(event->position().y());
 }
 
-void RadiusSlider::mouseReleaseEvent(QMouseEvent*) {
+void RadiusSlider::mouseReleaseEvent(QMouseEvent*)
+{
     setSliderDown(false);
     update();
 }

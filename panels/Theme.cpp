@@ -16,7 +16,8 @@ public:
     Style() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
-                  QStyleHintReturn* result) const override {
+                  QStyleHintReturn* result) const override
+    {
         if (hint == SH_Slider_AbsoluteSetButtons)
             return Qt::LeftButton;
         if (hint == SH_ToolTip_WakeUpDelay)
@@ -25,7 +26,8 @@ public:
     }
 };
 
-QPalette palette() {
+QPalette palette()
+{
     QPalette colours(kText, QColor(0x33, 0x39, 0x43), kEdge, kSunken, QColor(0x2d, 0x32, 0x3b), kText,
                      Qt::white, kSunken, QColor(0x2b, 0x30, 0x39));
     colours.setColor(QPalette::AlternateBase, QColor(0x24, 0x28, 0x2f));
@@ -43,7 +45,8 @@ QPalette palette() {
 
 } // namespace
 
-void apply(QApplication& application) {
+void apply(QApplication& application)
+{
     application.setStyle(new Style);
     QApplication::setPalette(palette());
 
@@ -63,13 +66,34 @@ void apply(QApplication& application) {
         espalier--BarButton:disabled { color: @faint; background: transparent; }
         espalier--BarButton:focus { border: 1px solid @accent; }
         espalier--BarButton::menu-indicator { image: none; }
-        espalier--BarButton[tab="true"] { padding: 0 15px; }
-        espalier--BarButton[tab="true"]:checked { background: @sunken; color: white; font-weight: bold; }
+        espalier--BarButton[look="icon"]:checked { background: transparent; }
+        espalier--BarButton[look="icon"]:checked:hover { background: rgba(255, 255, 255, 16); }
+        espalier--BarButton[look="tool"] { padding-top: 5px; padding-bottom: 3px; }
+        espalier--BarButton[look="tab"] { padding: 0 15px; }
+        espalier--BarButton[look="tab"]:checked { background: @sunken; color: white; font-weight: bold; }
+
+        QPushButton { background: #3a424e; color: @text; border: 1px solid transparent; border-radius: 8px; padding: 6px 16px; }
+        QPushButton:hover { background: #454e5c; color: white; }
+        QPushButton:pressed { background: @accentFill; }
+        QPushButton:default { background: #4c6a44; color: white; }
+        QPushButton:default:hover { background: #587b4f; }
+        QPushButton:disabled { background: #2f353e; color: @faint; }
+        QPushButton:focus { border-color: @accent; }
+        QComboBox { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 4px 8px; }
+        QComboBox:hover { border-color: @faint; }
+        QComboBox:disabled { color: @text; }
+        QComboBox:focus { border-color: @accent; }
+        QComboBox::drop-down { border: none; width: 20px; }
+        QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 12px; height: 12px; }
+        QComboBox QAbstractItemView { background: #2b3039; border: 1px solid @edge; selection-background-color: @accentFill; }
+        QSpinBox { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 2px 8px; }
+        QSpinBox:focus { border-color: @accent; }
+        QProgressBar { background: @sunken; border: none; border-radius: 4px; }
+        QProgressBar::chunk { background: @accent; border-radius: 4px; }
 
         QSlider { background: transparent; }
         QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @sunken; }
         QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @accent; }
-        QSlider::sub-page:horizontal:disabled { background: @faint; }
         QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; background: #d5dbe4; }
         QSlider::handle:horizontal:hover { background: white; }
         QSlider::handle:horizontal:focus { background: white; border: 2px solid @accent; margin: -7px -2px; border-radius: 9px; }

@@ -22,6 +22,7 @@ enum class Purpose : std::uint32_t {
     Leaf,
     Direction,
     InternodeLength,
+    Texture,
 };
 
 /// Counter-based random numbers: a pure function of (seed, step, id, purpose, counter), never of the order of calls, so that

@@ -33,7 +33,7 @@ struct ViewValues {
     bool groundShown = true;
     bool shadowsShown = true;
     Backdrop backdrop = Backdrop::Studio;
-    double sunAzimuth = radians(42);   ///< rad from +Z (front) toward +X (right)
+    double sunAzimuth = radians(58);   ///< rad from +Z (front) toward +X (right)
     double sunElevation = radians(48); ///< rad above the horizon, 5°...90°
 
     bool operator==(const ViewValues&) const = default;

@@ -59,6 +59,8 @@ private:
     Vec3 deflected(InternodeId node, const Vec3& heading) const
     {
         Vec3 result = heading;
+        if (node == 0)
+            return result; // the seedling bears no lateral
         const auto started = static_cast<unsigned>(newBuds(m_tree.grownWith(node)) & ~m_tree.buds(node) & ~kTerminalBud);
         for (unsigned rest = started; rest != 0; rest &= rest - 1) {
             const Vec3 lateral = m_tree.budDirection(node, std::countr_zero(rest));
@@ -242,7 +244,10 @@ TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthI
         for (const EnabledBud& bud : enabled)
             greatest = std::max(greatest, flow.ofBud(bud.bud.node, bud.bud.slot));
         // Where all of them are hemmed in, the next ones get their turn.
-        least = greatest > 0.0 ? greatest / longest : least / 2.0;
+        if (greatest > 0.0)
+            least = greatest / longest;
+        else if (seeded < buds.size())
+            least = std::min(least / 2.0, buds[seeded].vigour / longest);
     }
     growShoots(growing, growth, flow, enabled, markers, options, workspace);
     return growing.takeDelta();

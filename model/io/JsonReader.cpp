@@ -15,8 +15,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(JsonReader)
 };
 
-/// Arrays and objects together, and values, that parsing may make. A value takes 16 bytes and a container some 150, so this is
-/// about 300 MB; the largest recipe has a million samples of five numbers.
+/// Arrays and objects together, and values, that parsing may make. A value takes 16 bytes and a container
+/// some 150, so this is about 300 MB; the largest recipe has a million samples of five numbers.
 constexpr qsizetype kMaximumContainers = 1'300'000;
 constexpr qsizetype kMaximumValues = 8'000'000;
 /// Above it not every whole number is a double.
@@ -48,7 +48,8 @@ Result<QJsonObject> parseJsonObject(const QByteArray& json, qsizetype maximumByt
     if (fault.error != QJsonParseError::NoError) {
         const qsizetype offset = std::clamp<qsizetype>(fault.offset, 0, json.size());
         const auto line = 1 + std::count(json.begin(), json.begin() + offset, '\n');
-        return inputError(Text::tr("line %1").arg(line), Text::tr("not valid JSON: %1").arg(fault.errorString()));
+        return inputError(Text::tr("line %1").arg(line),
+                          Text::tr("not valid JSON: %1").arg(fault.errorString()));
     }
     if (!document.isObject())
         return inputError({}, Text::tr("a JSON object is expected"));
@@ -103,7 +104,8 @@ std::uint64_t JsonReader::seed(QLatin1StringView key, std::optional<std::uint64_
     good = !digits.isEmpty() && std::ranges::all_of(digits, [](QChar c) { return c >= u'0' && c <= u'9'; });
     const std::uint64_t number = good ? digits.toULongLong(&good) : 0;
     if (!good) {
-        fail(key, Text::tr("a whole number of at most 64 bits is expected, from 2^53 on as a string of digits"));
+        fail(key,
+             Text::tr("a whole number of at most 64 bits is expected, from 2^53 on as a string of digits"));
         return 0;
     }
     return number;

@@ -15,13 +15,13 @@ namespace espalier {
 /// "place: what"; only what if there is no place to name.
 Error inputError(const QString& place, const QString& what);
 
-/// Parses JSON that must be an object. JSON of more than @p maximumBytes, or of so many values that they would fill the memory,
-/// is refused before it is parsed; other errors name the line.
+/// Parses JSON that must be an object. JSON of more than @p maximumBytes, or of so many values that they
+/// would fill the memory, is refused before it is parsed; other errors name the line.
 Result<QJsonObject> parseJsonObject(const QByteArray& json, qsizetype maximumBytes);
 
-/// Reads the members of one JSON object strictly: each must be of its type and within its limits, none may be unknown. The first
-/// fault is kept, together with its place ("operations[3].steps"), and what is read after it is of no account: so a reader reads
-/// all, then asks once.
+/// Reads the members of one JSON object strictly: each must be of its type and within its limits, none may be
+/// unknown. The first fault is kept, together with its place ("operations[3].steps"), and what is read after
+/// it is of no account: so a reader reads all, then asks once.
 class JsonReader {
 public:
     JsonReader(QJsonObject object, QString place) : m_object(std::move(object)), m_place(std::move(place)) {}

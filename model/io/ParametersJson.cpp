@@ -26,20 +26,22 @@ struct Key {
 
     explicit Key(const ParameterInfo& info)
     {
-        const auto parts = QLatin1StringView(info.key).split(QLatin1Char('.')).toVector();
-        group = parts.at(0);
-        name = parts.at(1);
+        const QLatin1StringView key(info.key);
+        const qsizetype dot = key.indexOf(QLatin1Char('.'));
+        group = key.first(dot);
+        name = key.sliced(dot + 1);
     }
 };
 
-/// The angle in degrees, with as few digits as lead back to exactly the same radians. Every angle that was ever given in degrees
-/// has such a number; for others the nearest one is taken.
+/// The angle in degrees, with as few digits as lead back to exactly the same radians. Every angle that was
+/// ever given in degrees has such a number; for others the nearest one is taken.
 double shortestDegrees(double angle)
 {
     const double direct = degrees(angle);
     char text[40];
     for (int digits = 1; digits < 17; ++digits) {
-        const auto end = std::to_chars(text, text + sizeof text, direct, std::chars_format::general, digits).ptr;
+        const auto end =
+            std::to_chars(text, text + sizeof text, direct, std::chars_format::general, digits).ptr;
         double candidate = 0.0;
         std::from_chars(text, end, candidate);
         if (radians(candidate) == angle)
@@ -58,11 +60,16 @@ double shortestDegrees(double angle)
     return direct;
 }
 
+QStringList choicesOf(const ParameterInfo& info)
+{
+    return QString::fromLatin1(info.choices).split(QLatin1Char(' '));
+}
+
 template <class T>
 QJsonValue valueToJson(const ParameterInfo& info, T field)
 {
     if constexpr (std::is_enum_v<T>)
-        return QString(QLatin1StringView(info.choices).split(QLatin1Char(' ')).toVector().at(static_cast<int>(field)));
+        return choicesOf(info).at(static_cast<int>(field));
     else if constexpr (std::is_same_v<T, double>)
         return info.quantity == Quantity::Angle ? shortestDegrees(field) : field;
     else
@@ -78,7 +85,7 @@ std::optional<QString> readValue(const ParameterInfo& info, const QJsonValue& va
             return Text::tr("true or false is expected");
         field = value.toBool();
     } else if constexpr (std::is_enum_v<T>) {
-        const QStringList choices = QString::fromLatin1(info.choices).split(QLatin1Char(' '));
+        const QStringList choices = choicesOf(info);
         const auto choice = value.isString() ? choices.indexOf(value.toString()) : -1;
         if (choice < 0)
             return Text::tr("one of these is expected: %1").arg(choices.join(QLatin1String(", ")));

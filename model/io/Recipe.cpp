@@ -36,7 +36,8 @@ public:
 private:
     Result<RecipeOperation> parseParameters(JsonReader& reader);
     RecipeOperation parseStroke(JsonReader& reader);
-    std::optional<QString> parseSample(const QJsonValue& value, double previousTime, BrushSample& sample) const;
+    std::optional<QString> parseSample(const QJsonValue& value, double previousTime,
+                                       BrushSample& sample) const;
 
     TreeParameters m_parameters; ///< In force
     qsizetype m_samples = 0;
@@ -61,9 +62,10 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
         operation = op == QLatin1StringView("undo") ? RecipeOperation(UndoOperation{static_cast<int>(count)})
                                                     : RecipeOperation(RedoOperation{static_cast<int>(count)});
     } else {
-        reader.fail(QLatin1StringView("op"),
-                    Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, undo and redo")
-                        .arg(op));
+        reader.fail(
+            QLatin1StringView("op"),
+            Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, undo and redo")
+                .arg(op));
     }
     if (!operation)
         return operation;
@@ -143,9 +145,10 @@ RecipeCamera parseCamera(JsonReader& parent)
     JsonReader reader(parent.object(key), parent.placeOf(key));
     RecipeCamera camera;
     camera.view = reader.text(QLatin1StringView("view"), QString());
-    if (!camera.view.isEmpty() && std::ranges::find(kViews, camera.view) == std::end(kViews)) {
-        reader.fail(QLatin1StringView("view"),
-                    Text::tr("there is no view “%1”; there are front, side, top and three-quarter").arg(camera.view));
+    if (reader.has(QLatin1StringView("view")) && std::ranges::find(kViews, camera.view) == std::end(kViews)) {
+        reader.fail(
+            QLatin1StringView("view"),
+            Text::tr("there is no view “%1”; there are front, side, top and three-quarter").arg(camera.view));
     }
     if (const Result<void> end = reader.finish(); !end)
         parent.fail(end.error());
@@ -178,7 +181,8 @@ struct OperationWriter {
 
     void operator()(const SetParametersOperation& operation)
     {
-        text += R"({"op":"setParameters","parameters":)" + compact(toJson(operation.parameters, parameters)) + '}';
+        text += R"({"op":"setParameters","parameters":)" + compact(toJson(operation.parameters, parameters)) +
+                '}';
         parameters = operation.parameters;
     }
     void operator()(const BrushStrokeOperation& operation) const
@@ -247,7 +251,8 @@ Result<Recipe> parseRecipe(const QByteArray& json)
     OperationsParser parser(recipe.parameters);
     recipe.operations.reserve(static_cast<std::size_t>(operations.size()));
     for (qsizetype i = 0; i < operations.size(); ++i) {
-        Result<RecipeOperation> operation = parser.parse(operations.at(i), QStringLiteral("operations[%1]").arg(i));
+        Result<RecipeOperation> operation =
+            parser.parse(operations.at(i), QStringLiteral("operations[%1]").arg(i));
         if (!operation)
             return operation.error();
         recipe.operations.push_back(std::move(*operation));
@@ -261,8 +266,10 @@ Result<Recipe> readRecipe(const QString& fileName)
     QFile file(fileName);
     if (!file.open(QIODevice::ReadOnly))
         return inputError(name, file.errorString());
-    // One byte too many is enough to know, whatever the file pretends to be.
-    Result<Recipe> recipe = parseRecipe(file.read(recipeLimits::kBytes + 1));
+    // One byte too many is enough to know that a file is too large; a pipe has no size.
+    const qint64 size =
+        file.isSequential() ? recipeLimits::kBytes : std::min<qint64>(file.size(), recipeLimits::kBytes);
+    Result<Recipe> recipe = parseRecipe(file.read(size + 1));
     if (!recipe)
         return inputError(name, recipe.error().message);
     return recipe;
@@ -270,8 +277,8 @@ Result<Recipe> readRecipe(const QString& fileName)
 
 QByteArray writeRecipe(const Recipe& recipe)
 {
-    QByteArray text = "{\n  \"" + QByteArray(kVersionKey.data()) +
-                      "\": " + QByteArray::number(recipeLimits::kVersion);
+    QByteArray text =
+        "{\n  \"" + QByteArray(kVersionKey.data()) + "\": " + QByteArray::number(recipeLimits::kVersion);
     text += ",\n  \"name\": " + compact(recipe.name);
     text += ",\n  \"description\": " + compact(recipe.description);
     const QByteArray seed = compact(QJsonObject{{QStringLiteral("seed"), seedToJson(recipe.seed)}});

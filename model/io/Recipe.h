@@ -13,7 +13,8 @@
 
 namespace espalier {
 
-/// What a person did, as data. One struct an operation; docs/recipes.md and resources/recipe.schema.json describe the JSON.
+/// What a person did, as data. One struct an operation; docs/recipes.md and resources/recipe.schema.json
+/// describe the JSON.
 struct SetParametersOperation {
     TreeParameters parameters; ///< Complete: those before, with the recipe's changes
     bool operator==(const SetParametersOperation&) const = default;
@@ -53,26 +54,28 @@ struct Recipe {
     bool operator==(const Recipe&) const = default;
 };
 
-/// The limits of a recipe beside those of the parameters (see visitParameters); resources/recipe.schema.json has them too.
+/// The limits of a recipe beside those of the parameters (see visitParameters); resources/recipe.schema.json
+/// has them too.
 namespace recipeLimits {
 inline constexpr int kVersion = 1;
-inline constexpr double kCoordinate = 1000.0;      ///< m, either way
-inline constexpr double kRadius = 100.0;           ///< m
-inline constexpr double kStrokeTime = 600.0;       ///< s
-inline constexpr qsizetype kSamples = 1'000'000;   ///< in all
+inline constexpr double kCoordinate = 1000.0;    ///< m, either way
+inline constexpr double kRadius = 100.0;         ///< m
+inline constexpr double kStrokeTime = 600.0;     ///< s
+inline constexpr qsizetype kSamples = 1'000'000; ///< in all
 inline constexpr qsizetype kOperations = 100'000;
-inline constexpr int kGrowSteps = 10'000;          ///< an operation
-inline constexpr int kUndoCount = 100'000;         ///< an operation
+inline constexpr int kGrowSteps = 10'000;  ///< an operation
+inline constexpr int kUndoCount = 100'000; ///< an operation
 inline constexpr qsizetype kBytes = 64 << 20;
 } // namespace recipeLimits
 
-/// Reads a recipe. Unknown keys, wrong types, values beyond the limits and JSON that is none give an error that names the place,
-/// such as "operations[3].samples[17]: the time does not go forwards".
+/// Reads a recipe. Unknown keys, wrong types, values beyond the limits and JSON that is none give an error
+/// that names the place, such as "operations[3].samples[17]: the time does not go forwards".
 Result<Recipe> parseRecipe(const QByteArray& json);
 /// The same from a file, whose name the error begins with.
 Result<Recipe> readRecipe(const QString& fileName);
 
-/// The JSON that parseRecipe turns into the same recipe, to the last bit. Precondition: the recipe is within the limits.
+/// The JSON that parseRecipe turns into the same recipe, to the last bit. Precondition: the recipe is within
+/// the limits, and its direction weights sum to 1 (see normaliseDirectionWeights).
 QByteArray writeRecipe(const Recipe& recipe);
 
 } // namespace espalier

@@ -2,36 +2,27 @@
 #include "model/mesh/BranchMesher.h"
 
 #include "model/base/Parallel.h"
+#include "model/mesh/Tubes.h"
 
 namespace espalier {
 
 namespace {
 
-constexpr std::size_t kAxesPerTask = 256;
+constexpr std::size_t kTubesPerTask = 256;
 
 } // namespace
-
-std::vector<InternodeId> livingAxes(const Tree& tree, const TreeIndex& index)
-{
-    std::vector<InternodeId> axes;
-    for (InternodeId id = 0; id < tree.size(); ++id) {
-        if (index.axis(id) == id && tree.isAlive(id))
-            axes.push_back(id);
-    }
-    return axes;
-}
 
 BranchMesh meshBranches(const Tree& tree, const TreeIndex& index, const Widths& widths,
                         const BranchMeshOptions& options)
 {
     BranchMesh mesh;
-    for (const InternodeId axis : livingAxes(tree, index))
-        mesh.parts.push_back({.axis = axis});
+    for (const InternodeId base : tubesOf(tree, index))
+        mesh.parts.push_back({.base = base});
 
-    parallelFor(mesh.parts.size(), kAxesPerTask, [&](std::size_t begin, std::size_t end) {
-        AxisMesher mesher(tree, index, widths, options);
+    parallelFor(mesh.parts.size(), kTubesPerTask, [&](std::size_t begin, std::size_t end) {
+        TubeMesher mesher(tree, index, widths, options);
         for (std::size_t i = begin; i < end; ++i)
-            mesh.parts[i].size = mesher.prepare(mesh.parts[i].axis);
+            mesh.parts[i].size = mesher.prepare(mesh.parts[i].base);
     });
 
     MeshSize total;
@@ -44,11 +35,11 @@ BranchMesh meshBranches(const Tree& tree, const TreeIndex& index, const Widths& 
     mesh.vertices.resize(total.vertices);
     mesh.indices.resize(total.indices);
 
-    parallelFor(mesh.parts.size(), kAxesPerTask, [&](std::size_t begin, std::size_t end) {
-        AxisMesher mesher(tree, index, widths, options);
+    parallelFor(mesh.parts.size(), kTubesPerTask, [&](std::size_t begin, std::size_t end) {
+        TubeMesher mesher(tree, index, widths, options);
         for (std::size_t i = begin; i < end; ++i) {
             const BranchMesh::Part& part = mesh.parts[i];
-            mesher.prepare(part.axis);
+            mesher.prepare(part.base);
             mesher.write(std::span(mesh.vertices).subspan(part.firstVertex, part.size.vertices),
                          std::span(mesh.indices).subspan(part.firstIndex, part.size.indices),
                          part.firstVertex);

@@ -3,7 +3,8 @@
 
 #include "model/base/Parallel.h"
 #include "model/base/Random.h"
-#include "model/mesh/BranchMesher.h"
+#include "model/mesh/Textures.h"
+#include "model/mesh/Tubes.h"
 
 #include <cassert>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace espalier {
 
 namespace {
 
-constexpr std::size_t kAxesPerTask = 256;
+constexpr std::size_t kTubesPerTask = 256;
 /// Spread of a leaf's direction at full irregularity, as a share of its length: about 20°.
 constexpr float kMostJitter = 0.36F;
 constexpr float kSmallestSize = 0.1F;
@@ -128,18 +129,18 @@ void LeafPlacer::place(InternodeId id, std::span<LeafInstance> leaves) const
     }
 }
 
-std::uint32_t LeafPlacer::count(InternodeId axis) const
+std::uint32_t LeafPlacer::count(InternodeId base) const
 {
     std::uint32_t bearing = 0;
-    for (InternodeId id = axis; id != kNoInternode; id = m_index.mainChild(id))
+    for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(m_index, id))
         bearing += bears(id) ? 1 : 0;
     return bearing * m_perNode;
 }
 
-void LeafPlacer::placeAxis(InternodeId axis, std::span<LeafInstance> leaves) const
+void LeafPlacer::placeTube(InternodeId base, std::span<LeafInstance> leaves) const
 {
     std::size_t done = 0;
-    for (InternodeId id = axis; id != kNoInternode; id = m_index.mainChild(id)) {
+    for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(m_index, id)) {
         if (!bears(id))
             continue;
         place(id, leaves.subspan(done, m_perNode));
@@ -151,15 +152,15 @@ void LeafPlacer::placeAxis(InternodeId axis, std::span<LeafInstance> leaves) con
 MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index)
 {
     const LeafPlacer placer(tree, index);
-    const std::vector<InternodeId> axes = livingAxes(tree, index);
-    std::vector<std::size_t> first(axes.size() + 1, 0);
-    for (std::size_t i = 0; i < axes.size(); ++i)
-        first[i + 1] = first[i] + placer.count(axes[i]);
+    const std::vector<InternodeId> tubes = tubesOf(tree, index);
+    std::vector<std::size_t> first(tubes.size() + 1, 0);
+    for (std::size_t i = 0; i < tubes.size(); ++i)
+        first[i + 1] = first[i] + placer.count(tubes[i]);
 
     MeshBuffer<LeafInstance> leaves(first.back());
-    parallelFor(axes.size(), kAxesPerTask, [&](std::size_t begin, std::size_t end) {
+    parallelFor(tubes.size(), kTubesPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            placer.placeAxis(axes[i], std::span(leaves).subspan(first[i], first[i + 1] - first[i]));
+            placer.placeTube(tubes[i], std::span(leaves).subspan(first[i], first[i + 1] - first[i]));
     });
     return leaves;
 }

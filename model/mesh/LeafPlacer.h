@@ -10,29 +10,27 @@
 
 namespace espalier {
 
-/// Hue of the leaf textures, rad on the colour wheel; a leaf's hueShift turns it into its own.
-inline constexpr double kLeafTextureHue = radians(98);
 /// Where weak shoots' leaves shift to.
 inline constexpr double kLeafWeakHue = radians(10);
 /// A shoot of at least this vigour has leaves of full colour. Vigour is relative to the strongest bud of its
 /// step.
 inline constexpr double kFullVigour = 0.5;
 
-/// A leaf as it goes to the graphics card: 48 bytes without padding.
+/// A leaf as it goes to the graphics card: 48 bytes without padding; without initial values, as MeshVertex.
 struct LeafInstance {
-    std::array<float, 3> position{}; ///< m, where the petiole begins
-    float length = 0.0F;             ///< m, petiole to tip; 0 hides it
+    std::array<float, 3> position; ///< m, where the petiole begins
+    float length;                  ///< m, petiole to tip; 0 hides it
     /// Quaternion x, y, z, w: turns +Y into the direction of the midrib and +Z into the normal of the upper
     /// face.
-    std::array<float, 4> rotation{};
-    float width = 0.0F;     ///< m
-    float hueShift = 0.0F;  ///< rad, to be added to the texture's hue
-    float value = 1.0F;     ///< Factor of the texture's brightness
-    std::int32_t shape = 0; ///< LeafShape
+    std::array<float, 4> rotation;
+    float width;        ///< m
+    float hueShift;     ///< rad, to be added to the texture's hue
+    float value;        ///< Factor of the texture's brightness
+    std::int32_t shape; ///< LeafShape
 
     bool operator==(const LeafInstance&) const = default;
 };
-static_assert(sizeof(LeafInstance) == 48 && std::is_trivially_copyable_v<LeafInstance>);
+static_assert(sizeof(LeafInstance) == 48 && std::is_trivial_v<LeafInstance>);
 
 /// How weak a shoot is: u = clamp(1 − v / v_ref, 0, 1). A @p reference of 0 counts every shoot as strong.
 double shootWeakness(double vigour, double reference = kFullVigour);
@@ -61,10 +59,10 @@ public:
     /// Writes the leaves of one internode that bears into a span of leavesPerInternode().
     void place(InternodeId id, std::span<LeafInstance> leaves) const;
 
-    /// Leaves of the axis that begins with the living internode @p axis: how many, and they themselves in a
-    /// span of that size.
-    std::uint32_t count(InternodeId axis) const;
-    void placeAxis(InternodeId axis, std::span<LeafInstance> leaves) const;
+    /// Leaves of the tube (see Tubes.h) that begins with the living internode @p base: how many, and they
+    /// themselves in a span of that size.
+    std::uint32_t count(InternodeId base) const;
+    void placeTube(InternodeId base, std::span<LeafInstance> leaves) const;
 
 private:
     const Tree& m_tree;
@@ -79,7 +77,7 @@ private:
     std::array<Vec2, 8> m_azimuths;
 };
 
-/// All leaves of a tree, axis by axis as BranchMesh has them; in parallel, with the same result on one thread
+/// All leaves of a tree, tube by tube as BranchMesh has them; in parallel, with the same result on one thread
 /// or many.
 MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index);
 

@@ -6,22 +6,25 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace espalier {
 
-/// A vertex as it goes to the graphics card: 48 bytes without padding.
+/// A vertex as it goes to the graphics card: 48 bytes without padding. Without initial values, so that large
+/// buffers need not be written twice.
 struct MeshVertex {
-    std::array<float, 3> position{}; ///< m
-    std::array<float, 3> normal{};   ///< Unit, out of the surface
+    std::array<float, 3> position; ///< m
+    std::array<float, 3> normal;   ///< Unit, out of the surface
     /// Unit, toward rising u; the fourth number is the handedness: toward rising v lies w (normal × tangent).
-    std::array<float, 4> tangent{};
+    std::array<float, 4> tangent;
     /// v = 0 is the bottom row of an image, v = 1 its top row (as in Blender and OBJ, opposite to glTF).
-    std::array<float, 2> uv{};
+    std::array<float, 2> uv;
 
     bool operator==(const MeshVertex&) const = default;
 };
-static_assert(sizeof(MeshVertex) == 48);
+static_assert(sizeof(MeshVertex) == 48 && std::is_trivial_v<MeshVertex>);
 
 /// Allocates without zeroing: large buffers are written once, by the threads that fill them.
 template <class T>

@@ -30,7 +30,7 @@ void main()
     float sun = facing > -0.2 ? sunSeen(probe) * max(dot(normal, frame.sunDirection.xyz), 0.0) : 0.0;
     float share = ambientShare(worldPosition + 0.05 * surface);
     // Contact with the ground, and the depth of the furrows, hide a part of the sky.
-    float hidden = mix(0.55, 1.0, smoothstep(0.0, 0.35, worldPosition.y)) * mix(0.6, 1.0, relief.z * relief.z);
+    float hidden = mix(0.55, 1.0, smoothstep(0.0, 0.35, worldPosition.y)) * mix(0.75, 1.0, relief.z);
 
     vec3 light = albedo * (ambientLight(normal) * share * hidden + frame.sunColour.rgb * sun);
     light += frame.sunColour.rgb * gloss(normal, toEye, 18.0) * sun * 0.6;

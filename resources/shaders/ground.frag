@@ -32,10 +32,10 @@ void main()
         discard;
     vec2 shade = texture(groundShadow, 0.5 + 0.5 * groundPlace).rg;
     vec2 world = groundPlace * frame.ground.w;
-    float texture = mix(1.0, 0.86 + 0.28 * smoothGrain(world * 9.0) * smoothGrain(world * 2.3 + 7.0), 0.6);
+    float texture = mix(1.0, 0.86 + 0.28 * smoothGrain(world * 9.0) * smoothGrain(world * 2.3 + 7.0), 0.4);
 
     float sun = frame.sunDirection.y * (1.0 - shade.r * frame.sunDirection.w);
-    float sky = 1.0 - 0.75 * shade.g;
+    float sky = 1.0 - 0.6 * shade.g;
     vec3 light = frame.ground.rgb * texture * (frame.sunColour.rgb * sun + frame.skyColour.rgb * sky);
     // Like a pool of light on a studio's floor.
     float fade = 1.0 - smoothstep(0.12, 1.0, radius);

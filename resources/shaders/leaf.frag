@@ -44,6 +44,8 @@ void main()
         discard;
     }
     vec3 albedo = hueTurned(texel.rgb, leafTint.x) * leafTint.y;
+    // Under a warm sun and a filmic curve, leaves as they are would look like paint.
+    albedo = 0.8 * mix(vec3(dot(albedo, vec3(0.21, 0.72, 0.07))), albedo, 0.8);
 
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 face = normalize(worldNormal);
@@ -56,23 +58,23 @@ void main()
     // Thousands of leaves that each face their own way look like noise; leaning them toward the outside of the crown
     // shows its form.
     vec3 outward = (worldPosition - frame.crown.xyz) / (frame.crownRadii.xyz * frame.crownRadii.xyz);
-    vec3 shaped = normalize(mix(normal, normalize(outward + vec3(0.0, 1e-4, 0.0)), 0.35));
+    vec3 shaped = normalize(mix(normal, normalize(outward + vec3(0.0, 1e-4, 0.0)), 0.5));
 
-    float seen = sunSeen(worldPosition + sun * frame.lightOrigin.w * 2.5);
+    float seen = sunSeenRoughly(worldPosition + sun * frame.lightOrigin.w * 2.5);
     float share = ambientShare(worldPosition);
     float front = max(dot(shaped, sun), 0.0);
     // What shines through a blade is yellower and richer than what it reflects, and brightest against the sun.
     float behind = max(-dot(normal, sun), 0.0);
     float glow = pow(max(-dot(toEye, sun), 0.0), 4.0);
-    vec3 through = pow(albedo, vec3(0.8)) * vec3(1.05, 1.0, 0.42);
+    vec3 through = albedo * vec3(1.25, 1.2, 0.55);
     // The lower face is paler.
     albedo = side > 0.0 ? albedo : mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.18) * 1.15;
 
     vec3 light = albedo * ambientLight(shaped) * share;
-    light += frame.sunColour.rgb * seen * (albedo * front + through * behind * (0.45 + 0.5 * glow));
+    light += frame.sunColour.rgb * seen * (albedo * front + through * behind * (0.55 + 0.8 * glow));
     // Light that leaves hand on to each other keeps the inside green rather than grey.
-    light += albedo * albedo * frame.sunColour.rgb * (0.35 * share);
-    light += frame.sunColour.rgb * seen * gloss(normal, toEye, 26.0) * (side > 0.0 ? 0.9 : 0.25)
+    light += albedo * albedo * frame.sunColour.rgb * (0.3 * share);
+    light += frame.sunColour.rgb * seen * gloss(normal, toEye, 26.0) * (side > 0.0 ? 0.7 : 0.2)
              * step(0.0, dot(normal, sun));
     float rim = pow(1.0 - abs(dot(normal, toEye)), 3.0);
     light += frame.rimColour.rgb * rim * share * 0.35;

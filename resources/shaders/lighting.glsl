@@ -25,18 +25,32 @@ vec3 ambientLight(vec3 normal)
     return mix(frame.groundColour.rgb, frame.skyColour.rgb, 0.5 + 0.5 * normal.y);
 }
 
-// Whether the sun is seen: 1 in light, 0 in shadow; the edge is about as wide as two texels.
+// Where a position is in the shadow map; what lies beyond the tree, seen from the sun, is as deep as the map goes.
+vec3 shadowPlace(vec3 position)
+{
+    vec3 place = (frame.shadowFromWorld * vec4(position, 1.0)).xyz;
+    return vec3(place.xy, min(place.z, 0.9999));
+}
+
+// Whether the sun is seen: 1 in light, 0 in shadow; for what is too small to show a shadow's edge.
+float sunSeenRoughly(vec3 position)
+{
+    if (frame.sunDirection.w <= 0.0)
+        return 1.0;
+    return mix(1.0, texture(shadowMap, shadowPlace(position)), frame.sunDirection.w);
+}
+
+// The same with an edge that is about two texels wide.
 float sunSeen(vec3 position)
 {
     if (frame.sunDirection.w <= 0.0)
         return 1.0;
-    vec3 place = (frame.shadowFromWorld * vec4(position, 1.0)).xyz;
+    vec3 place = shadowPlace(position);
     vec2 texel = 0.75 / vec2(textureSize(shadowMap, 0));
-    float depth = min(place.z, 0.9999);
-    float seen = texture(shadowMap, vec3(place.xy + texel * vec2(-1.0, -0.35), depth))
-               + texture(shadowMap, vec3(place.xy + texel * vec2(0.35, -1.0), depth))
-               + texture(shadowMap, vec3(place.xy + texel * vec2(1.0, 0.35), depth))
-               + texture(shadowMap, vec3(place.xy + texel * vec2(-0.35, 1.0), depth));
+    float seen = texture(shadowMap, vec3(place.xy + texel * vec2(-1.0, -0.35), place.z))
+               + texture(shadowMap, vec3(place.xy + texel * vec2(0.35, -1.0), place.z))
+               + texture(shadowMap, vec3(place.xy + texel * vec2(1.0, 0.35), place.z))
+               + texture(shadowMap, vec3(place.xy + texel * vec2(-0.35, 1.0), place.z));
     return mix(1.0, 0.25 * seen, frame.sunDirection.w);
 }
 

@@ -16,51 +16,50 @@ struct BranchMeshOptions {
     bool operator==(const BranchMeshOptions&) const = default;
 };
 
-/// Meshes one axis at a time: a tapered tube along a centripetal Catmull-Rom curve through its nodes, closed
-/// at both ends (algorithms: parallel transport by double reflection, Wang 2008; generalised cylinders with
-/// integer texture repeats, Bloomenthal 1985).
+/// Meshes one tube at a time (see Tubes.h): tapered, along a centripetal Catmull-Rom curve through its nodes,
+/// closed at both ends (frames: parallel transport by double reflection, Wang et al. 2008; texture:
+/// generalised cylinders with a whole number of repeats, Bloomenthal 1985).
 ///
-/// - It starts at the node of its parent, inside it, along the parent's direction, never thicker than 98 % of
-/// it. A collar widens
-///   it toward the parent, and the trunk toward the ground.
-/// - A ring has m sides, even, 4...32 by how much thicker than a twig the axis begins; m + 1 vertices, since
-/// the seam is doubled.
-/// - A ring stands at each node, at every second, fourth, ... where internodes are short for their thickness
+/// - It starts at the node of its parent, inside it, in the parent's direction, never thicker than 98 % of
+/// it. A collar widens it
+///   toward the parent, and the trunk toward the ground.
+/// - A ring has m sides, one of kSideCounts by how much thicker than a twig the tube is there; m + 1
+/// vertices, since the seam
+///   is doubled. Where a tube has become thin, m halves.
+/// - A ring stands at each node; at every second, fourth, ... where internodes are short for their thickness
 /// (a trunk grows
-///   straight over the kinks of its youth), and between nodes where the curve bends.
-/// - u runs from 0 to a whole number k around the axis, v so that texels are square: dv = k ds / 2πr.
+///   straight over the kinks of its youth); and between nodes where the curve bends.
+/// - u runs from 0 to a whole number k around the tube, v so that texels are square: dv = k ds / 2πr.
 ///
-/// The buffers inside are reused: keep one mesher per thread for many axes.
-class AxisMesher {
+/// The buffers inside are reused: keep one mesher per thread for many tubes.
+class TubeMesher {
 public:
-    static constexpr int kLeastSides = 4;
-    static constexpr int kMostSides = 32;
+    static constexpr std::array<int, 7> kSideCounts{4, 6, 8, 12, 16, 24, 32};
 
-    AxisMesher(const Tree& tree, const TreeIndex& index, const Widths& widths,
+    TubeMesher(const Tree& tree, const TreeIndex& index, const Widths& widths,
                const BranchMeshOptions& options = {});
 
-    /// Reads the living axis that begins with internode @p axis and returns what its mesh will take.
-    MeshSize prepare(InternodeId axis);
+    /// Reads the tube that begins with the living internode @p base and returns what its mesh will take.
+    MeshSize prepare(InternodeId base);
 
-    /// Writes the mesh of the axis prepared last into spans of exactly that size; @p firstVertex is added to
+    /// Writes the mesh of the tube prepared last into spans of exactly that size; @p firstVertex is added to
     /// the indices.
     void write(std::span<MeshVertex> vertices, std::span<VertexIndex> indices, VertexIndex firstVertex = 0);
 
-    /// The prepared axis: its internodes from the base up, the radius of each, and that of the internode it
+    /// The prepared tube: its internodes from the base up, the radius of each, and that of the internode it
     /// stands on (0 for the trunk).
     std::span<const InternodeId> internodes() const { return m_internodes; }
     std::span<const float> radii() const { return m_radii; }
     float parentRadius() const { return m_parentRadius; }
-    int sides() const { return m_sides; }
 
-    /// A ring of the prepared axis. Ring i has the vertices from i (sides + 1) on.
     struct Ring {
         Vec3 centre = Vec3::Zero();
         Vec3 tangent = Vec3::UnitY();
         float radius = 0.0F; ///< m
-        float path = 0.0F;   ///< m of axis below it
+        float path = 0.0F;   ///< m of tube below it
+        int sides = 4;
     };
-    /// After write().
+    /// Rings of the tube written last, from the base up, in the order of their vertices.
     std::span<const Ring> rings() const { return m_rings; }
 
 private:
@@ -73,13 +72,17 @@ private:
         float chord = 0.0F;  ///< m, to the next knot
         float root = 0.0F;   ///< Square root of chord: the centripetal parameter's length
         float path = 0.0F;   ///< m of chords below it
-        int rings = 1;       ///< Rings from here (included) to the next knot (excluded)
+        int sides = 4;
+        int rings = 1; ///< Rings from here (included) to the next knot (excluded)
     };
 
-    void chooseSides(float radius);
+    /// Unit, in which the branch below the node of @p id comes to it.
+    Vec3 directionBelow(InternodeId id) const;
+    int sidesFor(float radius) const;
     void chooseKnots();
     void findTangents(const Vec3& first);
     void chooseRings();
+    MeshSize size() const;
     float widened(float radius, float path) const;
     void placeRings();
     void writeVertices(std::span<MeshVertex> vertices) const;
@@ -101,9 +104,8 @@ private:
     float m_collar = 0.0F;    ///< Most that is added to the radius, m, at path 0
     float m_collarEnd = 0.0F; ///< Path at which nothing is added any more, m
     float m_repeats = 1.0F;   ///< k
+    bool m_rooted = false;    ///< Has a ring below its first knot
     float m_firstV = 0.0F;
-    int m_sides = kLeastSides;
-    int m_ringCount = 0;
 };
 
 } // namespace espalier

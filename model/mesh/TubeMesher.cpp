@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mesh/AxisMesher.h"
+#include "model/mesh/TubeMesher.h"
+
+#include "model/mesh/Tubes.h"
 
 #include <cassert>
 #include <cmath>
@@ -9,14 +11,26 @@ namespace espalier {
 
 namespace {
 
-constexpr int kTableCount = (AxisMesher::kMostSides - AxisMesher::kLeastSides) / 2 + 1;
+constexpr int kMostSides = TubeMesher::kSideCounts.back();
 /// From this many sides on a tube is thick enough for a rounder cap and finer bends.
 constexpr int kRoundSides = 8;
 constexpr int kMostRingsPerSpan = 4;
+constexpr float kRingsPerCollar = 3.0F;
+/// Most that a tube turns from ring to ring, rad; and a twig.
+constexpr float kBend = 0.2F;
+constexpr float kTwigBend = 0.45F;
 /// Sides that a tube gains with the square root of its thickness.
 constexpr double kSidesPerRoot = 2.6;
-/// A child is thinner than its parent by this much at least, so that their surfaces never coincide.
-constexpr float kThinner = 0.98F;
+/// A lateral is thinner than its parent by this much at least, so that their surfaces never coincide.
+constexpr float kThinner = 0.9F;
+/// A lateral of more than this share of its parent's radius has a root: it begins this many radii below the
+/// node, this much thinner, so that its end stays inside the parent even where that bends.
+constexpr float kRootedShare = 0.4F;
+constexpr float kRootDepth = 0.9F;
+constexpr float kRootRadius = 0.45F;
+/// Over how many of its radii a branch's direction is told: thick ones grow straight over the kinks of single
+/// internodes.
+constexpr float kDirectionRadii = 3.0F;
 /// The trunk's flare at the ground: half as much again, gone after so many radii.
 constexpr float kFlare = 0.5F;
 constexpr float kFlareRadii = 3.5F;
@@ -28,32 +42,30 @@ constexpr float kCollarRadii = 2.5F;
 /// Cosine and sine around a ring of m sides and the share of the way; entry m repeats entry 0 exactly, so
 /// that the seam welds.
 struct RingTable {
-    std::array<float, AxisMesher::kMostSides + 1> cosine{};
-    std::array<float, AxisMesher::kMostSides + 1> sine{};
-    std::array<float, AxisMesher::kMostSides + 1> share{};
+    std::array<float, kMostSides + 1> cosine{};
+    std::array<float, kMostSides + 1> sine{};
+    std::array<float, kMostSides + 1> share{};
 };
 
-std::array<RingTable, kTableCount> makeRingTables()
-{
-    std::array<RingTable, kTableCount> tables;
-    for (int t = 0; t < kTableCount; ++t) {
-        const int sides = AxisMesher::kLeastSides + 2 * t;
-        RingTable& table = tables[static_cast<std::size_t>(t)];
-        for (int i = 0; i <= sides; ++i) {
-            const double angle = 2.0 * std::numbers::pi * (i % sides) / sides;
-            const auto entry = static_cast<std::size_t>(i);
-            table.cosine[entry] = static_cast<float>(std::cos(angle));
-            table.sine[entry] = static_cast<float>(std::sin(angle));
-            table.share[entry] = static_cast<float>(i) / static_cast<float>(sides);
-        }
-    }
-    return tables;
-}
+using RingTables = std::array<RingTable, kMostSides + 1>;
 
 const RingTable& ringTable(int sides)
 {
-    static const std::array<RingTable, kTableCount> tables = makeRingTables();
-    return tables[static_cast<std::size_t>((sides - AxisMesher::kLeastSides) / 2)];
+    static const auto tables = [] {
+        auto made = std::make_unique<RingTables>();
+        for (const int count : TubeMesher::kSideCounts) {
+            RingTable& table = (*made)[static_cast<std::size_t>(count)];
+            for (int i = 0; i <= count; ++i) {
+                const double angle = 2.0 * std::numbers::pi * (i % count) / count;
+                const auto entry = static_cast<std::size_t>(i);
+                table.cosine[entry] = static_cast<float>(std::cos(angle));
+                table.sine[entry] = static_cast<float>(std::sin(angle));
+                table.share[entry] = static_cast<float>(i) / static_cast<float>(count);
+            }
+        }
+        return made;
+    }();
+    return (*tables)[static_cast<std::size_t>(sides)];
 }
 
 /// Carries @p normal from one point of a curve to the next with as little twist as can be (double reflection,
@@ -109,25 +121,26 @@ struct RingFrame {
         sine[2] = {-normal.z(), 0.0F, 0.0F, 0.0F};
     }
 
-    void write(MeshVertex* vertex, const RingTable& table, int sides, float repeats) const
+    void write(MeshVertex* vertex, int sides, float repeats) const
     {
         static_assert(offsetof(MeshVertex, normal) == 12 && offsetof(MeshVertex, tangent) == 24 &&
                       offsetof(MeshVertex, uv) == 40);
+        const RingTable& table = ringTable(sides);
         for (std::size_t i = 0; i <= static_cast<std::size_t>(sides); ++i) {
             const float c = table.cosine[i];
             const float s = table.sine[i];
             std::array<Eigen::Array4f, 3> values;
             for (std::size_t part = 0; part < 3; ++part)
                 values[part] = base[part] + c * cosine[part] + s * sine[part];
-            values[2].z() = repeats * table.share[i];
             std::memcpy(static_cast<void*>(vertex + i), values.data(), sizeof(MeshVertex));
+            vertex[i].uv[0] = repeats * table.share[i];
         }
     }
 };
 
 } // namespace
 
-AxisMesher::AxisMesher(const Tree& tree, const TreeIndex& index, const Widths& widths,
+TubeMesher::TubeMesher(const Tree& tree, const TreeIndex& index, const Widths& widths,
                        const BranchMeshOptions& options)
     : m_tree(tree),
       m_index(index),
@@ -138,46 +151,47 @@ AxisMesher::AxisMesher(const Tree& tree, const TreeIndex& index, const Widths& w
 {
 }
 
-MeshSize AxisMesher::prepare(InternodeId axis)
+MeshSize TubeMesher::prepare(InternodeId base)
 {
-    assert(m_index.axis(axis) == axis && m_tree.isAlive(axis));
+    assert(m_tree.isAlive(base) && beginsTube(m_tree, m_index, base));
     m_internodes.clear();
     m_radii.clear();
-    for (InternodeId id = axis; id != kNoInternode; id = m_index.mainChild(id)) {
+    for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(m_index, id)) {
         m_internodes.push_back(id);
         m_radii.push_back(m_widths.radius(m_index, id));
     }
 
-    const InternodeId parent = m_tree.parent(axis);
+    const InternodeId parent = m_tree.parent(base);
     const bool isTrunk = parent == kNoInternode;
     const float radius = m_radii.front();
     m_parentRadius = isTrunk ? 0.0F : m_widths.radius(m_index, parent);
     if (isTrunk) {
         m_collar = kFlare * radius;
         m_collarEnd = kFlareRadii * radius;
+        m_rooted = false;
     } else {
         const float allowed = kThinner * m_parentRadius - radius;
         m_collar = std::min(kCollar * radius, allowed); // negative: the first ring must be thinner
+        m_rooted = sidesFor(radius) >= kRoundSides && radius > kRootedShare * m_parentRadius;
         m_collarEnd = kCollarParentRadii * m_parentRadius + kCollarRadii * radius;
     }
-    chooseSides(radius);
     m_repeats = std::max(1.0F, std::round(2.0F * std::numbers::pi_v<float> * radius / m_barkScale));
-    // Branches side by side should not wear the same piece of bark.
-    m_firstV = static_cast<float>(std::fmod(0.6180339887 * axis, 1.0));
+    // Branches side by side should not wear the same piece of bark: multiples of the golden ratio, modulo 1.
+    m_firstV = static_cast<float>((base * 2654435769U) >> 8U) * 0x1.0p-24F;
 
     chooseKnots();
-    const Vec3 heading = m_index.heading(axis);
+    const Vec3 heading = m_index.heading(base);
     Vec3 first = heading;
     if (!isTrunk) {
         // The first control point lies on the parent's line, nearer to the node the more the branch turns
         // back.
-        const Vec3 parentHeading = m_index.heading(parent);
-        first = 0.45F * (1.0F + parentHeading.dot(heading)) * parentHeading + 0.02F * heading;
+        const Vec3 arrival = directionBelow(parent);
+        first = 0.45F * (1.0F + arrival.dot(heading)) * arrival + 0.02F * heading;
     }
     findTangents(first);
     chooseRings();
 
-    const Rotation& rotation = m_index.rotation(axis);
+    const Rotation& rotation = m_index.rotation(base);
     const Vec3& tangent = m_knots.front().tangent;
     for (const Vec3& side : {Vec3(rotation * Vec3(Vec3::UnitX())), Vec3(rotation * Vec3(Vec3::UnitZ()))}) {
         m_firstNormal = side - side.dot(tangent) * tangent;
@@ -186,12 +200,48 @@ MeshSize AxisMesher::prepare(InternodeId axis)
     }
     m_firstNormal.normalize();
 
-    const auto rings = static_cast<std::uint32_t>(m_ringCount);
-    const auto sides = static_cast<std::uint32_t>(m_sides);
-    return {rings * (sides + 1) + 1, (rings - 1) * sides * 6 + sides * 3 + (sides - 2) * 3};
+    return size();
 }
 
-void AxisMesher::write(std::span<MeshVertex> vertices, std::span<VertexIndex> indices,
+Vec3 TubeMesher::directionBelow(InternodeId id) const
+{
+    const Vec3& node = m_index.nodePosition(id);
+    const float length = kDirectionRadii * m_widths.radius(m_index, id);
+    const Vec3 heading = m_index.heading(id);
+    Vec3 chord = heading;
+    for (float path = 0.0F; id != kNoInternode && (path == 0.0F || path < length); id = m_tree.parent(id)) {
+        path += m_tree.length(id);
+        chord = node - m_index.basePosition(m_tree, id);
+    }
+    const float norm = chord.norm();
+    return norm > 1e-6F ? Vec3(chord / norm) : heading;
+}
+
+MeshSize TubeMesher::size() const
+{
+    // The base cap is a fan over the first ring; a strip between rings takes two triangles a side, three a
+    // coarse side where their number halves.
+    const auto firstSides = static_cast<std::uint32_t>(m_knots.front().sides);
+    MeshSize size{.vertices = 1, .indices = 3 * (firstSides - 2)};
+    if (m_rooted) {
+        size.vertices += firstSides + 1;
+        size.indices += 3 * 2 * firstSides;
+    }
+    std::uint32_t below = firstSides;
+    for (const Knot& knot : m_knots) {
+        const auto sides = static_cast<std::uint32_t>(knot.sides);
+        const auto rings = static_cast<std::uint32_t>(knot.rings);
+        size.vertices += rings * (sides + 1);
+        size.indices += 3 * (rings - 1) * 2 * sides;
+        if (&knot != &m_knots.front())
+            size.indices += 3 * (below == sides ? 2 * sides : 3 * sides);
+        below = sides;
+    }
+    size.indices += 3 * below;
+    return size;
+}
+
+void TubeMesher::write(std::span<MeshVertex> vertices, std::span<VertexIndex> indices,
                        VertexIndex firstVertex)
 {
     placeRings();
@@ -199,19 +249,24 @@ void AxisMesher::write(std::span<MeshVertex> vertices, std::span<VertexIndex> in
     writeIndices(indices, firstVertex);
 }
 
-void AxisMesher::chooseSides(float radius)
+int TubeMesher::sidesFor(float radius) const
 {
-    const double thickness = std::sqrt(std::max(1.0, static_cast<double>(radius) / m_tipRadius));
-    const double sides = (kLeastSides + kSidesPerRoot * (thickness - 1.0)) * m_detail;
-    m_sides = 2 * std::clamp(static_cast<int>(std::lround(sides / 2.0)), kLeastSides / 2, kMostSides / 2);
+    const double thickness = std::sqrt(std::max(1.0F, radius / m_tipRadius));
+    const double wanted = (kSideCounts.front() + kSidesPerRoot * (thickness - 1.0)) * m_detail;
+    for (const int sides : kSideCounts) {
+        if (wanted <= sides + 0.5)
+            return sides;
+    }
+    return kSideCounts.back();
 }
 
-void AxisMesher::chooseKnots()
+void TubeMesher::chooseKnots()
 {
     m_knots.clear();
     Knot knot;
     knot.position = m_index.basePosition(m_tree, m_internodes.front());
     knot.radius = m_radii.front();
+    knot.sides = sidesFor(knot.radius);
     m_knots.push_back(knot);
     const std::size_t count = m_internodes.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -223,7 +278,7 @@ void AxisMesher::chooseKnots()
         if (i + 1 < count) {
             std::size_t stride = 1;
             const float length = m_tree.length(m_internodes[i]);
-            while (static_cast<float>(2 * stride) * length <= radius)
+            while (static_cast<float>(stride) * length <= radius)
                 stride *= 2;
             if ((i + 1) % stride != 0 || squared < 1e-12F)
                 continue;
@@ -234,11 +289,14 @@ void AxisMesher::chooseKnots()
         below.chord = std::max(std::sqrt(squared), 1e-6F);
         below.root = std::sqrt(below.chord);
         knot.path = below.path + below.chord;
+        if (const int half = knot.sides / 2;
+            half % 2 == 0 && half >= kSideCounts.front() && sidesFor(radius) <= half)
+            knot.sides = half;
         m_knots.push_back(knot);
     }
 }
 
-void AxisMesher::findTangents(const Vec3& first)
+void TubeMesher::findTangents(const Vec3& first)
 {
     const std::size_t last = m_knots.size() - 1;
     m_knots.front().velocity = m_knots.front().root * first;
@@ -256,25 +314,23 @@ void AxisMesher::findTangents(const Vec3& first)
     }
 }
 
-void AxisMesher::chooseRings()
+void TubeMesher::chooseRings()
 {
-    const float bend = (m_sides >= kRoundSides ? 0.2F : 0.45F) / static_cast<float>(std::min(m_detail, 1.0));
-    m_ringCount = 1;
+    const auto tolerance = static_cast<float>(1.0 / std::min(m_detail, 1.0));
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
         Knot& knot = m_knots[i];
         // |t₁ − t₀| is the angle between them for all angles that matter.
         const float turn = (m_knots[i + 1].tangent - knot.tangent).norm();
-        float rings = turn / bend;
-        if (m_sides >= kRoundSides && knot.path < m_collarEnd)
-            rings = std::max(rings, 3.0F * knot.chord / m_collarEnd);
+        float rings = turn / (tolerance * (knot.sides >= kRoundSides ? kBend : kTwigBend));
+        if (knot.sides >= kRoundSides && knot.path < m_collarEnd)
+            rings = std::max(rings, kRingsPerCollar * knot.chord / m_collarEnd);
         knot.rings = std::clamp(static_cast<int>(std::ceil(rings)), 1, kMostRingsPerSpan);
-        m_ringCount += knot.rings;
     }
-    if (m_sides >= kRoundSides)
-        ++m_ringCount; // of the cap
+    // The end, and where the tube is thick a ring between it and the apex.
+    m_knots.back().rings = m_knots.back().sides >= kRoundSides ? 2 : 1;
 }
 
-float AxisMesher::widened(float radius, float path) const
+float TubeMesher::widened(float radius, float path) const
 {
     if (path >= m_collarEnd)
         return radius;
@@ -282,13 +338,19 @@ float AxisMesher::widened(float radius, float path) const
     return radius + m_collar * rest * rest;
 }
 
-void AxisMesher::placeRings()
+void TubeMesher::placeRings()
 {
     m_rings.clear();
+    if (m_rooted) {
+        const Knot& node = m_knots.front();
+        const float depth = kRootDepth * node.radius;
+        m_rings.push_back({node.position - depth * node.tangent, node.tangent, kRootRadius * node.radius,
+                           -depth, node.sides});
+    }
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
         const Knot& a = m_knots[i];
         const Knot& b = m_knots[i + 1];
-        m_rings.push_back({a.position, a.tangent, widened(a.radius, a.path), a.path});
+        m_rings.push_back({a.position, a.tangent, widened(a.radius, a.path), a.path, a.sides});
         for (int j = 1; j < a.rings; ++j) {
             const float t = static_cast<float>(j) / static_cast<float>(a.rings);
             const float s = 1.0F - t;
@@ -302,16 +364,15 @@ void AxisMesher::placeRings()
             const float speed = velocity.norm();
             const float path = a.path + t * a.chord;
             m_rings.push_back({centre, speed > 1e-9F ? Vec3(velocity / speed) : a.tangent,
-                               widened(s * a.radius + t * b.radius, path), path});
+                               widened(s * a.radius + t * b.radius, path), path, a.sides});
         }
     }
     const Knot& end = m_knots.back();
-    m_rings.push_back({end.position, end.tangent, widened(end.radius, end.path), end.path});
+    m_rings.push_back({end.position, end.tangent, widened(end.radius, end.path), end.path, end.sides});
 }
 
-void AxisMesher::writeVertices(std::span<MeshVertex> vertices) const
+void TubeMesher::writeVertices(std::span<MeshVertex> vertices) const
 {
-    const RingTable& table = ringTable(m_sides);
     const std::size_t count = m_rings.size();
     const float density = m_repeats / (2.0F * std::numbers::pi_v<float>);
     MeshVertex* vertex = vertices.data();
@@ -330,18 +391,18 @@ void AxisMesher::writeVertices(std::span<MeshVertex> vertices) const
         }
         const float slant = (below.radius - above.radius) / (above.path - below.path);
         RingFrame(ring.centre, ring.tangent, normal, ring.radius, slant, v)
-            .write(vertex, table, m_sides, m_repeats);
-        vertex += m_sides + 1;
+            .write(vertex, ring.sides, m_repeats);
+        vertex += ring.sides + 1;
     }
 
     const Ring& end = m_rings.back();
-    if (m_sides >= kRoundSides) {
+    if (end.sides >= kRoundSides) {
         constexpr float diagonal = std::numbers::sqrt2_v<float> / 2.0F;
         const Vec3 centre = end.centre + diagonal * end.radius * end.tangent;
         v += density * std::numbers::pi_v<float> / 4.0F;
         RingFrame(centre, end.tangent, normal, diagonal * end.radius, 1.0F, v)
-            .write(vertex, table, m_sides, m_repeats);
-        vertex += m_sides + 1;
+            .write(vertex, end.sides, m_repeats);
+        vertex += end.sides + 1;
     }
     v += density * std::numbers::pi_v<float> / 4.0F;
     *vertex = {.position = toArray(end.centre + end.radius * end.tangent),
@@ -351,35 +412,46 @@ void AxisMesher::writeVertices(std::span<MeshVertex> vertices) const
     assert(vertex + 1 == vertices.data() + vertices.size());
 }
 
-void AxisMesher::writeIndices(std::span<VertexIndex> indices, VertexIndex firstVertex) const
+void TubeMesher::writeIndices(std::span<VertexIndex> indices, VertexIndex firstVertex) const
 {
-    const auto sides = static_cast<VertexIndex>(m_sides);
-    const VertexIndex stride = sides + 1;
     VertexIndex* index = indices.data();
-    for (VertexIndex i = 1; i + 1 < sides; ++i) {
-        *index++ = firstVertex;
-        *index++ = firstVertex + i + 1;
-        *index++ = firstVertex + i;
-    }
-    VertexIndex ring = firstVertex;
-    for (int r = 1; r < m_ringCount; ++r, ring += stride) {
-        for (VertexIndex lower = ring; lower < ring + sides; ++lower) {
-            const VertexIndex upper = lower + stride;
-            index[0] = lower;
-            index[1] = lower + 1;
-            index[2] = upper + 1;
-            index[3] = lower;
-            index[4] = upper + 1;
-            index[5] = upper;
-            index += 6;
+    const auto triangle = [&index](VertexIndex a, VertexIndex b, VertexIndex c) {
+        index[0] = a;
+        index[1] = b;
+        index[2] = c;
+        index += 3;
+    };
+
+    auto sides = static_cast<VertexIndex>(m_rings.front().sides);
+    for (VertexIndex i = 1; i + 1 < sides; ++i)
+        triangle(firstVertex, firstVertex + i + 1, firstVertex + i);
+
+    VertexIndex lower = firstVertex;
+    const auto strip = [&](VertexIndex above) {
+        const VertexIndex upper = lower + sides + 1;
+        if (above == sides) {
+            for (VertexIndex i = 0; i < sides; ++i) {
+                triangle(lower + i, lower + i + 1, upper + i + 1);
+                triangle(lower + i, upper + i + 1, upper + i);
+            }
+        } else {
+            for (VertexIndex i = 0; i < above; ++i) {
+                const VertexIndex fine = lower + 2 * i;
+                triangle(fine, fine + 1, upper + i);
+                triangle(fine + 1, upper + i + 1, upper + i);
+                triangle(fine + 1, fine + 2, upper + i + 1);
+            }
         }
-    }
-    const VertexIndex apex = ring + stride;
-    for (VertexIndex i = 0; i < sides; ++i) {
-        *index++ = ring + i;
-        *index++ = ring + i + 1;
-        *index++ = apex;
-    }
+        lower = upper;
+        sides = above;
+    };
+    for (std::size_t ring = 1; ring < m_rings.size(); ++ring)
+        strip(static_cast<VertexIndex>(m_rings[ring].sides));
+    if (m_rings.back().sides >= kRoundSides)
+        strip(sides);
+    const VertexIndex apex = lower + sides + 1;
+    for (VertexIndex i = 0; i < sides; ++i)
+        triangle(lower + i, lower + i + 1, apex);
     assert(index == indices.data() + indices.size());
 }
 

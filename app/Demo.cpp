@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Demo.h"
+
+#include "app/BatchJob.h"
+#include "app/MainWindow.h"
+#include "app/Outputs.h"
+#include "views/render/OffscreenRenderer.h"
+
+#include <QDir>
+
+#include <cstdio>
+
+namespace espalier {
+
+namespace {
+
+const QString kName = QStringLiteral("first-tree");
+
+Result<QStringList> writeAll(MainWindow& window, const QString& view)
+{
+    QStringList written;
+    const TreeDocument& document = window.document();
+    Project project = window.files().file().snapshot();
+    project.name = kName;
+    for (const char* suffix : {".espalier", ".fbx", ".obj", ".glb"}) {
+        const QString fileName = kName + QLatin1String(suffix);
+        if (const Result<void> result = writeOutput(project, document.index(), fileName); !result)
+            return result.error();
+        written.append(fileName);
+    }
+    PictureRequest request;
+    request.view = namedView(view);
+    const Result<QImage> picture = renderImage(document, request);
+    if (!picture)
+        return picture.error();
+    if (const Result<void> result = writePicture(*picture, kName + QStringLiteral(".png")); !result)
+        return result.error();
+    written.append(kName + QStringLiteral(".png"));
+    return written;
+}
+
+} // namespace
+
+void demonstrateUnseen(MainWindow& window, const Recipe& recipe)
+{
+    QObject::connect(
+        &window.recipeRunner(), &RecipeRunner::finished, &window, [&window, view = recipe.camera.view] {
+            const Result<QStringList> written = writeAll(window, view);
+            if (!written)
+                complain(written.error().message);
+            else
+                std::printf(
+                    "There is no display, so the tree was brushed on a virtual one. Written to %s: %s\n",
+                    qPrintable(QDir::currentPath()), qPrintable(written->join(QStringLiteral(", "))));
+            // What was shown is in files now: nobody is there to be asked about it.
+            window.document().undoStack().setClean();
+            QCoreApplication::exit(written ? kDone : kOutputNotWritten);
+        });
+    window.playRecipe(recipe, RecipeRunner::Pace::Hurried);
+}
+
+} // namespace espalier

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/DocumentFile.h"
+
+#include "app/Background.h"
+
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QRandomGenerator>
+
+namespace espalier {
+
+DocumentFile::DocumentFile(TreeDocument& document, QObject* parent) : QObject(parent), m_document(document)
+{
+    connect(&document.undoStack(), &QUndoStack::cleanChanged, this, &DocumentFile::titleChanged);
+}
+
+DocumentFile::~DocumentFile()
+{
+    waitForSaving();
+}
+
+QString DocumentFile::displayName() const
+{
+    return m_displayName.isEmpty() ? tr("Untitled") : m_displayName;
+}
+
+void DocumentFile::setFile(const QString& fileName, const QString& displayName)
+{
+    m_fileName = fileName.isEmpty() ? QString() : QFileInfo(fileName).absoluteFilePath();
+    m_displayName = displayName;
+    Q_EMIT titleChanged();
+}
+
+void DocumentFile::startNew()
+{
+    // Each tree is another one, even if the same hand makes it.
+    m_document.reset(QRandomGenerator::global()->generate());
+    setFile({}, {});
+}
+
+Result<void> DocumentFile::open(const QString& fileName)
+{
+    Result<Project> project = loadProject(fileName);
+    if (!project)
+        return project.error();
+    m_document.reset(std::move(project->tree), std::move(project->journal));
+    setFile(fileName, QFileInfo(fileName).fileName());
+    return {};
+}
+
+void DocumentFile::recover(Project project, const QString& fileName)
+{
+    const QString name = fileName.isEmpty() ? QString() : QFileInfo(fileName).fileName();
+    m_document.reset(std::move(project.tree), std::move(project.journal));
+    m_document.undoStack().resetClean();
+    setFile(fileName, name);
+}
+
+void DocumentFile::forgetFile(const QString& displayName)
+{
+    setFile({}, displayName);
+}
+
+Project DocumentFile::snapshot() const
+{
+    return {m_document.tree(), m_document.journal(), QFileInfo(m_displayName).completeBaseName(), {}};
+}
+
+void DocumentFile::save(const QString& fileName, const QImage& thumbnail)
+{
+    if (m_isSaving)
+        return;
+    m_isSaving = true;
+    // What is done from now on is not in the file. Should writing fail, nothing is.
+    m_document.undoStack().setClean();
+    setFile(fileName, QFileInfo(fileName).fileName());
+    Project project = snapshot();
+    project.thumbnail = thumbnail;
+    runInBackground(
+        this, [project = std::move(project), name = m_fileName] { return saveProject(project, name); },
+        [this, name = m_fileName](const Result<void>& written) {
+            m_isSaving = false;
+            if (written) {
+                Q_EMIT saved(name);
+                return;
+            }
+            m_document.undoStack().resetClean();
+            Q_EMIT titleChanged();
+            Q_EMIT saveFailed(written.error().message);
+        });
+}
+
+void DocumentFile::waitForSaving()
+{
+    while (m_isSaving)
+        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
+}
+
+} // namespace espalier

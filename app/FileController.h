@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/Autosave.h"
+#include "app/DocumentFile.h"
+#include "app/Settings.h"
+#include "model/io/Recipe.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+class QMenu;
+class QWidget;
+
+namespace espalier {
+
+class Notice;
+
+/// Everything that a person does with files: it asks for names, asks about unsaved changes, tells how it
+/// went.
+class FileController : public QObject {
+    Q_OBJECT
+
+public:
+    /// @p thumbnail takes a picture of the tree.
+    FileController(QWidget& window, TreeDocument& document, Settings& settings, Notice& notice,
+                   std::function<QImage()> thumbnail);
+    /// Cancels an export.
+    ~FileController() override;
+
+    DocumentFile& file() { return m_file; }
+    Autosave& autosave() { return m_autosave; }
+
+    void startNew();
+    /// Asks for a file.
+    void open();
+    /// A project or a recipe. Asks about unsaved changes first.
+    void openFile(const QString& fileName);
+    void save();
+    void saveAs();
+    /// Asks for a file.
+    void exportTree();
+    /// The suffix says the format.
+    void exportTo(const QString& fileName);
+
+    /// Asks about unsaved changes; false if the person would rather stay, or if saving failed.
+    bool mayLeave();
+    /// Offers what a crash has left, if it has.
+    void offerRecovery();
+    void fillRecentFiles(QMenu& menu);
+    /// Files that can be opened, by their names.
+    static bool canOpen(const QString& fileName);
+
+Q_SIGNALS:
+    /// Another tree will take the place of this one now.
+    void aboutToReplace();
+    void recipeOpened(const espalier::Recipe& recipe);
+
+private:
+    void openProject(const QString& fileName);
+    void openRecipe(const QString& fileName);
+    void recover(const Leftover& leftover);
+    void showSaved(const QString& fileName);
+    void rememberFolder(const QString& fileName);
+
+    QWidget& m_window;
+    TreeDocument& m_document;
+    Settings& m_settings;
+    Notice& m_notice;
+    std::function<QImage()> m_thumbnail;
+    DocumentFile m_file;
+    Autosave m_autosave;
+    /// Of the export under way, if there is one.
+    std::shared_ptr<std::atomic<bool>> m_exportCancelled;
+};
+
+} // namespace espalier

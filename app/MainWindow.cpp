@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/MainWindow.h"
+
+#include "app/CheatSheet.h"
+#include "app/GrowTool.h"
+#include "app/RecipeTool.h"
+#include "panels/GrowPopOut.h"
+#include "panels/Notice.h"
+#include "panels/ParameterPanel.h"
+#include "views/Viewport.h"
+#include "views/tools/BrushTool.h"
+
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QMimeData>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kThumbnailEdge = 256;
+
+/// The middle of what the viewport shows, without the brush.
+QImage thumbnailOf(Viewport& viewport)
+{
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&viewport, &leave);
+    const QImage whole = viewport.grabFramebuffer();
+    const int edge = std::min(whole.width(), whole.height());
+    const QRect middle((whole.width() - edge) / 2, (whole.height() - edge) / 2, edge, edge);
+    return whole.copy(middle).scaled(kThumbnailEdge, kThumbnailEdge, Qt::KeepAspectRatio,
+                                     Qt::SmoothTransformation);
+}
+
+QString droppedFile(const QMimeData& data)
+{
+    const QList<QUrl> urls = data.urls();
+    const QString name = urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
+    return FileController::canOpen(name) ? name : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      m_growRunner(m_document),
+      m_recipeRunner(m_document),
+      m_actions(*this),
+      m_workspace(std::make_unique<Workspace>(m_document, m_viewSettings, m_actions,
+                                              [this](QMenu& menu) { m_files->fillRecentFiles(menu); })),
+      m_files(std::make_unique<FileController>(*this, m_document, m_settings, m_workspace->notice(),
+                                               [this] { return thumbnailOf(m_workspace->viewport()); }))
+{
+    setCentralWidget(m_workspace.get());
+    setMinimumSize(860, 560);
+    setAcceptDrops(true);
+    m_viewSettings.setValues(m_settings.viewValues());
+    connectFiles();
+    connectTools();
+    connectView();
+    followDocument();
+    m_files->startNew();
+    m_actions[ActionId::Brush]->trigger();
+    updateTitle();
+    updateEnabled();
+    m_workspace->viewport().setFocus();
+    restoreGeometry(m_settings.windowGeometry());
+}
+
+MainWindow::~MainWindow()
+{
+    cancelAll();
+    // The stack tells of its own end, when what would listen has gone.
+    m_document.undoStack().disconnect(this);
+}
+
+void MainWindow::connectFiles()
+{
+    // A stroke is finished first; a recipe that is playing may be left, but nothing half-played is kept.
+    const auto on = [this](ActionId id, bool alsoDuringRecipe, void (FileController::*what)()) {
+        connect(m_actions[id], &QAction::triggered, this, [this, alsoDuringRecipe, what] {
+            if (!isHandBusy() && (alsoDuringRecipe || !m_recipeRunner.isRunning()))
+                (m_files.get()->*what)();
+        });
+    };
+    on(ActionId::New, true, &FileController::startNew);
+    on(ActionId::Open, true, &FileController::open);
+    on(ActionId::Save, false, &FileController::save);
+    on(ActionId::SaveAs, false, &FileController::saveAs);
+    on(ActionId::Export, false, &FileController::exportTree);
+    connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
+    connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
+    connect(m_files.get(), &FileController::recipeOpened, this,
+            [this](const Recipe& recipe) { playRecipe(recipe, RecipeRunner::Pace::Hurried); });
+    connect(&m_files->file(), &DocumentFile::titleChanged, this, &MainWindow::updateTitle);
+}
+
+void MainWindow::connectTools()
+{
+    auto* tools = new QActionGroup(this);
+    tools->addAction(m_actions[ActionId::Brush]);
+    tools->addAction(m_actions[ActionId::Grow]);
+    m_actions[ActionId::Brush]->setChecked(true);
+    connect(tools, &QActionGroup::triggered, this, &MainWindow::takeTool);
+
+    const auto resize = [this](double notches) {
+        m_viewSettings.set(&ViewValues::brushRadius,
+                           steppedBrushRadius(m_viewSettings.values().brushRadius, notches));
+    };
+    connect(m_actions[ActionId::SmallerBrush], &QAction::triggered, this, [resize] { resize(-1.0); });
+    connect(m_actions[ActionId::LargerBrush], &QAction::triggered, this, [resize] { resize(1.0); });
+    connect(m_actions[ActionId::Cancel], &QAction::triggered, this, &MainWindow::cancel);
+    connect(m_actions[ActionId::GrowStep], &QAction::triggered, this, [this] {
+        if (!isBusy())
+            m_growRunner.run(1);
+    });
+
+    GrowPopOut& growPopOut = m_workspace->growPopOut();
+    connect(&growPopOut, &GrowPopOut::holdBegins, &m_growRunner, &GrowRunner::begin);
+    connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::end);
+    connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
+    connect(&m_growRunner, &GrowRunner::exhausted, this,
+            [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
+    connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
+    connect(&m_recipeRunner, &RecipeRunner::advanced, &m_workspace->viewport(),
+            qOverload<>(&QWidget::update));
+    connect(&m_recipeRunner, &RecipeRunner::finished, this, [this] {
+        takeTool();
+        updateEnabled();
+    });
+}
+
+void MainWindow::connectView()
+{
+    Viewport& viewport = m_workspace->viewport();
+    connect(&viewport, &Viewport::gestureActiveChanged, this, &MainWindow::updateEnabled);
+    connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
+    const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},
+                                                    {ActionId::SideView, NamedView::Side},
+                                                    {ActionId::TopView, NamedView::Top},
+                                                    {ActionId::ThreeQuarterView, NamedView::ThreeQuarter}};
+    for (const auto& [id, view] : views)
+        connect(m_actions[id], &QAction::triggered, &viewport,
+                [&viewport, side = view] { viewport.showFrom(side); });
+
+    const std::pair<ActionId, bool ViewValues::*> switches[] = {
+        {ActionId::Markers, &ViewValues::markersShown}, {ActionId::Leaves, &ViewValues::leavesShown}};
+    for (const auto& [id, field] : switches) {
+        QAction* action = m_actions[id];
+        const auto show = [this, action, shown = field] {
+            action->setChecked(m_viewSettings.values().*shown);
+        };
+        connect(action, &QAction::triggered, this,
+                [this, shown = field](bool on) { m_viewSettings.set(shown, on); });
+        connect(&m_viewSettings, &ViewSettings::changed, action, show);
+        show();
+    }
+
+    const ActionId sheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet};
+    auto* group = new QActionGroup(this);
+    group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (const ActionId id : sheets)
+        group->addAction(m_actions[id]);
+    connect(group, &QActionGroup::triggered, this, [this, group] {
+        m_workspace->showSheet(static_cast<int>(group->actions().indexOf(group->checkedAction())));
+    });
+
+    connect(m_actions[ActionId::HideInterface], &QAction::toggled, m_workspace.get(),
+            &Workspace::setInterfaceHidden);
+    connect(m_actions[ActionId::FullScreen], &QAction::triggered, this, [this](bool on) {
+        setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+    });
+    connect(m_actions[ActionId::Help], &QAction::triggered, this, [this] {
+        auto* sheet = new CheatSheet(this);
+        sheet->setAttribute(Qt::WA_DeleteOnClose);
+        sheet->show();
+    });
+}
+
+void MainWindow::followDocument()
+{
+    QUndoStack& stack = m_document.undoStack();
+    connect(m_actions[ActionId::Undo], &QAction::triggered, this, [this, &stack] {
+        if (!isBusy())
+            stack.undo();
+    });
+    connect(m_actions[ActionId::Redo], &QAction::triggered, this, [this, &stack] {
+        if (!isBusy())
+            stack.redo();
+    });
+    connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateEnabled);
+    connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateTip);
+}
+
+void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
+{
+    cancelAll();
+    Viewport& viewport = m_workspace->viewport();
+    viewport.setTool(std::make_unique<RecipeTool>(viewport.toolContext(), m_recipeRunner));
+    m_recipeRunner.start(recipe, pace);
+    updateEnabled();
+    updateTip();
+}
+
+bool MainWindow::isHandBusy() const
+{
+    return m_workspace->viewport().isGestureActive() || m_growRunner.isRunning();
+}
+
+bool MainWindow::isBusy() const
+{
+    return isHandBusy() || m_recipeRunner.isRunning();
+}
+
+void MainWindow::cancelAll()
+{
+    m_recipeRunner.stop();
+    m_workspace->viewport().cancelGesture();
+    m_growRunner.cancel();
+}
+
+void MainWindow::cancel()
+{
+    if (isBusy()) {
+        cancelAll();
+        return;
+    }
+    for (const ActionId id : {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet}) {
+        if (m_actions[id]->isChecked())
+            m_actions[id]->trigger();
+    }
+}
+
+void MainWindow::updateEnabled()
+{
+    // Undo and redo are not shown disabled while a stroke is made: that would flicker.
+    const QUndoStack& stack = m_document.undoStack();
+    m_actions[ActionId::Undo]->setEnabled(stack.canUndo());
+    m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
+    for (const ActionId id :
+         {ActionId::Brush, ActionId::Grow, ActionId::Save, ActionId::SaveAs, ActionId::Export})
+        m_actions[id]->setEnabled(!m_recipeRunner.isRunning());
+    // Only one thing at a time may change the document.
+    m_workspace->growPopOut().setEnabled(!m_recipeRunner.isRunning() &&
+                                         !m_workspace->viewport().isGestureActive());
+    for (int i = 0; i < Workspace::kSheetCount; ++i)
+        m_workspace->sheet(i).setEnabled(!isBusy());
+}
+
+void MainWindow::updateTitle()
+{
+    const DocumentFile& file = m_files->file();
+    setWindowTitle(tr("%1[*] – Espalier").arg(file.displayName()));
+    setWindowModified(file.isModified());
+    m_workspace->topBar().setTitle(file.displayName(), file.isModified());
+}
+
+void MainWindow::updateTip()
+{
+    // Whoever has a tree in hand knows.
+    const bool isNew = m_document.index().livingCount() <= 1 || m_recipeRunner.isRunning();
+    m_workspace->setTip(isNew ? m_workspace->viewport().tool().tip() : QString());
+}
+
+void MainWindow::takeTool()
+{
+    const bool grows = m_actions[ActionId::Grow]->isChecked();
+    Viewport& viewport = m_workspace->viewport();
+    if (grows)
+        viewport.setTool(std::make_unique<GrowTool>(viewport.toolContext(), m_growRunner));
+    else
+        viewport.setTool(std::make_unique<BrushTool>(viewport.toolContext()));
+    updateTip();
+    m_workspace->showPopOut(grows ? Workspace::PopOut::Grow : Workspace::PopOut::Brush);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    cancelAll();
+    if (!m_files->mayLeave()) {
+        event->ignore();
+        return;
+    }
+    m_settings.setViewValues(m_viewSettings.values());
+    m_settings.setWindowGeometry(saveGeometry());
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!droppedFile(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QString name = droppedFile(*event->mimeData());
+    if (name.isEmpty())
+        return;
+    event->acceptProposedAction();
+    m_files->openFile(name);
+}
+
+} // namespace espalier

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/Actions.h"
+#include "app/FileController.h"
+#include "app/GrowRunner.h"
+#include "app/RecipeRunner.h"
+#include "app/Settings.h"
+#include "app/Workspace.h"
+
+#include <QMainWindow>
+
+namespace espalier {
+
+/// The program's window: puts the parts together and tells them of each other.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    TreeDocument& document() { return m_document; }
+    ViewSettings& viewSettings() { return m_viewSettings; }
+    Actions& actions() { return m_actions; }
+    Workspace& workspace() { return *m_workspace; }
+    FileController& files() { return *m_files; }
+    RecipeRunner& recipeRunner() { return m_recipeRunner; }
+    GrowRunner& growRunner() { return m_growRunner; }
+
+    /// Ends what is under way, and lets a recipe grow another tree before the person's eyes.
+    void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace);
+
+    QSize sizeHint() const override { return {1440, 900}; }
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void connectFiles();
+    void connectTools();
+    void connectView();
+    void followDocument();
+    /// Ends whatever is under way.
+    void cancelAll();
+    /// Whether a gesture or growth is changing the document now.
+    bool isHandBusy() const;
+    /// The same, or a recipe.
+    bool isBusy() const;
+    void updateEnabled();
+    void updateTitle();
+    void updateTip();
+    void takeTool();
+    void cancel();
+
+    Settings m_settings;
+    TreeDocument m_document;
+    ViewSettings m_viewSettings;
+    GrowRunner m_growRunner;
+    RecipeRunner m_recipeRunner;
+    Actions m_actions;
+    std::unique_ptr<Workspace> m_workspace;
+    std::unique_ptr<FileController> m_files;
+};
+
+} // namespace espalier

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Program.h"
+
+#include "app/BatchJob.h"
+#include "app/CommandLine.h"
+#include "app/Demo.h"
+#include "app/Display.h"
+#include "app/MainWindow.h"
+#include "panels/Theme.h"
+#include "views/render/GlResources.h"
+
+#include <QApplication>
+#include <QIcon>
+#include <QLibraryInfo>
+#include <QTranslator>
+
+#include <tbb/global_control.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+
+namespace espalier {
+
+namespace {
+
+void nameProgram()
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("Espalier"));
+    QCoreApplication::setApplicationName(QStringLiteral("espalier"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(ESPALIER_VERSION));
+    QGuiApplication::setApplicationDisplayName(QStringLiteral("Espalier"));
+    QGuiApplication::setDesktopFileName(QStringLiteral("espalier"));
+}
+
+/// The program's own texts and Qt's, in the person's language as far as there are any.
+void installTranslations(QCoreApplication& application)
+{
+    const QLocale locale;
+    auto* own = new QTranslator(&application);
+    if (own->load(locale, QStringLiteral("espalier"), QStringLiteral("_"), QStringLiteral(":/translations")))
+        QCoreApplication::installTranslator(own);
+    auto* qts = new QTranslator(&application);
+    if (qts->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+                  QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(qts);
+}
+
+/// Without a window the standard error is for this program's own one line: what Qt has to say about the system is kept from it.
+void onlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message)
+{
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        complain(message);
+    if (type == QtFatalMsg)
+        std::abort();
+}
+
+ExitCode runWithoutWindow(const QStringList& arguments)
+{
+    const Result<CommandLine> line = parseCommandLine(arguments);
+    if (!line) {
+        complain(QCoreApplication::translate("Program", "%1; see espalier --help").arg(line.error().message));
+        return kUsage;
+    }
+    switch (line->verb) {
+    case CommandLine::Verb::Help:
+        std::fputs(commandLineHelp().toUtf8().constData(), stdout);
+        return kDone;
+    case CommandLine::Verb::Version:
+        std::printf("Espalier %s\n", ESPALIER_VERSION);
+        return kDone;
+    default:
+        return runBatchJob(*line);
+    }
+}
+
+int runWindow(const CommandLine& line, QApplication& application)
+{
+    std::optional<Recipe> demo;
+    if (line.verb == CommandLine::Verb::Demo) {
+        Result<Recipe> recipe = readRecipe(line.inputs.value(0, kDemoRecipe));
+        if (!recipe) {
+            complain(recipe.error().message);
+            return kInputUnreadable;
+        }
+        demo = std::move(*recipe);
+    }
+    theme::apply(application);
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/espalier.svg")));
+    MainWindow window;
+    window.show();
+    if (demo && isDisplayVirtual()) {
+        demonstrateUnseen(window, *demo);
+    } else if (demo) {
+        window.playRecipe(*demo, RecipeRunner::Pace::OfTheHand);
+    } else if (line.inputs.isEmpty()) {
+        window.files().offerRecovery();
+    } else {
+        window.files().openFile(line.inputs.constFirst());
+    }
+    return QApplication::exec();
+}
+
+} // namespace
+
+int runProgram(int argc, char** argv)
+{
+    nameProgram();
+    QStringList arguments;
+    for (int i = 1; i < argc; ++i)
+        arguments.append(QString::fromLocal8Bit(argv[i]));
+    const Result<CommandLine> line = parseCommandLine(arguments);
+
+    std::optional<tbb::global_control> threads;
+    if (line && line->threads > 0)
+        threads.emplace(tbb::global_control::max_allowed_parallelism,
+                        static_cast<std::size_t>(line->threads));
+
+    const bool opensWindow = line && line->needsDisplay() && line->picture.isEmpty();
+    if (!opensWindow)
+        qInstallMessageHandler(onlyFatal);
+    if (!line || !line->needsDisplay()) {
+        QCoreApplication application(argc, argv);
+        installTranslations(application);
+        return runWithoutWindow(arguments);
+    }
+    if (const QString problem = displayProblem(); !problem.isEmpty()) {
+        complain(line->picture.isEmpty() ? problem : QStringLiteral("%1: %2").arg(line->picture, problem));
+        return kOutputNotWritten;
+    }
+    QSurfaceFormat::setDefaultFormat(surfaceFormat());
+    if (!opensWindow) {
+        QGuiApplication application(argc, argv);
+        installTranslations(application);
+        return runWithoutWindow(arguments);
+    }
+    QApplication application(argc, argv);
+    installTranslations(application);
+    return runWindow(*line, application);
+}
+
+} // namespace espalier

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "commands/RecipePlayer.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+namespace espalier {
+
+/// Plays a recipe in a window that stays alive, so that one sees the tree come into being.
+class RecipeRunner : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Pace {
+        OfTheHand, ///< Strokes take the time that the hand took
+        Hurried,   ///< As fast as it goes, a piece of a stroke at a time
+    };
+
+    explicit RecipeRunner(TreeDocument& document, QObject* parent = nullptr);
+
+    /// Starts the document anew with the recipe.
+    void start(Recipe recipe, Pace pace);
+    /// Ends it where it is; a stroke that is half done is taken back.
+    void stop();
+    bool isRunning() const { return m_player != nullptr; }
+    /// Null unless it runs.
+    const RecipePlayer* player() const { return m_player.get(); }
+
+Q_SIGNALS:
+    void started();
+    /// The brush has moved, or the tree has grown.
+    void advanced();
+    /// @p whole unless it was stopped before the recipe's end.
+    void finished(bool whole);
+
+private:
+    void advance();
+
+    TreeDocument& m_document;
+    std::unique_ptr<RecipePlayer> m_player;
+    Pace m_pace = Pace::Hurried;
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+};
+
+} // namespace espalier

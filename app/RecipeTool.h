@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/RecipeRunner.h"
+#include "views/tools/Tool.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+
+/// Shows the brush of a recipe that is playing, and lets nobody else brush meanwhile.
+class RecipeTool : public Tool {
+    Q_DECLARE_TR_FUNCTIONS(RecipeTool)
+
+public:
+    RecipeTool(ToolContext& context, const RecipeRunner& runner) : Tool(context), m_runner(runner) {}
+
+    void begin(const PointerSample&) override {}
+    void move(const PointerSample&) override {}
+    void end(const PointerSample&) override {}
+    void cancel() override {}
+    bool isActive() const override { return false; }
+    void paint(Overlay& overlay) const override;
+    QCursor cursor() const override { return Qt::ArrowCursor; }
+    QString tip() const override { return tr("A recipe is playing; Escape hands the brush to you."); }
+
+private:
+    const RecipeRunner& m_runner;
+};
+
+} // namespace espalier

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/TreeCounts.h"
+
+#include "model/mesh/LeafPlacer.h"
+
+#include <bit>
+
+namespace espalier {
+
+TreeCounts countTree(const Tree& tree, const TreeIndex& index)
+{
+    const LeafPlacer leaves(tree, index);
+    TreeCounts counts{.steps = tree.step()};
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id))
+            continue;
+        ++counts.internodes;
+        counts.buds += static_cast<std::uint64_t>(std::popcount(tree.buds(id)));
+        if (id == 0 || !tree.continuesAxis(id))
+            ++counts.axes;
+        if (leaves.bears(id))
+            counts.leaves += leaves.leavesPerInternode();
+    }
+    return counts;
+}
+
+Box3 treeBounds(const Tree& tree, const TreeIndex& index)
+{
+    Box3 bounds{Vec3(Vec3::Zero())};
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id))
+            bounds.extend(index.nodePosition(id));
+    }
+    return bounds;
+}
+
+} // namespace espalier

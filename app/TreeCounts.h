@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/tree/TreeIndex.h"
+
+#include <cstdint>
+
+namespace espalier {
+
+/// How much there is of a tree: of what lives.
+struct TreeCounts {
+    std::uint64_t internodes = 0;
+    std::uint64_t buds = 0;
+    std::uint64_t leaves = 0;
+    std::uint64_t axes = 0;
+    Step steps = 0; ///< Of growth
+};
+
+TreeCounts countTree(const Tree& tree, const TreeIndex& index);
+
+/// Around all living nodes and the base, m.
+Box3 treeBounds(const Tree& tree, const TreeIndex& index);
+
+} // namespace espalier

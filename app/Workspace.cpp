@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Workspace.h"
+
+#include "app/TreeCounts.h"
+#include "panels/BrushPopOut.h"
+#include "panels/GrowPopOut.h"
+#include "panels/Notice.h"
+#include "panels/ParameterPanel.h"
+#include "panels/Theme.h"
+#include "views/Viewport.h"
+
+#include <QLabel>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kTopBarHeight = 50;
+constexpr int kGap = 10;
+/// ms; a tree that grows under the brush is counted no more often.
+constexpr int kCountInterval = 200;
+
+} // namespace
+
+Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
+                     std::function<void(QMenu&)> fillRecentFiles, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_viewport(new Viewport(document, settings, this)),
+      m_topBar(new TopBar(actions, std::move(fillRecentFiles), this)),
+      m_sideBar(new SideBar(actions, this)),
+      m_brushPopOut(new BrushPopOut(document, settings, this)),
+      m_growPopOut(new GrowPopOut(document, this)),
+      m_notice(new Notice(this)),
+      m_counts(new QLabel(this)),
+      m_tip(new QLabel(this))
+{
+    const ParameterSheet sheets[] = {ParameterSheet::Architecture, ParameterSheet::Leaves,
+                                     ParameterSheet::Branches};
+    for (std::size_t i = 0; i < m_sheets.size(); ++i)
+        m_sheets[i] = new ParameterPanel(document, sheets[i], this);
+    for (QLabel* label : {m_counts, m_tip}) {
+        label->setAttribute(Qt::WA_TransparentForMouseEvents);
+        QPalette dim = label->palette();
+        dim.setColor(QPalette::WindowText, theme::kDimText);
+        label->setPalette(dim);
+    }
+    connect(m_notice, &Notice::resized, this, &Workspace::arrange);
+    m_countTimer.setSingleShot(true);
+    m_countTimer.setInterval(kCountInterval);
+    connect(&m_countTimer, &QTimer::timeout, this, &Workspace::showCounts);
+    connect(&document, &TreeDocument::changed, this, [this] {
+        if (!m_countTimer.isActive())
+            m_countTimer.start();
+    });
+    showCounts();
+}
+
+void Workspace::showPopOut(PopOut popOut)
+{
+    m_popOut = popOut;
+    arrange();
+}
+
+void Workspace::showSheet(int index)
+{
+    m_sheet = index;
+    arrange();
+}
+
+void Workspace::setInterfaceHidden(bool hidden)
+{
+    m_isHidden = hidden;
+    arrange();
+}
+
+void Workspace::setTip(const QString& tip)
+{
+    m_tip->setText(tip);
+    arrange();
+}
+
+void Workspace::resizeEvent(QResizeEvent*)
+{
+    arrange();
+}
+
+void Workspace::showCounts()
+{
+    const TreeCounts counts = countTree(m_document.tree(), m_document.index());
+    m_counts->setText(tr("%L1 internodes · %L2 leaves · step %L3")
+                          .arg(counts.internodes)
+                          .arg(counts.leaves)
+                          .arg(counts.steps));
+    arrange();
+}
+
+void Workspace::arrange()
+{
+    const bool shown = !m_isHidden;
+    m_viewport->setGeometry(rect());
+    m_topBar->setGeometry(0, 0, width(), kTopBarHeight);
+    m_topBar->setVisible(shown);
+
+    int y = kTopBarHeight + kGap;
+    m_sideBar->setGeometry(QRect(QPoint(kGap, y), m_sideBar->sizeHint()));
+    m_sideBar->setVisible(shown);
+    const int x = m_sideBar->geometry().right() + 1 + kGap;
+
+    for (int i = 0; i < kSheetCount; ++i) {
+        ParameterPanel& panel = sheet(i);
+        panel.setVisible(shown && i == m_sheet);
+        if (i != m_sheet)
+            continue;
+        const QSize wanted = panel.sizeHint();
+        const int room = width() - x - kGap;
+        panel.setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
+        y = panel.geometry().bottom() + 1 + kGap;
+    }
+
+    QWidget* const popOuts[] = {m_brushPopOut, m_growPopOut};
+    for (QWidget* popOut : popOuts) {
+        const PopOut kind = popOut == m_brushPopOut ? PopOut::Brush : PopOut::Grow;
+        const QSize size = popOut->sizeHint();
+        const int top = std::max(kTopBarHeight + kGap, std::min(y, height() - kGap - size.height()));
+        popOut->setGeometry(QRect(QPoint(x, top), size));
+        popOut->setVisible(shown && kind == m_popOut);
+    }
+    if (m_sheet >= 0 && m_sheet < kSheetCount)
+        sheet(m_sheet).raise();
+
+    m_counts->adjustSize();
+    m_counts->move(width() - m_counts->width() - 20, height() - m_counts->height() - 16);
+    m_counts->setVisible(shown);
+    m_tip->adjustSize();
+    m_tip->move(20, height() - m_tip->height() - 16);
+    m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x());
+
+    const int most = std::min(width() - 2 * kGap, 860);
+    m_notice->setMaximumWidth(most);
+    m_notice->resize(std::min(m_notice->sizeHint().width(), most), 0);
+    m_notice->resize(m_notice->width(),
+                     std::max(m_notice->sizeHint().height(), m_notice->heightForWidth(m_notice->width())));
+    m_notice->move((width() - m_notice->width()) / 2, height() - m_notice->height() - 44);
+    m_notice->raise();
+}
+
+} // namespace espalier

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/Bars.h"
+#include "model/document/TreeDocument.h"
+#include "model/document/ViewSettings.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+
+class QLabel;
+
+namespace espalier {
+
+class BrushPopOut;
+class GrowPopOut;
+class Notice;
+class ParameterPanel;
+class Viewport;
+
+/// The tree from edge to edge, and over it whatever is at hand: bars, the pop-out of the tool, one sheet of
+/// parameters, a notice, and a line that counts.
+class Workspace : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class PopOut { None, Brush, Grow };
+    static constexpr int kSheetCount = 3;
+
+    Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
+              std::function<void(QMenu&)> fillRecentFiles, QWidget* parent = nullptr);
+
+    Viewport& viewport() { return *m_viewport; }
+    TopBar& topBar() { return *m_topBar; }
+    Notice& notice() { return *m_notice; }
+    GrowPopOut& growPopOut() { return *m_growPopOut; }
+    ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
+
+    void showPopOut(PopOut popOut);
+    /// 0...kSheetCount - 1; any other number shows none.
+    void showSheet(int index);
+    /// Hides everything but the tree and notices.
+    void setInterfaceHidden(bool hidden);
+    /// A tool's advice, in place of the counts; empty for none.
+    void setTip(const QString& tip);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void arrange();
+    void showCounts();
+
+    const TreeDocument& m_document;
+    Viewport* m_viewport;
+    TopBar* m_topBar;
+    SideBar* m_sideBar;
+    BrushPopOut* m_brushPopOut;
+    GrowPopOut* m_growPopOut;
+    std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    Notice* m_notice;
+    QLabel* m_counts;
+    QLabel* m_tip;
+    QTimer m_countTimer;
+    PopOut m_popOut = PopOut::Brush;
+    int m_sheet = -1;
+    bool m_isHidden = false;
+};
+
+} // namespace espalier

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/ExportScene.h"
+
+#include "model/base/Parallel.h"
+#include "model/mesh/BranchMesher.h"
+#include "model/mesh/LeafCard.h"
+#include "model/mesh/Textures.h"
+
+#include <QBuffer>
+#include <QImageWriter>
+
+#include <cstring>
+
+namespace espalier {
+
+namespace {
+
+constexpr std::size_t kMostTiles = 8;
+/// rad; hues closer than this need no tile of their own.
+constexpr float kTileHue = static_cast<float>(radians(1.0));
+/// Of 100: PNG packs fast rather than tightly.
+constexpr int kPngQuality = 80;
+
+/// One colour that leaves are painted in.
+struct LeafTile {
+    double hueShift = 0.0; ///< rad, mean of its leaves
+    double value = 0.0;    ///< Factor of the brightness, mean of its leaves
+    int leaves = 0;
+};
+
+/// Which tile each leaf takes: equal steps of hue, from the least to the greatest.
+struct LeafTiles {
+    std::vector<LeafTile> tiles;
+    std::vector<std::uint8_t> tileOf; ///< A row a leaf that is shown
+};
+
+LeafTiles chooseTiles(std::span<const LeafInstance> leaves)
+{
+    float least = std::numeric_limits<float>::infinity();
+    float greatest = -least;
+    for (const LeafInstance& leaf : leaves) {
+        if (leaf.length > 0.0F) {
+            least = std::min(least, leaf.hueShift);
+            greatest = std::max(greatest, leaf.hueShift);
+        }
+    }
+    const float spread = std::max(0.0F, greatest - least);
+    const auto count = std::clamp(static_cast<std::size_t>(spread / kTileHue), std::size_t{1}, kMostTiles);
+    LeafTiles result{std::vector<LeafTile>(count), {}};
+    result.tileOf.reserve(leaves.size());
+    for (const LeafInstance& leaf : leaves) {
+        if (leaf.length <= 0.0F)
+            continue;
+        const float place = spread > 0.0F ? (leaf.hueShift - least) / spread : 0.0F;
+        const auto tile = std::min(static_cast<std::size_t>(place * static_cast<float>(count)), count - 1);
+        result.tileOf.push_back(static_cast<std::uint8_t>(tile));
+        result.tiles[tile].hueShift += leaf.hueShift;
+        result.tiles[tile].value += leaf.value;
+        ++result.tiles[tile].leaves;
+    }
+    for (LeafTile& tile : result.tiles) {
+        tile.hueShift /= std::max(1, tile.leaves);
+        tile.value /= std::max(1, tile.leaves);
+    }
+    return result;
+}
+
+/// Images of equal size in a row.
+QImage inARow(const std::vector<QImage>& images)
+{
+    const QImage& first = images.front();
+    QImage row(first.width() * static_cast<int>(images.size()), first.height(), first.format());
+    const auto bytes = static_cast<std::size_t>(first.width()) * static_cast<std::size_t>(first.depth() / 8);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        for (int y = 0; y < row.height(); ++y)
+            std::memcpy(row.scanLine(y) + i * bytes, images[i].constScanLine(y), bytes);
+    }
+    return row;
+}
+
+void darken(QImage& image, double factor)
+{
+    const auto scaled = [&](uchar channel) {
+        return static_cast<uchar>(std::min(255.0, channel * factor + 0.5));
+    };
+    for (int y = 0; y < image.height(); ++y) {
+        uchar* pixel = image.scanLine(y);
+        for (int x = 0; x < image.width(); ++x, pixel += 4) {
+            pixel[0] = scaled(pixel[0]);
+            pixel[1] = scaled(pixel[1]);
+            pixel[2] = scaled(pixel[2]);
+        }
+    }
+}
+
+QImage leafColours(LeafShape shape, int size, const std::vector<LeafTile>& tiles)
+{
+    std::vector<QImage> images(tiles.size());
+    parallelFor(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            images[i] = leafAlbedo(shape, size, kLeafTextureHue + tiles[i].hueShift);
+            darken(images[i], tiles[i].value);
+        }
+    });
+    return inARow(images);
+}
+
+QByteArray toPng(const QImage& image)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    QImageWriter writer(&buffer, "png");
+    writer.setQuality(kPngQuality);
+    writer.write(image);
+    return png;
+}
+
+/// An image to be made and packed.
+struct TextureJob {
+    std::function<QImage()> make;
+    ExportTexture* target;
+};
+
+/// Lets each leaf's texture coordinates lie in its tile.
+void moveIntoTiles(TriangleMesh& mesh, const LeafTiles& tiles, std::size_t verticesPerLeaf)
+{
+    const float width = 1.0F / static_cast<float>(tiles.tiles.size());
+    for (std::size_t leaf = 0; leaf < tiles.tileOf.size(); ++leaf) {
+        for (std::size_t i = 0; i < verticesPerLeaf; ++i) {
+            float& u = mesh.vertices[leaf * verticesPerLeaf + i].uv[0];
+            u = (static_cast<float>(tiles.tileOf[leaf]) + u) * width;
+        }
+    }
+}
+
+} // namespace
+
+QString safeExportName(const QString& name)
+{
+    QString safe;
+    for (const QChar c : name.simplified())
+        safe += c.isLetterOrNumber() || c == u'-' || c == u'_' ? c : QChar(u'_');
+    return safe.isEmpty() ? QStringLiteral("Tree") : safe;
+}
+
+ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QString& name,
+                             const ExportOptions& options)
+{
+    const TreeParameters& parameters = tree.parameters();
+    ExportScene scene{safeExportName(name), {}, {}};
+    scene.meshes.reserve(2);
+    scene.materials.reserve(2);
+    std::vector<TextureJob> jobs;
+
+    const Widths widths(tree, index);
+    scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Bark"),
+                            meshBranches(tree, index, widths, {.detail = options.detail}), 0});
+    ExportMaterial& bark = scene.materials.emplace_back(ExportMaterial{scene.name + QLatin1String("_Bark"),
+                                                                       {QStringLiteral("bark"), {}},
+                                                                       {QStringLiteral("bark_normal"), {}},
+                                                                       false});
+    const BarkKind kind = parameters.bark.kind;
+    jobs.push_back({[=] { return barkAlbedo(kind, options.textureSize); }, &bark.colour});
+    jobs.push_back({[=] { return barkNormal(kind, options.textureSize); }, &bark.normal});
+
+    const MeshBuffer<LeafInstance> leaves =
+        options.leaves ? placeLeaves(tree, index) : MeshBuffer<LeafInstance>();
+    const LeafTiles tiles = chooseTiles(leaves);
+    if (!tiles.tileOf.empty()) {
+        const LeafShape shape = parameters.leaves.shape;
+        TriangleMesh mesh = expandLeaves(leaves);
+        moveIntoTiles(mesh, tiles, leafCard(shape).vertices.size());
+        scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Leaves"), std::move(mesh), 1});
+        ExportMaterial& leaf =
+            scene.materials.emplace_back(ExportMaterial{scene.name + QLatin1String("_Leaves"),
+                                                        {QStringLiteral("leaf"), {}},
+                                                        {QStringLiteral("leaf_normal"), {}},
+                                                        true});
+        const int size = options.textureSize / 2;
+        jobs.push_back({[=, &tiles] { return leafColours(shape, size, tiles.tiles); }, &leaf.colour});
+        jobs.push_back(
+            {[=, &tiles] { return inARow(std::vector(tiles.tiles.size(), leafNormal(shape, size))); },
+             &leaf.normal});
+    }
+    parallelFor(jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            jobs[i].target->png = toPng(jobs[i].make());
+    });
+    return scene;
+}
+
+} // namespace espalier

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/mesh/Mesh.h"
+#include "model/tree/TreeIndex.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <vector>
+
+namespace espalier {
+
+/// What of a tree is exported, and how finely.
+struct ExportOptions {
+    bool leaves = true;  ///< If the tree has any
+    double detail = 1.0; ///< 0.1...2, see BranchMeshOptions
+    int textureSize =
+        1024; ///< Pixels of a bark texture's edge, 64...8192, a power of two; a leaf has half of it
+
+    bool operator==(const ExportOptions&) const = default;
+};
+
+/// An image, packed as PNG.
+struct ExportTexture {
+    QString name; ///< "bark", "bark_normal": to follow the tree's in a file name
+    QByteArray png;
+};
+
+struct ExportMaterial {
+    QString name;
+    ExportTexture colour;
+    ExportTexture normal;
+    bool isLeaf = false; ///< Cut out by the colour's alpha, seen from both sides
+};
+
+struct ExportMesh {
+    QString name;
+    TriangleMesh mesh; ///< m, Y up, the trunk's base at the origin
+    std::size_t material = 0;
+};
+
+/// A tree as meshes and materials, as every format gets it: meshes <Tree>_LOD0_Bark and <Tree>_LOD0_Leaves,
+/// materials <Tree>_Bark and <Tree>_Leaves.
+///
+/// A leaf's own hue is in the texture: that of the leaves is a row of tiles of up to eight hues, and a leaf's
+/// coordinates lie in the tile that is nearest to its own. Vertex colours would be dropped or ignored by half
+/// of the programs that read the files.
+struct ExportScene {
+    QString name;
+    std::vector<ExportMesh> meshes;
+    std::vector<ExportMaterial> materials;
+};
+
+/// @p name as it may stand in any file: letters, digits, "-" and "_"; "Tree" if nothing is left.
+QString safeExportName(const QString& name);
+
+ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QString& name,
+                             const ExportOptions& options = {});
+
+} // namespace espalier

@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/ProjectFile.h"
+
+#include "model/io/JournalCheck.h"
+#include "model/io/JsonReader.h"
+#include "model/io/ParametersJson.h"
+#include "model/io/ZipArchive.h"
+#include "model/tree/TreeIndex.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QJsonDocument>
+#include <QSaveFile>
+
+#include <bit>
+#include <numeric>
+
+namespace espalier {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the columns of a project file are little-endian");
+static_assert(sizeof(Rotation) == 4 * sizeof(float));
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
+};
+
+constexpr QLatin1StringView kFormat("espalier-project");
+constexpr char kDescriptionEntry[] = "project.json";
+constexpr char kThumbnailEntry[] = "thumbnail.png";
+constexpr qsizetype kMaximumDescription = 64 << 20;
+constexpr qint64 kMaximumFile = qint64{2} << 30;
+constexpr std::uint64_t kMaximumThumbnail = 16 << 20;
+constexpr int kMaximumThumbnailEdge = 4096;
+
+/// How many rows the columns have.
+struct Counts {
+    std::uint32_t internodes = 1;
+    std::uint32_t deltas = 0;
+    std::uint32_t died = 0;
+    std::uint32_t budChanges = 0;
+
+    bool withinLimits() const
+    {
+        return internodes <= projectLimits::kInternodes && deltas <= projectLimits::kDeltas &&
+               died <= projectLimits::kInternodes && budChanges <= projectLimits::kBudChanges;
+    }
+};
+
+/// What project.json says.
+struct Description {
+    QString name;
+    std::uint64_t seed = 1;
+    Step step = 0;
+    Counts counts;
+    QList<TreeParameters> parameterSets;
+    std::uint32_t currentParameters = 0;
+};
+
+/// The journal as columns: a row a delta, then all deaths and all bud changes in the same order.
+struct JournalColumns {
+    QList<Step> stepBefore;
+    QList<Step> stepAfter;
+    QList<std::uint32_t> parametersBefore;
+    QList<std::uint32_t> parametersAfter;
+    QList<InternodeId> bornFirst;
+    QList<std::uint32_t> bornCount;
+    QList<std::uint32_t> diedCount;
+    QList<std::uint32_t> budCount;
+    QList<InternodeId> died;
+    QList<InternodeId> budId;
+    QList<BudMask> budBefore;
+    QList<BudMask> budAfter;
+
+    /// Calls @p visitor(name, column, rows) for each column, in a fixed order.
+    template <class Self, class Visit>
+    static void visit(Self& self, const Counts& counts, Visit&& visitor)
+    {
+        visitor("stepBefore", self.stepBefore, counts.deltas);
+        visitor("stepAfter", self.stepAfter, counts.deltas);
+        visitor("parametersBefore", self.parametersBefore, counts.deltas);
+        visitor("parametersAfter", self.parametersAfter, counts.deltas);
+        visitor("bornFirst", self.bornFirst, counts.deltas);
+        visitor("bornCount", self.bornCount, counts.deltas);
+        visitor("diedCount", self.diedCount, counts.deltas);
+        visitor("budCount", self.budCount, counts.deltas);
+        visitor("died", self.died, counts.died);
+        visitor("budId", self.budId, counts.budChanges);
+        visitor("budBefore", self.budBefore, counts.budChanges);
+        visitor("budAfter", self.budAfter, counts.budChanges);
+    }
+};
+
+Counts countRows(const Project& project)
+{
+    Counts counts{project.tree.size(), static_cast<std::uint32_t>(project.journal.size()), 0, 0};
+    for (const auto& delta : project.journal) {
+        counts.died += static_cast<std::uint32_t>(delta->died.size());
+        counts.budChanges += static_cast<std::uint32_t>(delta->buds.size());
+    }
+    return counts;
+}
+
+JournalColumns toColumns(const Journal& journal)
+{
+    JournalColumns columns;
+    for (const auto& delta : journal) {
+        columns.stepBefore.append(delta->stepBefore);
+        columns.stepAfter.append(delta->stepAfter);
+        columns.parametersBefore.append(delta->parametersBefore);
+        columns.parametersAfter.append(delta->parametersAfter);
+        columns.bornFirst.append(delta->born.first);
+        columns.bornCount.append(delta->born.count);
+        columns.diedCount.append(static_cast<std::uint32_t>(delta->died.size()));
+        columns.budCount.append(static_cast<std::uint32_t>(delta->buds.size()));
+        for (const InternodeId id : delta->died)
+            columns.died.append(id);
+        for (const TreeDelta::BudChange& change : delta->buds) {
+            columns.budId.append(change.id);
+            columns.budBefore.append(change.before);
+            columns.budAfter.append(change.after);
+        }
+    }
+    return columns;
+}
+
+/// Nothing if the counts of the deltas do not add up to the rows.
+std::optional<Journal> toJournal(const JournalColumns& columns, const Counts& counts)
+{
+    const auto sum = [](const QList<std::uint32_t>& column) {
+        return std::accumulate(column.begin(), column.end(), std::uint64_t{0});
+    };
+    if (sum(columns.diedCount) != counts.died || sum(columns.budCount) != counts.budChanges)
+        return {};
+    Journal journal;
+    journal.reserve(counts.deltas);
+    auto died = columns.died.begin();
+    qsizetype bud = 0;
+    for (qsizetype i = 0; i < columns.stepBefore.size(); ++i) {
+        auto delta = std::make_shared<TreeDelta>();
+        delta->stepBefore = columns.stepBefore[i];
+        delta->stepAfter = columns.stepAfter[i];
+        delta->parametersBefore = columns.parametersBefore[i];
+        delta->parametersAfter = columns.parametersAfter[i];
+        delta->born = {columns.bornFirst[i], columns.bornCount[i]};
+        delta->died.assign(died, died + columns.diedCount[i]);
+        died += columns.diedCount[i];
+        delta->buds.reserve(columns.budCount[i]);
+        for (const qsizetype end = bud + columns.budCount[i]; bud < end; ++bud)
+            delta->buds.push_back({columns.budId[bud], columns.budBefore[bud], columns.budAfter[bud]});
+        journal.push_back(std::move(delta));
+    }
+    return journal;
+}
+
+template <class T>
+QByteArray bytesOf(const QList<T>& column)
+{
+    // Shares the column's memory: the archive is packed before the project can change.
+    return QByteArray::fromRawData(reinterpret_cast<const char*>(column.constData()),
+                                   column.size() * static_cast<qsizetype>(sizeof(T)));
+}
+
+template <class T>
+Result<void> readColumn(const ZipReader& archive, const QByteArray& name, std::uint32_t rows,
+                        QList<T>& column)
+{
+    if (const Result<void> size = archive.expectSize(name.constData(), std::uint64_t{rows} * sizeof(T));
+        !size)
+        return size;
+    column.resize(rows);
+    return archive.readExactly(name.constData(), std::as_writable_bytes(std::span(column.data(), rows)));
+}
+
+QByteArray describe(const Project& project, const Counts& counts)
+{
+    const Tree& tree = project.tree;
+    QJsonArray sets;
+    TreeParameters before;
+    for (const TreeParameters& set : tree.parameterSets()) {
+        sets.append(sets.isEmpty() ? toJson(set) : toJson(set, before));
+        before = set;
+    }
+    const QJsonObject journal{{QStringLiteral("deltas"), qint64{counts.deltas}},
+                              {QStringLiteral("died"), qint64{counts.died}},
+                              {QStringLiteral("budChanges"), qint64{counts.budChanges}}};
+    const QJsonObject json{{QStringLiteral("format"), QString(kFormat)},
+                           {QStringLiteral("version"), projectLimits::kVersion},
+                           {QStringLiteral("program"), QStringLiteral(ESPALIER_VERSION)},
+                           {QStringLiteral("name"), project.name},
+                           {QStringLiteral("seed"), seedToJson(tree.seed())},
+                           {QStringLiteral("step"), qint64{tree.step()}},
+                           {QStringLiteral("internodes"), qint64{counts.internodes}},
+                           {QStringLiteral("journal"), journal},
+                           {QStringLiteral("currentParameters"), qint64{tree.currentParameterSet()}},
+                           {QStringLiteral("parameterSets"), sets}};
+    return QJsonDocument(json).toJson();
+}
+
+Counts readCounts(JsonReader& reader)
+{
+    const auto count = [](JsonReader& from, const char* key, std::uint32_t minimum, std::uint32_t maximum) {
+        return static_cast<std::uint32_t>(from.integer(QLatin1StringView(key), minimum, maximum));
+    };
+    Counts counts;
+    counts.internodes = count(reader, "internodes", 1, projectLimits::kInternodes);
+    const QLatin1StringView key("journal");
+    JsonReader journal(reader.object(key), reader.placeOf(key));
+    counts.deltas = count(journal, "deltas", 0, projectLimits::kDeltas);
+    counts.died = count(journal, "died", 0, counts.internodes);
+    counts.budChanges = count(journal, "budChanges", 0, projectLimits::kBudChanges);
+    if (const Result<void> end = journal.finish(); !end)
+        reader.fail(end.error());
+    return counts;
+}
+
+Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array)
+{
+    QList<TreeParameters> sets;
+    TreeParameters before;
+    for (qsizetype i = 0; i < array.size(); ++i) {
+        const QString place = QStringLiteral("parameterSets[%1]").arg(i);
+        if (!array.at(i).isObject())
+            return inputError(place, Text::tr("an object is expected"));
+        const Result<TreeParameters> set = fromJson(array.at(i).toObject(), before, place);
+        if (!set)
+            return set.error();
+        before = *set;
+        sets.append(before);
+    }
+    return sets;
+}
+
+Result<Description> readDescription(const QByteArray& text)
+{
+    const Result<QJsonObject> json = parseJsonObject(text, kMaximumDescription);
+    if (!json)
+        return json.error();
+    JsonReader reader(*json, {});
+    if (reader.text(QLatin1StringView("format"), QString()) != kFormat)
+        return inputError({}, Text::tr("it does not describe an Espalier project"));
+    const auto version =
+        reader.integer(QLatin1StringView("version"), 1, std::numeric_limits<std::int32_t>::max());
+    const QString program = reader.text(QLatin1StringView("program"));
+    if (version > projectLimits::kVersion) {
+        return inputError(
+            {}, Text::tr("Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads "
+                         "versions up to %4")
+                    .arg(program)
+                    .arg(version)
+                    .arg(QStringLiteral(ESPALIER_VERSION))
+                    .arg(projectLimits::kVersion));
+    }
+    Description description;
+    description.name = reader.text(QLatin1StringView("name"));
+    description.seed = reader.seed(QLatin1StringView("seed"));
+    description.step = static_cast<Step>(reader.integer(QLatin1StringView("step"), 0, kNever - 1));
+    description.counts = readCounts(reader);
+    const QJsonArray sets = reader.array(QLatin1StringView("parameterSets"));
+    if (sets.isEmpty() || sets.size() > projectLimits::kParameterSets)
+        reader.fail(QLatin1StringView("parameterSets"),
+                    Text::tr("1 to %1 sets are expected").arg(projectLimits::kParameterSets));
+    description.currentParameters = static_cast<std::uint32_t>(
+        reader.integer(QLatin1StringView("currentParameters"), 0, std::max<qsizetype>(sets.size(), 1) - 1));
+    if (const Result<void> end = reader.finish(); !end)
+        return end.error();
+    Result<QList<TreeParameters>> parameterSets = readParameterSets(sets);
+    if (!parameterSets)
+        return parameterSets.error();
+    description.parameterSets = std::move(*parameterSets);
+    return description;
+}
+
+/// Whether every node lies where coordinates still mean something.
+Result<void> checkPositions(const Tree& tree)
+{
+    const InternodeColumns& c = tree.columns();
+    std::vector<Placement> placements(tree.size());
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        const Placement base =
+            id == 0 ? Placement{Vec3::Zero(), Rotation::Identity()} : placements[c.parent[id]];
+        placements[id] = placeOn(base.node, base.rotation, c.rotation[id], c.length[id]);
+        if (!(placements[id].node.cwiseAbs().maxCoeff() <= projectLimits::kWorld))
+            return inputError(Text::tr("internode %1").arg(id),
+                              Text::tr("it lies further than %1 m away").arg(projectLimits::kWorld));
+    }
+    return {};
+}
+
+Result<Tree> readTree(const ZipReader& archive, Description description)
+{
+    InternodeColumns columns;
+    Result<void> read;
+    InternodeColumns::visit(columns, [&](const char* name, auto& column) {
+        if (read)
+            read = readColumn(archive, QByteArray("tree/") + name, description.counts.internodes, column);
+    });
+    if (!read)
+        return read.error();
+    Result<Tree> tree =
+        Tree::fromColumns(description.seed, description.step, std::move(columns),
+                          std::move(description.parameterSets), description.currentParameters);
+    if (tree) {
+        if (const Result<void> positions = checkPositions(*tree); !positions)
+            return positions.error();
+    }
+    return tree;
+}
+
+Result<Journal> readJournal(const ZipReader& archive, const Counts& counts, const Tree& tree)
+{
+    JournalColumns columns;
+    Result<void> read;
+    JournalColumns::visit(columns, counts, [&](const char* name, auto& column, std::uint32_t rows) {
+        if (read)
+            read = readColumn(archive, QByteArray("journal/") + name, rows, column);
+    });
+    if (!read)
+        return read.error();
+    std::optional<Journal> journal = toJournal(columns, counts);
+    if (!journal)
+        return inputError(Text::tr("the history"), Text::tr("its parts do not add up"));
+    if (const Result<void> check = checkJournal(tree, *journal); !check)
+        return check.error();
+    return std::move(*journal);
+}
+
+QImage readImage(const ZipReader& archive)
+{
+    if (!archive.contains(kThumbnailEntry))
+        return {};
+    Result<QByteArray> png = archive.read(kThumbnailEntry, kMaximumThumbnail);
+    if (!png)
+        return {};
+    QBuffer buffer(&*png);
+    QImageReader reader(&buffer, "png");
+    const QSize size = reader.size();
+    if (size.isEmpty() || size.width() > kMaximumThumbnailEdge || size.height() > kMaximumThumbnailEdge)
+        return {};
+    return reader.read();
+}
+
+QByteArray toPng(const QImage& image)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    image.save(&buffer, "png");
+    return png;
+}
+
+} // namespace
+
+Result<QByteArray> packProject(const Project& project)
+{
+    const Counts counts = countRows(project);
+    if (!counts.withinLimits())
+        return Error{Error::Kind::Output,
+                     Text::tr("the tree or its history is too large for a project file")};
+    ZipWriter archive;
+    archive.add(kDescriptionEntry, describe(project, counts));
+    InternodeColumns::visit(project.tree.columns(), [&](const char* name, const auto& column) {
+        archive.add(QByteArray("tree/") + name, bytesOf(column));
+    });
+    const JournalColumns journal = toColumns(project.journal);
+    JournalColumns::visit(journal, counts, [&](const char* name, const auto& column, std::uint32_t) {
+        archive.add(QByteArray("journal/") + name, bytesOf(column));
+    });
+    if (!project.thumbnail.isNull())
+        archive.add(kThumbnailEntry, toPng(project.thumbnail), ZipWriter::Packing::Store);
+    return archive.finish();
+}
+
+Result<Project> unpackProject(const QByteArray& content)
+{
+    const Result<ZipReader> archive = ZipReader::open(content);
+    if (!archive)
+        return archive.error();
+    const Result<QByteArray> text = archive->read(kDescriptionEntry, kMaximumDescription);
+    if (!text)
+        return text.error();
+    Result<Description> description = readDescription(*text);
+    if (!description)
+        return inputError(QString::fromLatin1(kDescriptionEntry), description.error().message);
+    const Counts counts = description->counts;
+    const QString name = description->name;
+    Result<Tree> tree = readTree(*archive, std::move(*description));
+    if (!tree)
+        return tree.error();
+    Result<Journal> journal = readJournal(*archive, counts, *tree);
+    if (!journal)
+        return journal.error();
+    return Project{std::move(*tree), std::move(*journal), name, readImage(*archive)};
+}
+
+Result<void> saveProject(const Project& project, const QString& fileName)
+{
+    const QString name = QFileInfo(fileName).fileName();
+    const Result<QByteArray> content = packProject(project);
+    if (!content)
+        return Error{Error::Kind::Output, inputError(name, content.error().message).message};
+    QSaveFile file(fileName);
+    if (!file.open(QIODevice::WriteOnly) || file.write(*content) != content->size() || !file.commit())
+        return Error{Error::Kind::Output, inputError(name, file.errorString()).message};
+    return {};
+}
+
+Result<Project> loadProject(const QString& fileName)
+{
+    const QString name = QFileInfo(fileName).fileName();
+    QFile file(fileName);
+    if (!file.open(QIODevice::ReadOnly))
+        return inputError(name, file.errorString());
+    if (file.size() > kMaximumFile)
+        return inputError(name, Text::tr("it is larger than %1 GB").arg(kMaximumFile >> 30));
+    Result<Project> project = unpackProject(file.readAll());
+    if (!project)
+        return inputError(name, project.error().message);
+    return project;
+}
+
+Result<QImage> readThumbnail(const QString& fileName)
+{
+    const Result<ZipReader> archive = ZipReader::openFile(fileName);
+    if (!archive)
+        return inputError(QFileInfo(fileName).fileName(), archive.error().message);
+    return readImage(*archive);
+}
+
+} // namespace espalier

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Error.h"
+#include "model/tree/Tree.h"
+
+#include <QByteArray>
+#include <QImage>
+#include <QString>
+
+namespace espalier {
+
+/// What a project file (.espalier) holds. The format is a ZIP archive of
+///
+/// - project.json: versions, name, seed, step, how many rows the columns have, and the parameter sets, the
+/// first in whole and each
+///   other as far as it differs from the one before;
+/// - tree/<column>: one file a column of InternodeColumns, numbers little-endian, rotations as four floats x,
+/// y, z, w;
+/// - journal/<column>: the deltas as columns, then their deaths and changed buds in the same order;
+/// - thumbnail.png, if there is one.
+struct Project {
+    Tree tree{};
+    Journal journal; ///< Its deltas stand applied
+    QString name;
+    QImage thumbnail; ///< May be null
+};
+
+namespace projectLimits {
+inline constexpr int kVersion = 1;
+inline constexpr std::uint32_t kInternodes = 20'000'000;
+inline constexpr std::uint32_t kDeltas = 4'000'000;
+inline constexpr std::uint32_t kBudChanges = 100'000'000;
+inline constexpr std::uint32_t kParameterSets = 65'536;
+inline constexpr float kWorld = 10'000.0F; ///< m; no node may be further away from the origin along an axis
+} // namespace projectLimits
+
+/// The file's bytes; equal projects give equal bytes. Fails for a project beyond the limits.
+Result<QByteArray> packProject(const Project& project);
+/// Checks all that it reads, so that the tree and its journal can be trusted. A thumbnail that cannot be read
+/// is left out.
+Result<Project> unpackProject(const QByteArray& content);
+
+/// Replaces the file whole or leaves it as it was.
+Result<void> saveProject(const Project& project, const QString& fileName);
+Result<Project> loadProject(const QString& fileName);
+/// Reads the thumbnail alone; null if there is none.
+Result<QImage> readThumbnail(const QString& fileName);
+
+} // namespace espalier

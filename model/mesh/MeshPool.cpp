@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/mesh/MeshPool.h"
+
+#include "model/base/Parallel.h"
+#include "model/mesh/Tubes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+constexpr std::size_t kTubesPerTask = 64;
+/// Room that is set aside for growth, in elements; memory that is not written to costs nothing.
+constexpr std::size_t kLeastReserve = 1U << 20U;
+constexpr std::size_t kReserveFactor = 4;
+/// Ranges this near to each other (elements) are reported as one.
+constexpr std::uint32_t kJoinGap = 256;
+
+bool isOff(float value, float reference, float tolerance)
+{
+    return std::abs(value - reference) > tolerance * reference;
+}
+
+/// The new places are left as they are: whoever uses a run writes all of it.
+template <class T>
+void growTo(MeshBuffer<T>& buffer, std::uint32_t size)
+{
+    if (size > buffer.capacity())
+        buffer.reserve(std::max(kLeastReserve, kReserveFactor * size));
+    if (size > buffer.size())
+        buffer.resize(size);
+}
+
+void add(std::vector<MeshPool::Range>& ranges, std::uint32_t begin, std::uint32_t end)
+{
+    if (begin < end)
+        ranges.push_back({begin, end});
+}
+
+void coalesce(std::vector<MeshPool::Range>& ranges)
+{
+    std::ranges::sort(ranges, {}, &MeshPool::Range::begin);
+    std::size_t kept = 0;
+    for (const MeshPool::Range& range : ranges) {
+        if (kept > 0 && range.begin <= ranges[kept - 1].end + kJoinGap)
+            ranges[kept - 1].end = std::max(ranges[kept - 1].end, range.end);
+        else
+            ranges[kept++] = range;
+    }
+    ranges.resize(kept);
+}
+
+} // namespace
+
+/// What the tube of a base will take.
+struct MeshPool::Needs {
+    MeshSize size;
+    std::uint32_t leaves = 0;
+};
+
+void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
+{
+    *this = MeshPool(m_options);
+    m_parameters = tree.parameters();
+    m_widths.emplace(tree, index);
+    m_scannedExponent = m_widths->exponent();
+    m_tubes.resize(tree.size());
+    m_continuation.resize(tree.size(), kNoInternode);
+    m_radius.resize(tree.size(), 0.0F);
+    m_bears.resize(tree.size(), 0);
+    m_inspected.resize(tree.size(), 0);
+    m_visited.resize(tree.size(), 0);
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id))
+            m_continuation[id] = tubeContinuation(index, id);
+    }
+    meshTubes(tree, index, tubesOf(tree, index), true);
+}
+
+void MeshPool::update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
+{
+    const TreeParameters& now = tree.parameters();
+    if (!m_widths || m_parameters.widths != now.widths || m_parameters.bark.scale != now.bark.scale) {
+        rebuild(tree, index);
+        return;
+    }
+
+    const std::uint32_t size = tree.size();
+    m_tubes.resize(size);
+    m_continuation.resize(size, kNoInternode);
+    m_radius.resize(size, 0.0F);
+    m_bears.resize(size, 0);
+    m_inspected.resize(size, 0);
+    m_visited.resize(size, 0);
+    ++m_update;
+    const bool otherLeaves =
+        m_parameters.leaves != now.leaves || m_parameters.growth.irregularity != now.growth.irregularity;
+    m_parameters = now;
+    m_widths.emplace(tree, index);
+
+    collectTouched(tree, index, delta);
+    collectChanged(tree, index);
+    followWidths(tree, index);
+    meshDirty(tree, index);
+    if (otherLeaves)
+        meshTubes(tree, index, tubesOf(tree, index), false);
+}
+
+bool MeshPool::settle(const Tree& tree, const TreeIndex& index)
+{
+    ++m_update;
+    collectAll(tree, index, 0.0F);
+    const bool found = !m_dirty.empty();
+    meshDirty(tree, index);
+    m_scannedExponent = m_widths->exponent();
+    return found;
+}
+
+const MeshPool::Tube* MeshPool::tube(InternodeId base) const
+{
+    return base < m_tubes.size() && m_tubes[base].vertices.capacity > 0 ? &m_tubes[base] : nullptr;
+}
+
+MeshPool::Changes MeshPool::takeChanges()
+{
+    coalesce(m_changes.vertices);
+    coalesce(m_changes.indices);
+    coalesce(m_changes.leaves);
+    return std::exchange(m_changes, {});
+}
+
+std::size_t MeshPool::bytes() const
+{
+    constexpr std::size_t row =
+        sizeof(Tube) + sizeof(InternodeId) + sizeof(float) + 1 + 2 * sizeof(std::uint32_t);
+    return m_vertices.size() * sizeof(MeshVertex) + m_indices.size() * sizeof(VertexIndex) +
+           m_leaves.size() * sizeof(LeafInstance) + m_tubes.size() * row;
+}
+
+/// Born, dead or back to life: their tubes and those of their parents.
+void MeshPool::collectTouched(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
+{
+    const auto touch = [&](InternodeId id) {
+        if (tree.isAlive(id)) {
+            m_dirty.push_back(id);
+            inspect(tree, index, id, kTolerance);
+        } else {
+            forget(id);
+        }
+        if (const InternodeId parent = tree.parent(id); parent != kNoInternode && tree.isAlive(parent))
+            inspect(tree, index, parent, kTolerance);
+    };
+    // Buds are not meshed, so of the touched only these matter.
+    for (InternodeId id = delta.born.first; id != delta.born.end(); ++id)
+        touch(id);
+    for (const InternodeId id : delta.died)
+        touch(id);
+}
+
+/// Internodes that carry more or less than before.
+void MeshPool::collectChanged(const Tree& tree, const TreeIndex& index)
+{
+    const LeafPlacer placer(tree, index);
+    for (const InternodeId id : index.recentlyChanged()) {
+        if (!tree.isAlive(id))
+            continue;
+        checkRadius(index, id, kTolerance);
+        if (placer.bears(id) != (m_bears[id] != 0))
+            m_dirty.push_back(id);
+        inspect(tree, index, id, kTolerance);
+        if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
+            inspect(tree, index, parent, kTolerance);
+    }
+}
+
+void MeshPool::collectAll(const Tree& tree, const TreeIndex& index, float tolerance)
+{
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id))
+            continue;
+        checkRadius(index, id, tolerance);
+        inspect(tree, index, id, tolerance);
+    }
+}
+
+/// With a base diameter set, every tip changes the exponent of all widths a little. Half of the tolerance is
+/// for that drift.
+void MeshPool::followWidths(const Tree& tree, const TreeIndex& index)
+{
+    const double drift =
+        std::pow(std::max(1U, index.tipCount(0)), 1.0 / m_widths->exponent() - 1.0 / m_scannedExponent);
+    if (std::abs(drift - 1.0) <= 0.5 * kTolerance)
+        return;
+    m_scannedExponent = m_widths->exponent();
+    ++m_update;
+    collectAll(tree, index, 0.5F * kTolerance);
+}
+
+void MeshPool::checkRadius(const TreeIndex& index, InternodeId id, float tolerance)
+{
+    if (isOff(m_widths->radius(index, id), m_radius[id], tolerance))
+        m_dirty.push_back(id);
+}
+
+/// Looks at a living internode's node: through which child its tube goes on, and whether the others still
+/// fit.
+void MeshPool::inspect(const Tree& tree, const TreeIndex& index, InternodeId id, float tolerance)
+{
+    if (std::exchange(m_inspected[id], m_update) == m_update)
+        return;
+    const InternodeId continuation = tubeContinuation(index, id);
+    if (const InternodeId before = std::exchange(m_continuation[id], continuation); before != continuation) {
+        m_dirty.push_back(id);
+        if (before != kNoInternode && tree.isAlive(before))
+            m_dirty.push_back(before);
+        if (continuation != kNoInternode)
+            m_dirty.push_back(continuation);
+    }
+    const float radius = m_widths->radius(index, id);
+    for (InternodeId child = index.firstChild(id); child != kNoInternode; child = index.nextSibling(child)) {
+        if (child != continuation && isOff(radius, m_tubes[child].parentRadius, tolerance))
+            m_dirty.push_back(child);
+    }
+}
+
+void MeshPool::forget(InternodeId id)
+{
+    release(m_tubes[id]);
+    m_continuation[id] = kNoInternode;
+    m_radius[id] = 0.0F;
+    m_bears[id] = 0;
+}
+
+void MeshPool::meshDirty(const Tree& tree, const TreeIndex& index)
+{
+    std::vector<InternodeId> bases;
+    for (const InternodeId id : m_dirty) {
+        const InternodeId parent = tree.parent(id);
+        if (parent != kNoInternode && m_continuation[parent] == id)
+            release(m_tubes[id]);
+        // Down to the base of its tube, or to where another went down before.
+        InternodeId place = id;
+        while (std::exchange(m_visited[place], m_update) != m_update) {
+            const InternodeId below = tree.parent(place);
+            if (below == kNoInternode || m_continuation[below] != place) {
+                bases.push_back(place);
+                break;
+            }
+            place = below;
+        }
+    }
+    m_dirty.clear();
+    meshTubes(tree, index, bases, true);
+}
+
+void MeshPool::meshTubes(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> bases,
+                         bool withWood)
+{
+    const LeafPlacer placer(tree, index);
+    std::vector<Needs> needs(bases.size());
+    parallelFor(bases.size(), kTubesPerTask, [&](std::size_t begin, std::size_t end) {
+        TubeMesher mesher(tree, index, *m_widths, m_options);
+        for (std::size_t i = begin; i < end; ++i) {
+            if (withWood)
+                needs[i].size = mesher.prepare(bases[i]);
+            needs[i].leaves = placer.count(bases[i]);
+        }
+    });
+
+    for (std::size_t i = 0; i < bases.size(); ++i)
+        reserve(m_tubes[bases[i]], needs[i], withWood);
+    growTo(m_vertices, m_vertexRuns.end());
+    growTo(m_indices, 3 * m_indexRuns.end());
+    growTo(m_leaves, m_leafRuns.end());
+
+    parallelFor(bases.size(), kTubesPerTask, [&](std::size_t begin, std::size_t end) {
+        TubeMesher mesher(tree, index, *m_widths, m_options);
+        for (std::size_t i = begin; i < end; ++i) {
+            Tube& tube = m_tubes[bases[i]];
+            if (withWood) {
+                mesher.prepare(bases[i]);
+                std::fill(m_indices.begin() + tube.indices.first + tube.size.indices,
+                          m_indices.begin() + tube.indices.first + tube.indices.capacity, VertexIndex{0});
+                mesher.write(std::span(m_vertices).subspan(tube.vertices.first, tube.size.vertices),
+                             std::span(m_indices).subspan(tube.indices.first, tube.size.indices),
+                             tube.vertices.first);
+                tube.parentRadius = mesher.parentRadius();
+                for (std::size_t j = 0; j < mesher.radii().size(); ++j)
+                    m_radius[mesher.internodes()[j]] = mesher.radii()[j];
+            }
+            std::fill(m_leaves.begin() + tube.leaves.first + tube.leafCount,
+                      m_leaves.begin() + tube.leaves.first + tube.leaves.capacity, LeafInstance{});
+            placer.placeTube(bases[i], std::span(m_leaves).subspan(tube.leaves.first, tube.leafCount));
+            for (InternodeId id = bases[i]; id != kNoInternode; id = m_continuation[id])
+                m_bears[id] = placer.bears(id) ? 1 : 0;
+        }
+    });
+}
+
+/// Gives a tube the room that it needs.
+void MeshPool::reserve(Tube& tube, const Needs& needs, bool withWood)
+{
+    if (withWood) {
+        if (RunAllocator::capacityFor(needs.size.vertices) != tube.vertices.capacity) {
+            m_vertexRuns.release(tube.vertices);
+            tube.vertices = m_vertexRuns.allocate(needs.size.vertices);
+        }
+        // Runs of whole triangles, or the slack of one would tear those behind it apart.
+        if (3 * RunAllocator::capacityFor(needs.size.indices / 3) != tube.indices.capacity) {
+            releaseIndices(tube.indices);
+            const Run triangles = m_indexRuns.allocate(needs.size.indices / 3);
+            tube.indices = {3 * triangles.first, 3 * triangles.capacity};
+        }
+        tube.size = needs.size;
+        add(m_changes.vertices, tube.vertices.first, tube.vertices.first + needs.size.vertices);
+        add(m_changes.indices, tube.indices.first, tube.indices.first + tube.indices.capacity);
+    }
+    if (RunAllocator::capacityFor(needs.leaves) != tube.leaves.capacity) {
+        releaseLeaves(tube.leaves);
+        tube.leaves = m_leafRuns.allocate(needs.leaves);
+    }
+    tube.leafCount = needs.leaves;
+    add(m_changes.leaves, tube.leaves.first, tube.leaves.first + tube.leaves.capacity);
+}
+
+void MeshPool::releaseIndices(const Run& run)
+{
+    std::fill_n(m_indices.begin() + run.first, run.capacity, VertexIndex{0});
+    add(m_changes.indices, run.first, run.first + run.capacity);
+    m_indexRuns.release({run.first / 3, run.capacity / 3});
+}
+
+void MeshPool::releaseLeaves(const Run& run)
+{
+    std::fill_n(m_leaves.begin() + run.first, run.capacity, LeafInstance{});
+    add(m_changes.leaves, run.first, run.first + run.capacity);
+    m_leafRuns.release(run);
+}
+
+void MeshPool::release(Tube& tube)
+{
+    m_vertexRuns.release(tube.vertices);
+    releaseIndices(tube.indices);
+    releaseLeaves(tube.leaves);
+    tube = {};
+}
+
+} // namespace espalier

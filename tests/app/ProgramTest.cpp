@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+/// The built program, as scripts call it.
+class ProgramTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+
+    void replay_writesEveryOutputAndNothingElse();
+    void replay_continuesOneTreeThroughSeveralRecipes();
+    void replay_takesTheSeedOfTheCommandLine();
+    void replay_givesTheSameBytesOnOneThreadAndOnTwo_data();
+    void replay_givesTheSameBytesOnOneThreadAndOnTwo();
+    void stats_haveTheirForm();
+    void exportedProject_equalsReplayedExports();
+    void info_describesAProject();
+    void helpAndVersion_goToStandardOutput();
+    void failures_areOneLineAndACode_data();
+    void failures_areOneLineAndACode();
+    void failedOutput_leavesTheOldFile();
+    void picture_isDrawnOnADisplay();
+    void demonstration_writesItsFilesWhereNobodyLooks();
+
+private:
+    struct Outcome {
+        int code = -1;
+        QByteArray out;
+        QByteArray error;
+    };
+    Outcome run(const QStringList& arguments, const QProcessEnvironment& environment = withoutDisplay());
+    /// Runs and fails the test unless all went well without a word.
+    void runWell(const QStringList& arguments);
+    static QProcessEnvironment withoutDisplay();
+    QString path(const QString& name) const { return m_folder->filePath(name); }
+    QByteArray read(const QString& name) const;
+    void write(const QString& name, const QByteArray& content) const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+namespace {
+
+constexpr const char* kRecipe = R"({
+    "espalier-recipe": 1, "name": "Test", "seed": 9,
+    "operations": [
+        {"op": "brushStroke", "samples": [[0, 0, 0.1, 0, 0.3], [1.5, 0.2, 1.5, 0, 0.5], [2.5, 0.8, 2.0, 0.2, 0.6]]},
+        {"op": "grow", "steps": 3},
+        {"op": "undo", "count": 1},
+        {"op": "redo", "count": 1}
+    ]})";
+
+} // namespace
+
+void ProgramTest::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    QVERIFY(m_folder->isValid());
+    write(QStringLiteral("r.json"), kRecipe);
+}
+
+QProcessEnvironment ProgramTest::withoutDisplay()
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        environment.remove(QString::fromLatin1(name));
+    return environment;
+}
+
+ProgramTest::Outcome ProgramTest::run(const QStringList& arguments, const QProcessEnvironment& environment)
+{
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(m_folder->path());
+    process.start(QCoreApplication::applicationDirPath() + QStringLiteral("/espalier"), arguments);
+    if (!process.waitForFinished(200'000)) {
+        process.kill();
+        process.waitForFinished();
+        return {};
+    }
+    return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+            process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+void ProgramTest::runWell(const QStringList& arguments)
+{
+    const Outcome outcome = run(arguments);
+    QVERIFY2(outcome.code == 0, outcome.error.constData());
+    QVERIFY2(outcome.out.isEmpty(), outcome.out.constData());
+    QVERIFY2(outcome.error.isEmpty(), outcome.error.constData());
+}
+
+QByteArray ProgramTest::read(const QString& name) const
+{
+    QFile file(path(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void ProgramTest::write(const QString& name, const QByteArray& content) const
+{
+    QFile file(path(name));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(content), content.size());
+}
+
+void ProgramTest::replay_writesEveryOutputAndNothingElse()
+{
+    runWell(
+        {"replay", "r.json", "-o", "t.espalier", "-o", "t.obj", "-o", "t.fbx", "-o", "t.glb", "-o", "t.csv"});
+    QVERIFY(read("t.espalier").startsWith("PK"));
+    QVERIFY(read("t.obj").contains("mtllib"));
+    QVERIFY(read("t.fbx").startsWith("Kaydara FBX Binary"));
+    QVERIFY(read("t.glb").startsWith("glTF"));
+    QVERIFY(read("t.csv").startsWith("id,parent,x0,y0,z0,x1,y1,z1,radius\n"));
+    for (const QString& name : QDir(m_folder->path()).entryList(QDir::Files)) {
+        const bool expected = name == QStringLiteral("r.json") || name.startsWith(QStringLiteral("t."));
+        QVERIFY2(expected || name.endsWith(QStringLiteral(".png")), qPrintable(name));
+    }
+}
+
+void ProgramTest::replay_continuesOneTreeThroughSeveralRecipes()
+{
+    write("more.json", R"({"espalier-recipe": 1, "seed": 77, "operations": [{"op": "grow", "steps": 2}]})");
+    runWell({"replay", "r.json", "-o", "one.espalier", "--stats", "one.stats"});
+    runWell({"replay", "r.json", "more.json", "-o", "two.espalier", "--stats", "two.stats"});
+    const auto steps = [this](const char* name) {
+        return QJsonDocument::fromJson(read(QString::fromLatin1(name)))
+            .object()[QStringLiteral("steps")]
+            .toInt();
+    };
+    QCOMPARE(steps("two.stats"), steps("one.stats") + 2);
+    const QJsonObject two = QJsonDocument::fromJson(run({"info", "two.espalier"}).out).object();
+    QCOMPARE(two[QStringLiteral("seed")].toString(), QStringLiteral("9"));
+}
+
+void ProgramTest::replay_takesTheSeedOfTheCommandLine()
+{
+    runWell({"replay", "r.json", "-o", "a.csv"});
+    runWell({"replay", "r.json", "--seed", "9", "-o", "b.csv"});
+    runWell({"replay", "r.json", "--seed", "10", "-o", "c.csv"});
+    QCOMPARE(read("a.csv"), read("b.csv"));
+    QVERIFY(read("a.csv") != read("c.csv"));
+}
+
+void ProgramTest::replay_givesTheSameBytesOnOneThreadAndOnTwo_data()
+{
+    QTest::addColumn<QString>("recipe");
+    const QDir samples(QStringLiteral(SOURCE_DIR "/resources/recipes"));
+    for (const QString& name : samples.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
+        QTest::newRow(qPrintable(name)) << samples.filePath(name);
+}
+
+void ProgramTest::replay_givesTheSameBytesOnOneThreadAndOnTwo()
+{
+    QFETCH(QString, recipe);
+    runWell({"replay", recipe, "--threads", "1", "-o", "one.espalier"});
+    runWell({"replay", recipe, "--threads", "2", "-o", "two.espalier"});
+    QVERIFY(read("one.espalier").size() > 1000);
+    QVERIFY(read("one.espalier") == read("two.espalier"));
+}
+
+void ProgramTest::stats_haveTheirForm()
+{
+    runWell({"replay", "r.json", "-o", "t.glb", "--stats", "s.json"});
+    const QJsonObject stats = QJsonDocument::fromJson(read("s.json")).object();
+    const QStringList keys{"axes",    "buds",  "internodes", "leaves",  "peakRssMb",
+                           "seconds", "steps", "triangles",  "vertices"};
+    QCOMPARE(stats.keys(), keys);
+    for (const QString& key : keys)
+        QVERIFY2(key == QStringLiteral("seconds") || stats[key].toDouble() > 0.0, qPrintable(key));
+    const QJsonObject seconds = stats[QStringLiteral("seconds")].toObject();
+    QCOMPARE(seconds.keys(), (QStringList{"export", "growth", "mesh", "total"}));
+    double sum = 0.0;
+    for (const char* key : {"export", "growth", "mesh"})
+        sum += seconds[QLatin1String(key)].toDouble();
+    QVERIFY(sum > 0.0 && sum <= seconds[QStringLiteral("total")].toDouble());
+}
+
+void ProgramTest::exportedProject_equalsReplayedExports()
+{
+    runWell({"replay", "r.json", "-o", "t.espalier", "-o", "t.glb", "-o", "t.csv"});
+    runWell({"export", "t.espalier", "-o", "again.glb", "-o", "again.csv", "-o", "again.espalier"});
+    QVERIFY(read("t.csv") == read("again.csv"));
+    QVERIFY(read("t.glb") == read("again.glb"));
+    QVERIFY(read("t.espalier") == read("again.espalier"));
+}
+
+void ProgramTest::info_describesAProject()
+{
+    runWell({"replay", "r.json", "-o", "t.espalier", "--stats", "s.json"});
+    const Outcome outcome = run({"info", "t.espalier"});
+    QCOMPARE(outcome.code, 0);
+    QVERIFY(outcome.error.isEmpty());
+    const QJsonObject info = QJsonDocument::fromJson(outcome.out).object();
+    const QJsonObject stats = QJsonDocument::fromJson(read("s.json")).object();
+    QCOMPARE(info[QStringLiteral("version")].toInt(), 1);
+    const QJsonObject counts = info[QStringLiteral("counts")].toObject();
+    for (const char* key : {"internodes", "buds", "leaves", "axes", "steps"})
+        QCOMPARE(counts[QLatin1String(key)], stats[QLatin1String(key)]);
+    const QJsonObject bounds = info[QStringLiteral("bounds")].toObject();
+    QVERIFY(bounds[QStringLiteral("maximum")].toArray().at(1).toDouble() > 1.0);
+    QVERIFY(bounds[QStringLiteral("minimum")].toArray().at(0).toDouble() < 0.0);
+    QVERIFY(info[QStringLiteral("journalLength")].toInt() > 3);
+    QVERIFY(info[QStringLiteral("parameters")].toObject().contains(QStringLiteral("growth")));
+}
+
+void ProgramTest::helpAndVersion_goToStandardOutput()
+{
+    const Outcome help = run({"--help"});
+    QCOMPARE(help.code, 0);
+    for (const char* word :
+         {"replay", "export", "render", "info", "--demo", "--threads", "--stats", "three-quarter"})
+        QVERIFY2(help.out.contains(word), word);
+    QVERIFY(help.error.isEmpty());
+    const Outcome version = run({"--version"});
+    QCOMPARE(version.code, 0);
+    QCOMPARE(version.out, QByteArray("Espalier " ESPALIER_VERSION "\n"));
+}
+
+void ProgramTest::failures_areOneLineAndACode_data()
+{
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("mentions");
+    const auto add = [](const char* name, const QStringList& arguments, int code, const char* mentions) {
+        QTest::newRow(name) << arguments << code << QString::fromLatin1(mentions);
+    };
+    add("no recipe", {"replay"}, 2, "recipe");
+    add("unknown option", {"replay", "r.json", "--fast"}, 2, "--fast");
+    add("unknown format", {"replay", "r.json", "-o", "t.stl"}, 2, "t.stl");
+    add("recipe is not there", {"replay", "none.json", "-o", "t.glb"}, 3, "none.json");
+    add("recipe is a folder", {"replay", "folder"}, 3, "folder");
+    add("recipe is no JSON", {"replay", "broken.json"}, 3, "broken.json");
+    add("recipe has a fault", {"replay", "fault.json"}, 3, "operations[1].steps");
+    add("second recipe has a fault", {"replay", "r.json", "fault.json"}, 3, "fault.json");
+    add("project is not there", {"export", "none.espalier", "-o", "t.glb"}, 3, "none.espalier");
+    add("project is a recipe", {"info", "r.json"}, 3, "r.json");
+    add("project is empty", {"info", "empty.espalier"}, 3, "empty.espalier");
+    add("project of none rendered", {"render", "none.espalier", "--png", "p.png"}, 4, "p.png");
+    add("output has no folder", {"replay", "r.json", "-o", "no/where/t.glb"}, 4, "no/where/t.glb");
+    add("project has no folder", {"replay", "r.json", "-o", "no/where/t.espalier"}, 4, "no/where/t.espalier");
+    add("stats have no folder", {"replay", "r.json", "--stats", "no/where/s.json"}, 4, "no/where/s.json");
+    add("picture without a display", {"replay", "r.json", "--png", "p.png"}, 4, "display");
+    add("window without a display", {}, 4, "display");
+}
+
+void ProgramTest::failures_areOneLineAndACode()
+{
+    QFETCH(QStringList, arguments);
+    QFETCH(int, code);
+    QFETCH(QString, mentions);
+    write("broken.json", "{\"espalier-recipe\": 1,\n oops}");
+    write("fault.json",
+          R"({"espalier-recipe": 1, "operations": [{"op": "grow"}, {"op": "grow", "steps": -3}]})");
+    write("empty.espalier", "");
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("folder")));
+
+    const Outcome outcome = run(arguments);
+    QVERIFY2(outcome.code == code, outcome.error.constData());
+    QVERIFY2(outcome.error.contains(mentions.toUtf8()), outcome.error.constData());
+    QVERIFY2(outcome.error.count('\n') == 1 && outcome.error.endsWith('\n'), outcome.error.constData());
+    QVERIFY(outcome.out.isEmpty());
+    for (const char* name : {"t.glb", "t.stl", "p.png"})
+        QVERIFY(!QFileInfo::exists(path(QString::fromLatin1(name))));
+}
+
+void ProgramTest::failedOutput_leavesTheOldFile()
+{
+    write("t.glb", "old");
+    QCOMPARE(run({"replay", "r.json", "-o", "no/where/t.csv", "-o", "t.glb"}).code, 4);
+    QCOMPARE(read("t.glb"), QByteArray("old"));
+}
+
+void ProgramTest::picture_isDrawnOnADisplay()
+{
+    if (qEnvironmentVariableIsEmpty("DISPLAY"))
+        QSKIP("There is no display.");
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
+    Outcome outcome = run(
+        {"replay", "r.json", "-o", "t.espalier", "--png", "a.png", "--size", "320x240", "--camera", "side"},
+        environment);
+    QVERIFY2(outcome.code == 0, outcome.error.constData());
+    QVERIFY(outcome.out.isEmpty());
+    outcome =
+        run({"render", "t.espalier", "--png", "b.png", "--size", "320x240", "--camera", "side"}, environment);
+    QVERIFY2(outcome.code == 0, outcome.error.constData());
+    const QImage replayed(path(QStringLiteral("a.png")));
+    QCOMPARE(replayed.size(), QSize(320, 240));
+    QCOMPARE(replayed, QImage(path(QStringLiteral("b.png"))));
+    outcome =
+        run({"render", "t.espalier", "--png", "c.png", "--size", "320x240", "--camera", "top"}, environment);
+    QVERIFY(replayed != QImage(path(QStringLiteral("c.png"))));
+
+    outcome = run({"render", "t.espalier", "--png", "no/where/d.png"}, environment);
+    QCOMPARE(outcome.code, 4);
+    QCOMPARE(outcome.error.count('\n'), 1);
+}
+
+void ProgramTest::demonstration_writesItsFilesWhereNobodyLooks()
+{
+    if (qEnvironmentVariableIsEmpty("DISPLAY"))
+        QSKIP("There is no display.");
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("QT_QPA_PLATFORM"));
+    environment.insert(QStringLiteral("ESPALIER_VIRTUAL_DISPLAY"), QStringLiteral("1"));
+    const Outcome outcome = run({"--demo", "r.json"}, environment);
+    QVERIFY2(outcome.code == 0, outcome.error.constData());
+    for (const char* suffix : {"espalier", "fbx", "obj", "glb", "png"}) {
+        const QString name = QStringLiteral("first-tree.%1").arg(QLatin1String(suffix));
+        QVERIFY2(QFileInfo(path(name)).size() > 1000, suffix);
+        QVERIFY2(outcome.out.contains(name.toUtf8()), outcome.out.constData());
+    }
+}
+
+QTEST_MAIN(ProgramTest)
+#include "ProgramTest.moc"

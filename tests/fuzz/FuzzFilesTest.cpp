@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/document/TreeDocument.h"
+#include "model/io/ProjectFile.h"
+#include "model/io/Recipe.h"
+#include "tests/fuzz/Mutator.h"
+#include "tests/support/SampleProject.h"
+#include "tests/support/ZipEntries.h"
+
+#include <QtTest>
+
+using namespace espalier;
+using namespace espalier::test;
+
+/// With the address sanitizer, an allocation of more than this ends the test.
+extern "C" const char* __asan_default_options();
+extern "C" const char* __asan_default_options()
+{
+    return "max_allocation_size_mb=1024:allocator_may_return_null=0";
+}
+
+/// Damaged files: each must give an error or a document that can be trusted, never a crash, a hang or a flood
+/// of memory.
+class FuzzFilesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void damagedArchives();
+    void damagedEntries();
+    void damagedRecipes();
+
+private:
+    /// Whether the bytes were taken for a project; then it was used as one.
+    bool tryProject(const QByteArray& content);
+
+    std::vector<QByteArray> m_projects;
+    std::vector<QByteArray> m_recipes;
+};
+
+void FuzzFilesTest::initTestCase()
+{
+    Project withPicture = sampleProject(60);
+    withPicture.thumbnail = QImage(8, 8, QImage::Format_RGB32);
+    withPicture.thumbnail.fill(Qt::darkGreen);
+    m_projects = {*packProject(withPicture), *packProject(sampleProject(25, 2)), *packProject({})};
+
+    Recipe recipe;
+    recipe.name = QStringLiteral("Fuzz");
+    SetParametersOperation change;
+    change.parameters.growth.apicalDominance = 0.45;
+    change.parameters.leaves.shape = LeafShape::Lobed;
+    recipe.operations = {
+        BrushStrokeOperation{
+            {{0.0, Vec3(0, 0, 0), 0.5F}, {0.5, Vec3(0.1F, 1, 0), 0.4F}, {1.0, Vec3(0, 2, 0.3F), 0.0F}}},
+        change,
+        GrowOperation{5},
+        UndoOperation{2},
+        RedoOperation{1},
+        SetParametersOperation{}};
+    m_recipes = {writeRecipe(recipe), R"({"espalier-recipe":1,"operations":[{"op":"grow","steps":3}]})"};
+}
+
+bool FuzzFilesTest::tryProject(const QByteArray& content)
+{
+    const Result<Project> project = unpackProject(content);
+    if (!project) {
+        if (project.error().message.isEmpty())
+            qFatal("an error without a word");
+        return false;
+    }
+    // All that a person can do to its history, through the document and all its indices.
+    TreeDocument document;
+    document.reset(project->tree, project->journal);
+    while (!document.journal().empty())
+        document.revertLast();
+    for (const auto& delta : project->journal)
+        document.apply(delta);
+    if (!(document.tree() == project->tree))
+        qFatal("the history does not lead back");
+    // And what it is saved as can be opened again.
+    const Result<QByteArray> packed = packProject(*project);
+    const Result<Project> again = packed ? unpackProject(*packed) : packed.error();
+    if (!again || !(again->tree == project->tree) || !sameJournal(again->journal, project->journal))
+        qFatal("what was opened cannot be saved: %s",
+               again ? "it differs" : qPrintable(again.error().message));
+    return true;
+}
+
+void FuzzFilesTest::damagedArchives()
+{
+    Mutator mutator(1);
+    int good = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const QByteArray& original = m_projects[mutator.below(m_projects.size())];
+        const QByteArray& donor = m_projects[mutator.below(m_projects.size())];
+        good += tryProject(mutator.mutated(original, donor)) ? 1 : 0;
+    }
+    // Checksums leave little else than names, padding and the thumbnail.
+    qInfo("%d of 3000 could be opened", good);
+    QVERIFY(good < 1500);
+}
+
+void FuzzFilesTest::damagedEntries()
+{
+    Mutator mutator(2);
+    int good = 0;
+    for (int i = 0; i < 4000; ++i) {
+        ZipEntries entries = unpackEntries(m_projects[mutator.below(m_projects.size())]);
+        ZipEntries others = unpackEntries(m_projects[mutator.below(m_projects.size())]);
+        QByteArray& description = entry(entries, "project.json");
+        for (std::uint64_t changes = mutator.below(2) + 1; changes-- > 0;) {
+            const std::size_t at = mutator.below(entries.size());
+            auto& [name, content] = entries[at];
+            const QByteArray& donor = others[mutator.below(others.size())].second;
+            if (mutator.chance(20)) {
+                description = mutator.mutatedJson(description);
+            } else if (mutator.chance(70) && name != "project.json") {
+                static const std::vector<qsizetype> kSizes{1, 2, 4, 16};
+                mutator.mutateColumn(content, kSizes[mutator.below(kSizes.size())]);
+            } else if (mutator.chance(90)) {
+                content = mutator.mutated(content, donor);
+            } else {
+                content = donor;
+            }
+        }
+        good += tryProject(packEntries(entries)) ? 1 : 0;
+    }
+    qInfo("%d of 4000 could be opened", good);
+    // Both ways out were taken often.
+    QVERIFY(good > 200);
+    QVERIFY(good < 3000);
+}
+
+void FuzzFilesTest::damagedRecipes()
+{
+    Mutator mutator(3);
+    int good = 0;
+    for (int i = 0; i < 3000; ++i) {
+        QByteArray json = m_recipes[mutator.below(m_recipes.size())];
+        const QByteArray& donor = m_recipes[mutator.below(m_recipes.size())];
+        json = mutator.chance(70) ? mutator.mutatedJson(json) : mutator.mutated(json, donor);
+        const Result<Recipe> recipe = parseRecipe(json);
+        if (!recipe) {
+            QVERIFY(!recipe.error().message.isEmpty());
+            continue;
+        }
+        ++good;
+        const Result<Recipe> again = parseRecipe(writeRecipe(*recipe));
+        QVERIFY2(again, again ? "" : qPrintable(again.error().message));
+        QVERIFY(*again == *recipe);
+    }
+    qInfo("%d of 3000 could be read", good);
+    QVERIFY(good > 300);
+    QVERIFY(good < 2700);
+}
+
+QTEST_GUILESS_MAIN(FuzzFilesTest)
+
+#include "FuzzFilesTest.moc"

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/Exporter.h"
+
+#include "model/io/FbxRepair.h"
+#include "model/mesh/LeafCard.h"
+#include "model/shape/Widths.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/TreeBuilder.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/Importer.hpp>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+namespace espalier::test {
+
+namespace {
+
+/// Small textures: what they show is not what these tests are about.
+constexpr ExportOptions kSmall{.textureSize = 64};
+
+TreeBuilder sampleTree(std::uint32_t count = 120)
+{
+    TreeParameters parameters;
+    parameters.growth.lateralsPerNode = 2;
+    return randomTree(count, 3, parameters);
+}
+
+QByteArray contentOf(const QString& fileName)
+{
+    QFile file(fileName);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QStringList filesIn(const QTemporaryDir& folder)
+{
+    return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+}
+
+Box3 boundsOf(const TriangleMesh& mesh)
+{
+    Box3 box;
+    for (const MeshVertex& vertex : mesh.vertices)
+        box.extend(toVec3(vertex.position));
+    return box;
+}
+
+} // namespace
+
+class ExporterTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void scene_hasOneMeshAndMaterialEachForBarkAndLeaves();
+    void scene_withoutLeavesHasBarkAlone();
+    void leavesOfOneHue_takeOneTile();
+    void leavesOfManyHues_lieInTheTileOfTheirHue();
+    void names_becomeSafe();
+    void obj_hasEveryVertexAndRefersToFilesThatExist();
+    void glb_hasNamesMaterialsAndTexturesInside();
+    void fbx_isSoundAndCountsInMetres();
+    void csv_hasARowForEachLivingInternode();
+    void sameTree_givesTheSameBytes();
+    void exports_replaceEarlierOnes();
+    void unknownEnding_isRefused();
+    void folderThatIsMissing_isAnError();
+    void cancelling_leavesWhatWasThere_data();
+    void cancelling_leavesWhatWasThere();
+    void progress_ascendsToOne();
+};
+
+void ExporterTest::scene_hasOneMeshAndMaterialEachForBarkAndLeaves()
+{
+    const TreeBuilder builder = sampleTree();
+    const ExportScene scene = buildExportScene(builder.tree, builder.index, QStringLiteral("Oak"), kSmall);
+    QCOMPARE(scene.meshes.size(), 2U);
+    QCOMPARE(scene.meshes[0].name, QStringLiteral("Oak_LOD0_Bark"));
+    QCOMPARE(scene.meshes[1].name, QStringLiteral("Oak_LOD0_Leaves"));
+    QCOMPARE(scene.materials[scene.meshes[0].material].name, QStringLiteral("Oak_Bark"));
+    QCOMPARE(scene.materials[scene.meshes[1].material].name, QStringLiteral("Oak_Leaves"));
+    for (const ExportMesh& mesh : scene.meshes) {
+        QVERIFY(mesh.mesh.indices.size() > 300);
+        QVERIFY(std::ranges::max(mesh.mesh.indices) < mesh.mesh.vertices.size());
+    }
+    const QImage bark = QImage::fromData(scene.materials[0].colour.png, "png");
+    QCOMPARE(bark.size(), QSize(64, 64));
+    QVERIFY(!bark.hasAlphaChannel()); // or some readers make the bark transparent
+    QVERIFY(!QImage::fromData(scene.materials[0].normal.png, "png").hasAlphaChannel());
+    const QImage leaf = QImage::fromData(scene.materials[1].colour.png, "png");
+    QVERIFY(leaf.hasAlphaChannel());
+    QCOMPARE(leaf.height(), 32);
+    QCOMPARE(QImage::fromData(scene.materials[1].normal.png, "png").size(), leaf.size());
+}
+
+void ExporterTest::scene_withoutLeavesHasBarkAlone()
+{
+    TreeBuilder builder = sampleTree();
+    ExportOptions options = kSmall;
+    options.leaves = false;
+    QCOMPARE(buildExportScene(builder.tree, builder.index, {}, options).meshes.size(), 1U);
+    TreeParameters parameters = builder.tree.parameters();
+    parameters.leaves.visible = false;
+    builder.apply(parameterChange(builder.tree, parameters));
+    const ExportScene scene = buildExportScene(builder.tree, builder.index, {}, kSmall);
+    QCOMPARE(scene.meshes.size(), 1U);
+    QCOMPARE(scene.materials.size(), 1U);
+}
+
+void ExporterTest::leavesOfOneHue_takeOneTile()
+{
+    TreeBuilder builder = sampleTree();
+    TreeParameters parameters = builder.tree.parameters();
+    parameters.leaves.hueVariation = 0.0;
+    parameters.leaves.vigourHue = 0.0;
+    builder.apply(parameterChange(builder.tree, parameters));
+    const ExportScene scene = buildExportScene(builder.tree, builder.index, {}, kSmall);
+    const QImage leaf = QImage::fromData(scene.materials[1].colour.png, "png");
+    QCOMPARE(leaf.size(), QSize(32, 32));
+    const MeshBuffer<LeafInstance> leaves = placeLeaves(builder.tree, builder.index);
+    const TriangleMesh plain = expandLeaves(leaves);
+    QVERIFY(scene.meshes[1].mesh.vertices == plain.vertices);
+}
+
+void ExporterTest::leavesOfManyHues_lieInTheTileOfTheirHue()
+{
+    TreeBuilder builder = sampleTree(300);
+    TreeParameters parameters = builder.tree.parameters();
+    parameters.leaves.vigourHue = 1.0;
+    builder.apply(parameterChange(builder.tree, parameters));
+    const ExportScene scene = buildExportScene(builder.tree, builder.index, {}, kSmall);
+    const QImage leaf = QImage::fromData(scene.materials[1].colour.png, "png");
+    QCOMPARE(leaf.size(), QSize(8 * 32, 32));
+
+    const MeshBuffer<LeafInstance> leaves = placeLeaves(builder.tree, builder.index);
+    const std::size_t perLeaf = leafCard(parameters.leaves.shape).vertices.size();
+    const auto& vertices = scene.meshes[1].mesh.vertices;
+    QCOMPARE(vertices.size(), leaves.size() * perLeaf);
+    std::array<float, 8> least{};
+    std::array<float, 8> greatest{};
+    least.fill(10.0F);
+    greatest.fill(-10.0F);
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        float from = 1.0F;
+        float to = 0.0F;
+        for (std::size_t v = i * perLeaf; v < (i + 1) * perLeaf; ++v) {
+            from = std::min(from, vertices[v].uv[0]);
+            to = std::max(to, vertices[v].uv[0]);
+        }
+        const auto tile = static_cast<std::size_t>((from + to) / 2 * 8);
+        QVERIFY(from >= static_cast<float>(tile) / 8 - 1e-6F);
+        QVERIFY(to <= static_cast<float>(tile + 1) / 8 + 1e-6F);
+        least[tile] = std::min(least[tile], leaves[i].hueShift);
+        greatest[tile] = std::max(greatest[tile], leaves[i].hueShift);
+    }
+    for (std::size_t tile = 1; tile < 8; ++tile)
+        QVERIFY(greatest[tile - 1] <= least[tile]);
+
+    // The first tile is the reddest, the last the greenest.
+    const auto hueOfTile = [&](int tile) {
+        int red = 0;
+        int green = 0;
+        for (int y = 0; y < leaf.height(); ++y) {
+            for (int x = 32 * tile; x < 32 * (tile + 1); ++x) {
+                const QColor colour = leaf.pixelColor(x, y);
+                if (colour.alpha() > 200) {
+                    red += colour.red();
+                    green += colour.green();
+                }
+            }
+        }
+        return double(green) / red;
+    };
+    QVERIFY(hueOfTile(0) < 0.9);
+    QVERIFY(hueOfTile(7) > 1.1);
+}
+
+void ExporterTest::names_becomeSafe()
+{
+    QCOMPARE(safeExportName(QStringLiteral("Oak")), QStringLiteral("Oak"));
+    QCOMPARE(safeExportName(QStringLiteral("  Old oak #2/b ")), QStringLiteral("Old_oak__2_b"));
+    QCOMPARE(safeExportName(QStringLiteral("Bäume-1")), QStringLiteral("Bäume-1"));
+    QCOMPARE(safeExportName(QString()), QStringLiteral("Tree"));
+}
+
+void ExporterTest::obj_hasEveryVertexAndRefersToFilesThatExist()
+{
+    const QTemporaryDir folder;
+    const TreeBuilder builder = sampleTree();
+    QVERIFY(exportTree(builder.tree, builder.index, QStringLiteral("Oak"),
+                       folder.filePath(QStringLiteral("my oak.obj")), kSmall));
+    QCOMPARE(filesIn(folder),
+             (QStringList{QStringLiteral("my oak.obj"), QStringLiteral("my_oak.mtl"),
+                          QStringLiteral("my_oak_bark.png"), QStringLiteral("my_oak_bark_normal.png"),
+                          QStringLiteral("my_oak_leaf.png"), QStringLiteral("my_oak_leaf_normal.png")}));
+
+    const ExportScene scene = buildExportScene(builder.tree, builder.index, QStringLiteral("Oak"), kSmall);
+    std::vector<MeshVertex> vertices;
+    std::vector<std::size_t> corners;
+    for (const ExportMesh& mesh : scene.meshes) {
+        for (const VertexIndex index : mesh.mesh.indices)
+            corners.push_back(vertices.size() + index + 1);
+        vertices.insert(vertices.end(), mesh.mesh.vertices.begin(), mesh.mesh.vertices.end());
+    }
+    std::size_t positions = 0;
+    std::size_t coordinates = 0;
+    std::size_t normals = 0;
+    std::size_t corner = 0;
+    QByteArrayList objects;
+    for (const QByteArray& line : contentOf(folder.filePath(QStringLiteral("my oak.obj"))).split('\n')) {
+        const QByteArrayList words = line.split(' ');
+        if (words[0] == "v") {
+            const auto& p = vertices[positions++].position;
+            QVERIFY(words[1].toFloat() == p[0] && words[2].toFloat() == p[1] && words[3].toFloat() == p[2]);
+        } else if (words[0] == "vt") {
+            const auto& uv = vertices[coordinates++].uv;
+            QVERIFY(words[1].toFloat() == uv[0] && words[2].toFloat() == uv[1]);
+        } else if (words[0] == "vn") {
+            const auto& n = vertices[normals++].normal;
+            QVERIFY(words[1].toFloat() == n[0] && words[2].toFloat() == n[1] && words[3].toFloat() == n[2]);
+        } else if (words[0] == "f") {
+            QCOMPARE(words.size(), 4);
+            for (int i = 1; i <= 3; ++i) {
+                const QByteArray index = QByteArray::number(static_cast<qulonglong>(corners[corner++]));
+                QCOMPARE(words[i], index + '/' + index + '/' + index);
+            }
+        } else if (words[0] == "o" || words[0] == "usemtl" || words[0] == "mtllib") {
+            objects.append(line);
+        }
+    }
+    QCOMPARE(positions, vertices.size());
+    QCOMPARE(coordinates, vertices.size());
+    QCOMPARE(normals, vertices.size());
+    QCOMPARE(corner, corners.size());
+    QCOMPARE(objects, (QByteArrayList{"mtllib my_oak.mtl", "o Oak_LOD0_Bark", "usemtl Oak_Bark",
+                                      "o Oak_LOD0_Leaves", "usemtl Oak_Leaves"}));
+    const QByteArray materials = contentOf(folder.filePath(QStringLiteral("my_oak.mtl")));
+    int textures = 0;
+    for (const QByteArray& line : materials.split('\n')) {
+        if (line.startsWith("map_")) {
+            ++textures;
+            QVERIFY2(QFile::exists(folder.filePath(QString::fromUtf8(line.split(' ').last()))),
+                     line.constData());
+        }
+    }
+    QCOMPARE(textures, 5);
+}
+
+void ExporterTest::glb_hasNamesMaterialsAndTexturesInside()
+{
+    const QTemporaryDir folder;
+    const TreeBuilder builder = sampleTree();
+    const QString fileName = folder.filePath(QStringLiteral("oak.glb"));
+    QVERIFY(exportTree(builder.tree, builder.index, QStringLiteral("Oak"), fileName, kSmall));
+    QCOMPARE(filesIn(folder), QStringList{QStringLiteral("oak.glb")});
+    Assimp::Importer importer;
+    const aiScene* const scene = importer.ReadFile(fileName.toStdString(), 0);
+    QVERIFY2(scene != nullptr, importer.GetErrorString());
+    QCOMPARE(scene->mNumMeshes, 2U);
+    QCOMPARE(scene->mNumTextures, 4U);
+    QVERIFY(scene->mRootNode->FindNode("Oak_LOD0_Bark") != nullptr);
+    QVERIFY(scene->mRootNode->FindNode("Oak_LOD0_Leaves") != nullptr);
+    const ExportScene original = buildExportScene(builder.tree, builder.index, QStringLiteral("Oak"), kSmall);
+    for (unsigned i = 0; i < 2; ++i) {
+        const aiMesh& mesh = *scene->mMeshes[i];
+        QCOMPARE(std::size_t{mesh.mNumFaces}, original.meshes[i].mesh.indices.size() / 3);
+        aiString name;
+        scene->mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, name);
+        QCOMPARE(QString::fromUtf8(name.C_Str()), original.materials[i].name);
+        for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_NORMALS})
+            QCOMPARE(scene->mMaterials[mesh.mMaterialIndex]->GetTextureCount(type), 1U);
+    }
+    aiString mode;
+    float cutoff = 0.0F;
+    int twoSided = 0;
+    const aiMaterial& leaf = *scene->mMaterials[scene->mMeshes[1]->mMaterialIndex];
+    leaf.Get(AI_MATKEY_GLTF_ALPHAMODE, mode);
+    leaf.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+    leaf.Get(AI_MATKEY_TWOSIDED, twoSided);
+    QCOMPARE(QByteArray(mode.C_Str()), QByteArray("MASK"));
+    QCOMPARE(cutoff, 0.5F);
+    QCOMPARE(twoSided, 1);
+}
+
+void ExporterTest::fbx_isSoundAndCountsInMetres()
+{
+    const QTemporaryDir folder;
+    const TreeBuilder builder = sampleTree();
+    const QString fileName = folder.filePath(QStringLiteral("oak.fbx"));
+    QVERIFY(exportTree(builder.tree, builder.index, QStringLiteral("Oak"), fileName, kSmall));
+    QCOMPARE(filesIn(folder),
+             (QStringList{QStringLiteral("oak.fbx"), QStringLiteral("oak_bark.png"),
+                          QStringLiteral("oak_bark_normal.png"), QStringLiteral("oak_leaf.png"),
+                          QStringLiteral("oak_leaf_normal.png")}));
+    const QByteArray content = contentOf(fileName);
+    QCOMPARE(*repairFbx(content), content); // nothing is left to mend
+    Assimp::Importer importer;
+    const aiScene* const scene = importer.ReadFile(fileName.toStdString(), 0);
+    QVERIFY2(scene != nullptr, importer.GetErrorString());
+    QVERIFY(scene->mRootNode->FindNode("Oak_LOD0_Bark") != nullptr);
+    QVERIFY(scene->mRootNode->FindNode("Oak_LOD0_Leaves") != nullptr);
+    float unit = 0.0F;
+    QVERIFY(scene->mMetaData->Get("UnitScaleFactor", unit));
+    QCOMPARE(unit, 100.0F);
+    const ExportScene original = buildExportScene(builder.tree, builder.index, QStringLiteral("Oak"), kSmall);
+    const Box3 bounds = boundsOf(original.meshes[0].mesh);
+    Box3 read;
+    for (unsigned i = 0; i < scene->mMeshes[0]->mNumVertices; ++i) {
+        const aiVector3D& v = scene->mMeshes[0]->mVertices[i];
+        read.extend(Vec3(v.x, v.y, v.z));
+    }
+    QVERIFY((read.min() - bounds.min()).norm() < 1e-5F && (read.max() - bounds.max()).norm() < 1e-5F);
+}
+
+void ExporterTest::csv_hasARowForEachLivingInternode()
+{
+    const QTemporaryDir folder;
+    TreeBuilder builder = sampleTree();
+    InternodeId branch = 1;
+    while (builder.tree.continuesAxis(branch))
+        ++branch;
+    builder.apply(death(builder.tree, builder.index, branch));
+    const QString fileName = folder.filePath(QStringLiteral("oak.csv"));
+    QVERIFY(exportTree(builder.tree, builder.index, {}, fileName, kSmall));
+    QByteArrayList lines = contentOf(fileName).split('\n');
+    QCOMPARE(lines.takeFirst(), QByteArray("id,parent,x0,y0,z0,x1,y1,z1,radius"));
+    QVERIFY(lines.takeLast().isEmpty());
+    QCOMPARE(static_cast<std::uint32_t>(lines.size()), builder.index.livingCount());
+    QVERIFY(builder.index.livingCount() < builder.tree.size());
+    const Widths widths(builder.tree, builder.index);
+    QVERIFY(lines[0].startsWith("0,-1,0,0,0,"));
+    for (const QByteArray& line : lines) {
+        const QByteArrayList words = line.split(',');
+        QCOMPARE(words.size(), 9);
+        const InternodeId id = words[0].toUInt();
+        QVERIFY(builder.tree.isAlive(id));
+        if (id > 0)
+            QCOMPARE(words[1].toUInt(), builder.tree.parent(id));
+        const Vec3 base = builder.index.basePosition(builder.tree, id);
+        const Vec3 node = builder.index.nodePosition(id);
+        const float expected[] = {
+            base.x(), -base.z(), base.y(), node.x(), -node.z(), node.y(), widths.radius(builder.index, id)};
+        for (int i = 0; i < 7; ++i)
+            QVERIFY(words[i + 2].toFloat() == expected[i]);
+    }
+}
+
+void ExporterTest::sameTree_givesTheSameBytes()
+{
+    const QTemporaryDir folder;
+    const TreeBuilder builder = sampleTree();
+    for (const char* suffix : {"glb", "obj", "csv"}) {
+        const QString fileName = folder.filePath(QStringLiteral("oak.") + QLatin1String(suffix));
+        QVERIFY(exportTree(builder.tree, builder.index, QStringLiteral("Oak"), fileName, kSmall));
+        const QByteArray first = contentOf(fileName);
+        QVERIFY(first.size() > 1000);
+        QVERIFY(exportTree(builder.tree, builder.index, QStringLiteral("Oak"), fileName, kSmall));
+        QVERIFY2(contentOf(fileName) == first, suffix);
+    }
+}
+
+void ExporterTest::exports_replaceEarlierOnes()
+{
+    const QTemporaryDir folder;
+    const QString fileName = folder.filePath(QStringLiteral("oak.obj"));
+    const TreeBuilder large = sampleTree(200);
+    const TreeBuilder small = sampleTree(20);
+    QVERIFY(exportTree(large.tree, large.index, {}, fileName, kSmall));
+    const qint64 before = QFileInfo(fileName).size();
+    QVERIFY(exportTree(small.tree, small.index, {}, fileName, kSmall));
+    QVERIFY(QFileInfo(fileName).size() < before);
+    QCOMPARE(filesIn(folder).size(), 6);
+}
+
+void ExporterTest::unknownEnding_isRefused()
+{
+    const TreeBuilder builder = sampleTree(20);
+    const Result<void> result = exportTree(builder.tree, builder.index, {}, QStringLiteral("/tmp/oak.dae"));
+    QVERIFY(!result);
+    QCOMPARE(result.error().message,
+             QStringLiteral("oak.dae: there is no export to “.dae”; there are glb, fbx, obj, csv"));
+}
+
+void ExporterTest::folderThatIsMissing_isAnError()
+{
+    const TreeBuilder builder = sampleTree(20);
+    for (const QString& suffix : exportSuffixes()) {
+        const Result<void> result =
+            exportTree(builder.tree, builder.index, {}, QStringLiteral("/nowhere/oak.") + suffix, kSmall);
+        QVERIFY(!result);
+        QCOMPARE(result.error().kind, Error::Kind::Output);
+        QVERIFY2(result.error().message.startsWith(QStringLiteral("oak")),
+                 qPrintable(result.error().message));
+    }
+}
+
+void ExporterTest::cancelling_leavesWhatWasThere_data()
+{
+    QTest::addColumn<QString>("suffix");
+    QTest::addColumn<int>("call");
+    for (const QString& suffix : exportSuffixes()) {
+        for (int call = 0; call < (suffix == QLatin1String("csv") ? 2 : 3); ++call)
+            QTest::addRow("%s at call %d", qPrintable(suffix), call) << suffix << call;
+    }
+}
+
+void ExporterTest::cancelling_leavesWhatWasThere()
+{
+    QFETCH(QString, suffix);
+    QFETCH(int, call);
+    const QTemporaryDir folder;
+    const TreeBuilder builder = sampleTree(20);
+    QFile old(folder.filePath(QStringLiteral("oak.") + suffix));
+    QVERIFY(old.open(QIODevice::WriteOnly));
+    old.write("old");
+    old.close();
+    int calls = 0;
+    const Result<void> result = exportTree(builder.tree, builder.index, {}, old.fileName(), kSmall,
+                                           [&](double) { return calls++ != call; });
+    QVERIFY(!result);
+    QCOMPARE(result.error().kind, Error::Kind::Cancelled);
+    QCOMPARE(filesIn(folder), QStringList{QFileInfo(old).fileName()});
+    QCOMPARE(contentOf(old.fileName()), QByteArray("old"));
+}
+
+void ExporterTest::progress_ascendsToOne()
+{
+    const QTemporaryDir folder;
+    const TreeBuilder builder = sampleTree(20);
+    std::vector<double> seen;
+    QVERIFY(exportTree(builder.tree, builder.index, {}, folder.filePath(QStringLiteral("oak.glb")), kSmall,
+                       [&](double done) {
+                           seen.push_back(done);
+                           return true;
+                       }));
+    QVERIFY(seen.size() >= 4);
+    QVERIFY(std::ranges::is_sorted(seen));
+    QCOMPARE(seen.front(), 0.0);
+    QCOMPARE(seen.back(), 1.0);
+}
+
+static const TestClass<ExporterTest> entered;
+
+} // namespace espalier::test
+
+#include "ExporterTest.moc"

@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/ProjectFile.h"
+
+#include "tests/support/SampleProject.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/ZipEntries.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <cstring>
+
+namespace espalier::test {
+
+namespace {
+
+template <class T>
+T numberAt(const QByteArray& column, qsizetype row)
+{
+    T value;
+    std::memcpy(&value, column.constData() + row * static_cast<qsizetype>(sizeof(T)), sizeof(T));
+    return value;
+}
+
+template <class T>
+void setNumber(QByteArray& column, qsizetype row, T value)
+{
+    std::memcpy(column.data() + row * static_cast<qsizetype>(sizeof(T)), &value, sizeof(T));
+}
+
+QImage picture()
+{
+    QImage image(64, 48, QImage::Format_RGB32);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x)
+            image.setPixel(x, y, qRgb(4 * x, 5 * y, 90));
+    }
+    return image;
+}
+
+} // namespace
+
+class ProjectFileTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void roundTrip_keepsTreeJournalNameAndThumbnail();
+    void roundTrip_keepsASeedling();
+    void roundTrip_keepsTheLargestSeed();
+    void equalProjects_giveEqualBytes();
+    void reloadedJournal_revertsToTheSeedlingAndComesBack();
+    void saveAndLoad_goThroughAFile();
+    void thumbnail_isReadAlone();
+    void damagedThumbnail_doesNotKeepTheTreeFromOpening();
+    void failedSave_leavesTheOldFile();
+    void missingFile_saysSo();
+    void newerVersion_isRefusedWithBothVersions();
+    void wrongFiles_areRefused_data();
+    void wrongFiles_areRefused();
+    void wrongDescriptions_areRefused_data();
+    void wrongDescriptions_areRefused();
+    void wrongColumns_areRefused_data();
+    void wrongColumns_areRefused();
+    void zipBomb_isRefusedBeforeItIsUnpacked();
+    void halfAMillionInternodes_areSavedAndLoadedInSeconds();
+};
+
+void ProjectFileTest::roundTrip_keepsTreeJournalNameAndThumbnail()
+{
+    Project project = sampleProject(400);
+    project.thumbnail = picture();
+    QVERIFY(project.journal.size() > 10);
+    QVERIFY(project.tree.columns().present.contains(std::uint8_t{0}));
+    QCOMPARE(project.tree.parameterSets().size(), 2);
+
+    const Result<Project> back = unpackProject(*packProject(project));
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QVERIFY(back->tree == project.tree);
+    QVERIFY(sameJournal(back->journal, project.journal));
+    QCOMPARE(back->name, project.name);
+    QCOMPARE(back->thumbnail.convertToFormat(QImage::Format_RGB32), project.thumbnail);
+}
+
+void ProjectFileTest::roundTrip_keepsASeedling()
+{
+    const Project project;
+    const Result<Project> back = unpackProject(*packProject(project));
+    QVERIFY(back);
+    QVERIFY(back->tree == project.tree);
+    QVERIFY(back->journal.empty());
+    QVERIFY(back->thumbnail.isNull());
+}
+
+void ProjectFileTest::roundTrip_keepsTheLargestSeed()
+{
+    Project project;
+    project.tree = Tree(std::numeric_limits<std::uint64_t>::max());
+    QCOMPARE(unpackProject(*packProject(project))->tree.seed(), std::numeric_limits<std::uint64_t>::max());
+}
+
+void ProjectFileTest::equalProjects_giveEqualBytes()
+{
+    Project first = sampleProject(300);
+    Project second = sampleProject(300);
+    first.thumbnail = second.thumbnail = picture();
+    const QByteArray bytes = *packProject(first);
+    QTest::qSleep(2100); // longer than the two seconds that a ZIP archive's clock ticks in
+    QCOMPARE(*packProject(second), bytes);
+    QCOMPARE(*packProject(*unpackProject(bytes)), bytes);
+}
+
+void ProjectFileTest::reloadedJournal_revertsToTheSeedlingAndComesBack()
+{
+    const Result<Project> project = unpackProject(*packProject(sampleProject(400)));
+    QVERIFY(project);
+    QVERIFY(survivesItsHistory(*project));
+    Tree tree = project->tree;
+    for (std::size_t i = project->journal.size(); i-- > 0;)
+        tree.revert(*project->journal[i]);
+    QCOMPARE(TreeIndex(tree).livingCount(), 1U);
+    QCOMPARE(tree.step(), 0U);
+}
+
+void ProjectFileTest::saveAndLoad_goThroughAFile()
+{
+    const QTemporaryDir folder;
+    const QString fileName = folder.filePath(QStringLiteral("tree.espalier"));
+    const Project project = sampleProject(100);
+    QVERIFY(saveProject(project, fileName));
+    QVERIFY(saveProject(project, fileName)); // over the old one
+    QVERIFY(loadProject(fileName)->tree == project.tree);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+}
+
+void ProjectFileTest::thumbnail_isReadAlone()
+{
+    const QTemporaryDir folder;
+    Project project = sampleProject(100);
+    project.thumbnail = picture();
+    // A damaged tree does not matter to it.
+    ZipEntries entries = unpackEntries(*packProject(project));
+    entry(entries, "tree/parent").clear();
+    QFile file(folder.filePath(QStringLiteral("tree.espalier")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(packEntries(entries));
+    file.close();
+    QCOMPARE(readThumbnail(file.fileName())->convertToFormat(QImage::Format_RGB32), project.thumbnail);
+    QVERIFY(!readThumbnail(folder.filePath(QStringLiteral("none.espalier"))));
+}
+
+void ProjectFileTest::damagedThumbnail_doesNotKeepTheTreeFromOpening()
+{
+    Project project = sampleProject(100);
+    project.thumbnail = picture();
+    ZipEntries entries = unpackEntries(*packProject(project));
+    entry(entries, "thumbnail.png").truncate(40);
+    const Result<Project> back = unpackProject(packEntries(entries));
+    QVERIFY(back);
+    QVERIFY(back->tree == project.tree);
+    QVERIFY(back->thumbnail.isNull());
+}
+
+void ProjectFileTest::failedSave_leavesTheOldFile()
+{
+    const QTemporaryDir folder;
+    const Result<void> saved = saveProject({}, folder.filePath(QStringLiteral("none/tree.espalier")));
+    QVERIFY(!saved);
+    QCOMPARE(saved.error().kind, Error::Kind::Output);
+    QVERIFY(saved.error().message.startsWith(QStringLiteral("tree.espalier: ")));
+
+    const QString fileName = folder.filePath(QStringLiteral("tree.espalier"));
+    QVERIFY(saveProject(sampleProject(50), fileName));
+    Project tooLarge;
+    for (std::uint32_t i = 0; i <= projectLimits::kDeltas; ++i)
+        tooLarge.journal.push_back(i == 0 ? std::make_shared<TreeDelta>() : tooLarge.journal.front());
+    QVERIFY(!saveProject(tooLarge, fileName));
+    QVERIFY(loadProject(fileName));
+}
+
+void ProjectFileTest::missingFile_saysSo()
+{
+    const Result<Project> project = loadProject(QStringLiteral("/nowhere/tree.espalier"));
+    QVERIFY(!project);
+    QCOMPARE(project.error().kind, Error::Kind::Input);
+    QVERIFY(project.error().message.startsWith(QStringLiteral("tree.espalier: ")));
+}
+
+void ProjectFileTest::newerVersion_isRefusedWithBothVersions()
+{
+    ZipEntries entries = unpackEntries(*packProject(sampleProject(50)));
+    QJsonObject json = QJsonDocument::fromJson(entry(entries, "project.json")).object();
+    json[QStringLiteral("version")] = 7;
+    json[QStringLiteral("program")] = QStringLiteral("9.9");
+    json[QStringLiteral("fromTheFuture")] = true;
+    entry(entries, "project.json") = QJsonDocument(json).toJson();
+    const Result<Project> project = unpackProject(packEntries(entries));
+    QVERIFY(!project);
+    QCOMPARE(project.error().message,
+             QStringLiteral(
+                 "project.json: Espalier 9.9 wrote it in version 7 of the format; this is Espalier %1, which "
+                 "reads versions up to 1")
+                 .arg(QStringLiteral(ESPALIER_VERSION)));
+}
+
+void ProjectFileTest::wrongFiles_areRefused_data()
+{
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("message");
+    const QByteArray good = *packProject(sampleProject(50));
+    QTest::newRow("empty") << QByteArray() << QStringLiteral("it is no project file: it is empty");
+    QTest::newRow("text") << QByteArray("hello") << QStringLiteral("it is no project file, or a damaged one");
+    QTest::newRow("truncated") << good.left(good.size() / 2)
+                               << QStringLiteral("it is no project file, or a damaged one");
+    QTest::newRow("other archive") << packEntries({{"mimetype", "text"}})
+                                   << QStringLiteral("project.json: it is missing");
+    QByteArray flipped = good;
+    const qsizetype inside = flipped.indexOf("tree/rotation") + 60;
+    flipped[inside] = static_cast<char>(flipped[inside] ^ 0x10);
+    QTest::newRow("bit flipped") << flipped << QStringLiteral("tree/rotation: it is damaged");
+    ZipEntries entries = unpackEntries(good);
+    std::erase_if(entries, [](const auto& e) { return e.first == "journal/died"; });
+    QTest::newRow("entry missing") << packEntries(entries) << QStringLiteral("journal/died: it is missing");
+    entries = unpackEntries(good);
+    entry(entries, "tree/length").chop(1);
+    QTest::newRow("column too short") << packEntries(entries) << QStringLiteral("tree/length: it has ");
+    entries = unpackEntries(good);
+    entry(entries, "project.json").chop(10);
+    QTest::newRow("JSON cut off") << packEntries(entries) << QStringLiteral("project.json: line ");
+}
+
+void ProjectFileTest::wrongFiles_areRefused()
+{
+    QFETCH(QByteArray, content);
+    QFETCH(QString, message);
+    const Result<Project> project = unpackProject(content);
+    QVERIFY(!project);
+    QCOMPARE(project.error().kind, Error::Kind::Input);
+    QVERIFY2(project.error().message.startsWith(message), qPrintable(project.error().message));
+}
+
+void ProjectFileTest::wrongDescriptions_areRefused_data()
+{
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QJsonValue>("value");
+    QTest::addColumn<QString>("message");
+    const QJsonValue absent(QJsonValue::Undefined);
+    const auto row = [](const char* key, const QJsonValue& value, const char* message) {
+        QTest::addRow("%s: %s", key, message)
+            << QString::fromLatin1(key) << value
+            << QStringLiteral("project.json: ") + QString::fromUtf8(message);
+    };
+    row("format", QStringLiteral("other"), "it does not describe an Espalier project");
+    row("version", absent, "version: it is missing");
+    row("step", -1, "step: a whole number from 0");
+    row("seed", 1.5, "seed: a whole number of at most 64 bits");
+    row("seed", QStringLiteral("18446744073709551616"), "seed: a whole number of at most 64 bits");
+    row("internodes", 0, "internodes: a whole number from 1 to 20000000");
+    row("internodes", 1e12, "internodes: a whole number from 1 to 20000000");
+    row("journal", QJsonObject{{QStringLiteral("deltas"), 4'000'001}},
+        "journal.deltas: a whole number from 0 to 4000000");
+    row("parameterSets", QJsonArray(), "parameterSets: 1 to 65536 sets");
+    row("parameterSets", QJsonArray{5, 5}, "parameterSets[0]: an object");
+    row("parameterSets", QJsonArray{QJsonObject(), QJsonObject{{QStringLiteral("x"), 1}}},
+        "parameterSets[1].x: there is no such parameter");
+    row("currentParameters", 2, "currentParameters: a whole number from 0 to 1");
+    row("surplus", 1, "“surplus” is not known here");
+}
+
+void ProjectFileTest::wrongDescriptions_areRefused()
+{
+    QFETCH(QString, key);
+    QFETCH(QJsonValue, value);
+    QFETCH(QString, message);
+    ZipEntries entries = unpackEntries(*packProject(sampleProject(50)));
+    QJsonObject json = QJsonDocument::fromJson(entry(entries, "project.json")).object();
+    if (value.isUndefined())
+        json.remove(key);
+    else
+        json[key] = value;
+    entry(entries, "project.json") = QJsonDocument(json).toJson();
+    const Result<Project> project = unpackProject(packEntries(entries));
+    QVERIFY(!project);
+    QVERIFY2(project.error().message.startsWith(message), qPrintable(project.error().message));
+}
+
+void ProjectFileTest::wrongColumns_areRefused_data()
+{
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("message");
+    const QByteArray good = *packProject(sampleProject(200));
+    const auto row = [&](const char* title, const char* message,
+                         const std::function<void(ZipEntries&)>& change) {
+        ZipEntries entries = unpackEntries(good);
+        change(entries);
+        QTest::newRow(title) << packEntries(entries) << QString::fromUtf8(message);
+    };
+    row("parent behind", "internode 3: its parent",
+        [](ZipEntries& e) { setNumber(entry(e, "tree/parent"), 3, 9U); });
+    row("not a number", "internode 4: its length", [](ZipEntries& e) {
+        setNumber(entry(e, "tree/length"), 4, std::numeric_limits<float>::quiet_NaN());
+    });
+    row("far away", "internode ", [](ZipEntries& e) {
+        for (qsizetype i = 0; i < 200; ++i)
+            setNumber(entry(e, "tree/length"), i, 999.0F);
+    });
+    row("steps torn", "step 3 of the history: its steps do not join",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/stepBefore"), 3, 2U); });
+    row("steps backwards", "step 1 of the history: its steps do not join",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/stepBefore"), 0, 2U); });
+    row("unknown parameters", "step 1 of the history: its parameters do not join",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/parametersBefore"), 0, 2U); });
+    row("births overlap", "step 3 of the history: its births are out of order", [](ZipEntries& e) {
+        QByteArray& count = entry(e, "journal/bornCount");
+        setNumber(count, 2, numberAt<std::uint32_t>(count, 2) + 1);
+    });
+    row("the seedling born", "step 1 of the history: its births are out of order",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/bornFirst"), 0, 0U); });
+    row("births forgotten", "the history: internode 1 has no beginning",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/bornCount"), 0, 0U); });
+    row("born after its child", "step ", [](ZipEntries& e) {
+        QByteArray& count = entry(e, "journal/bornCount");
+        setNumber(count, 2, numberAt<std::uint32_t>(count, 2) - 1);
+    });
+    row("birth too huge", "step 2 of the history: its births are out of order",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/bornCount"), 1, 0xffffffffU); });
+    row("deaths do not add up", "the history: its parts do not add up",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/diedCount"), 0, 0xffffffffU); });
+    row("the living die", "step ", [](ZipEntries& e) { setNumber(entry(e, "journal/died"), 0, 1U); });
+    row("the unknown die", "step ",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/died"), 0, 0xffffffffU); });
+    row("death at another time", "step ", [](ZipEntries& e) {
+        const auto died = numberAt<InternodeId>(entry(e, "journal/died"), 0);
+        QByteArray& death = entry(e, "tree/death");
+        setNumber(death, died, numberAt<Step>(death, died) + 1);
+    });
+    row("unknown buds", "step 1 of the history: it changes buds that were not there",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/budId"), 0, 0xffffffffU); });
+    row("impossible buds", "step 1 of the history: it changes buds in a way that cannot be",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/budBefore"), 0, std::uint8_t{0x40}); });
+    row("other buds", "step 1 of the history: it changes buds in a way that cannot be",
+        [](ZipEntries& e) { setNumber(entry(e, "journal/budAfter"), 0, std::uint8_t{0x03}); });
+    row("born at another time", "step ", [](ZipEntries& e) { setNumber(entry(e, "tree/birth"), 1, 2U); });
+}
+
+void ProjectFileTest::wrongColumns_areRefused()
+{
+    QFETCH(QByteArray, content);
+    QFETCH(QString, message);
+    const Result<Project> project = unpackProject(content);
+    QVERIFY(!project);
+    QVERIFY2(project.error().message.startsWith(message), qPrintable(project.error().message));
+}
+
+void ProjectFileTest::zipBomb_isRefusedBeforeItIsUnpacked()
+{
+    // 320 MB of zeros pack into 1.4 MB; the description promises less.
+    ZipEntries entries = unpackEntries(*packProject(sampleProject(50)));
+    entry(entries, "tree/rotation") = QByteArray(320'000'000, '\0');
+    const QByteArray bomb = packEntries(entries);
+    QVERIFY(bomb.size() < 4'000'000);
+    const Result<Project> project = unpackProject(bomb);
+    QVERIFY(!project);
+    QVERIFY2(project.error().message.startsWith(QStringLiteral("tree/rotation: it has 320000000 bytes")),
+             qPrintable(project.error().message));
+
+    // A declared size that the packed bytes cannot hold.
+    QByteArray lie = *packProject(sampleProject(50));
+    const qsizetype central = lie.indexOf("tree/rotation", lie.indexOf("PK\x01\x02")) - 46;
+    const std::uint32_t huge = 0x7fffffff;
+    std::memcpy(lie.data() + central + 24, &huge, 4);
+    QVERIFY(!unpackProject(lie));
+}
+
+void ProjectFileTest::halfAMillionInternodes_areSavedAndLoadedInSeconds()
+{
+    TreeBuilder builder;
+    while (builder.tree.size() < 500'000) {
+        std::vector<NewInternode> internodes;
+        const std::uint32_t begin = builder.tree.size();
+        for (std::uint32_t i = 0; i < 10'000; ++i) {
+            internodes.push_back({.parent = i % 100 == 0 ? 0 : begin + i - 1,
+                                  .slot = i % 100 == 0 ? 1 : kTerminalSlot,
+                                  .rotation = continuing(0.001 * i, 0.002 * i),
+                                  .length = 0.01F + 1e-6F * static_cast<float>(i)});
+        }
+        builder.apply(births(builder.tree, internodes));
+    }
+    Project large;
+    large.tree = builder.tree;
+    for (TreeDelta& delta : builder.journal)
+        large.journal.push_back(std::make_shared<TreeDelta>(std::move(delta)));
+
+    const QTemporaryDir folder;
+    const QString fileName = folder.filePath(QStringLiteral("large.espalier"));
+    QElapsedTimer timer;
+    timer.start();
+    QVERIFY(saveProject(large, fileName));
+    const qint64 saved = timer.restart();
+    const Result<Project> back = loadProject(fileName);
+    const qint64 loaded = timer.elapsed();
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QVERIFY(back->tree == large.tree);
+    qInfo("saved in %lld ms, loaded in %lld ms, %lld bytes", saved, loaded, QFileInfo(fileName).size());
+    QVERIFY(saved < 5000);
+    QVERIFY(loaded < 5000);
+}
+
+static const TestClass<ProjectFileTest> entered;
+
+} // namespace espalier::test
+
+#include "ProjectFileTest.moc"

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/mesh/LeafPlacer.h"
+
+#include "model/mesh/Textures.h"
+#include "model/mesh/Tubes.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/TreeBuilder.h"
+
+#include <QtTest>
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <set>
+
+namespace espalier::test {
+
+class LeafPlacerTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void leaves_areOnYoungShootsAlone();
+    void leaves_followTheParametersInForce();
+    void azimuth_turnsByThePhyllotaxis_data();
+    void azimuth_turnsByThePhyllotaxis();
+    void angle_isThatBetweenShootAndPetiole();
+    void droop_turnsLeavesDown();
+    void frames_areOrthonormal();
+    void faces_lookUp();
+    void sizes_varyAsMuchAsAsked();
+    void needles_areAlongTheInternode();
+    void leaves_dependOnSeedAndNodeAlone();
+    void leaves_areTheSameOnOneThreadAndMany();
+    void hue_shiftsFromGreenToRedWithWeakness();
+    void hue_ofPlacedLeaves_followsVigour();
+};
+
+namespace {
+
+/// Nothing left to chance, droop or light.
+TreeParameters exact()
+{
+    TreeParameters parameters;
+    parameters.growth.irregularity = 0.0;
+    parameters.leaves.droop = 0.0;
+    parameters.leaves.upward = 0.0;
+    parameters.leaves.sizeVariation = 0.0;
+    parameters.leaves.hueVariation = 0.0;
+    parameters.leaves.vigourHue = 0.0;
+    return parameters;
+}
+
+Rotation rotationOf(const LeafInstance& leaf)
+{
+    return Rotation(leaf.rotation[3], leaf.rotation[0], leaf.rotation[1], leaf.rotation[2]);
+}
+
+Vec3 directionOf(const LeafInstance& leaf)
+{
+    return rotationOf(leaf) * Vec3(Vec3::UnitY());
+}
+
+Vec3 normalOf(const LeafInstance& leaf)
+{
+    return rotationOf(leaf) * Vec3(Vec3::UnitZ());
+}
+
+std::vector<LeafInstance> leavesOf(const TreeBuilder& builder, InternodeId id)
+{
+    const LeafPlacer placer(builder.tree, builder.index);
+    std::vector<LeafInstance> leaves(placer.leavesPerInternode());
+    placer.place(id, leaves);
+    return leaves;
+}
+
+} // namespace
+
+void LeafPlacerTest::leaves_areOnYoungShootsAlone()
+{
+    for (const int maxTips : {1, 3, 20}) {
+        for (const int perNode : {1, 2, 5}) {
+            TreeParameters parameters;
+            parameters.leaves.maxTips = maxTips;
+            parameters.leaves.perNode = perNode;
+            const TreeBuilder builder = randomTree(800, 1, parameters);
+            std::multiset<std::array<float, 3>> nodes;
+            for (InternodeId id = 0; id < builder.tree.size(); ++id) {
+                const std::uint32_t tips = builder.index.tipCount(id);
+                if (tips >= 1 && tips <= static_cast<std::uint32_t>(maxTips)) {
+                    for (int i = 0; i < perNode; ++i)
+                        nodes.insert(toArray(builder.index.nodePosition(id)));
+                }
+            }
+            std::multiset<std::array<float, 3>> places;
+            for (const LeafInstance& leaf : placeLeaves(builder.tree, builder.index))
+                places.insert(leaf.position);
+            QVERIFY(places == nodes);
+        }
+    }
+}
+
+void LeafPlacerTest::leaves_followTheParametersInForce()
+{
+    TreeBuilder builder = randomTree(300, 2, exact());
+    TreeParameters parameters = builder.tree.parameters();
+    parameters.leaves.shape = LeafShape::Lobed;
+    parameters.leaves.length = 0.2;
+    parameters.leaves.aspect = 0.5;
+    builder.apply(parameterChange(builder.tree, parameters));
+    const auto leaves = placeLeaves(builder.tree, builder.index);
+    QVERIFY(!leaves.empty());
+    for (const LeafInstance& leaf : leaves) {
+        QCOMPARE(leaf.shape, static_cast<std::int32_t>(LeafShape::Lobed));
+        QCOMPARE(leaf.length, 0.2F);
+        QCOMPARE(leaf.width, 0.1F);
+    }
+    parameters.leaves.visible = false;
+    builder.apply(parameterChange(builder.tree, parameters));
+    QVERIFY(placeLeaves(builder.tree, builder.index).empty());
+    parameters.leaves.visible = true;
+    parameters.leaves.perNode = 0;
+    builder.apply(parameterChange(builder.tree, parameters));
+    QVERIFY(placeLeaves(builder.tree, builder.index).empty());
+}
+
+void LeafPlacerTest::azimuth_turnsByThePhyllotaxis_data()
+{
+    QTest::addColumn<double>("turn"); // degrees from node to node
+    QTest::addColumn<int>("perNode");
+    QTest::newRow("golden spiral") << 137.507764 << 1;
+    QTest::newRow("distichous") << 180.0 << 1;
+    QTest::newRow("decussate") << 90.0 << 2;
+    QTest::newRow("whorls of three") << 60.0 << 3;
+    QTest::newRow("two fifths") << 144.0 << 1;
+}
+
+void LeafPlacerTest::azimuth_turnsByThePhyllotaxis()
+{
+    QFETCH(double, turn);
+    QFETCH(int, perNode);
+    TreeParameters parameters = exact();
+    parameters.leaves.perNode = perNode;
+    TreeBuilder builder(1, parameters);
+    // Bent by 5° a node: azimuths are measured in frames that are carried along without twist.
+    builder.growAxis(0, kTerminalSlot, continuing(0.0, 0.0, radians(turn)), 12,
+                     continuing(radians(5), 1.0, radians(turn)));
+    Rotation carried = builder.index.rotation(0);
+    std::vector<double> azimuths;
+    for (InternodeId id = 0; id < builder.tree.size(); ++id) {
+        const Rotation bend(
+            Rotation::FromTwoVectors(carried * Vec3(Vec3::UnitY()), builder.index.heading(id)));
+        carried = (bend * carried).normalized();
+        const std::vector<LeafInstance> leaves = leavesOf(builder, id);
+        QCOMPARE(leaves.size(), static_cast<std::size_t>(perNode));
+        for (std::size_t i = 0; i < leaves.size(); ++i) {
+            const Vec3 local = carried.conjugate() * directionOf(leaves[i]);
+            const double azimuth = std::atan2(local.z(), local.x());
+            if (i == 0)
+                azimuths.push_back(azimuth);
+            const double expected =
+                azimuths.back() + 2.0 * std::numbers::pi * static_cast<double>(i) / perNode;
+            QVERIFY(std::abs(std::remainder(azimuth - expected, 2.0 * std::numbers::pi)) < 1e-4);
+        }
+    }
+    for (std::size_t i = 1; i < azimuths.size(); ++i) {
+        // The frames roll about +Y, from +Z toward +X; azimuths are measured the other way.
+        const double step = azimuths[i - 1] - azimuths[i];
+        QVERIFY2(std::abs(std::remainder(step - radians(turn), 2.0 * std::numbers::pi)) < 1e-4,
+                 qPrintable(QString::number(degrees(step))));
+    }
+}
+
+void LeafPlacerTest::angle_isThatBetweenShootAndPetiole()
+{
+    for (const double angle : {0.0, 30.0, 60.0, 120.0}) {
+        TreeParameters parameters = exact();
+        parameters.leaves.angle = radians(angle);
+        const TreeBuilder builder = randomTree(200, 3, parameters);
+        for (InternodeId id = 0; id < builder.tree.size(); ++id) {
+            if (!LeafPlacer(builder.tree, builder.index).bears(id))
+                continue;
+            for (const LeafInstance& leaf : leavesOf(builder, id)) {
+                const double cosine = directionOf(leaf).dot(builder.index.heading(id));
+                QVERIFY(std::abs(cosine - std::cos(radians(angle))) < 1e-5);
+            }
+        }
+    }
+}
+
+void LeafPlacerTest::droop_turnsLeavesDown()
+{
+    double above = 2.0;
+    for (const double droop : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        TreeParameters parameters = exact();
+        parameters.leaves.droop = droop;
+        const TreeBuilder builder = randomTree(300, 4, parameters);
+        double mean = 0.0;
+        const auto leaves = placeLeaves(builder.tree, builder.index);
+        for (const LeafInstance& leaf : leaves)
+            mean += directionOf(leaf).y() / static_cast<double>(leaves.size());
+        QVERIFY(mean < above);
+        above = mean;
+        if (droop == 1.0) {
+            for (const LeafInstance& leaf : leaves)
+                QVERIFY(directionOf(leaf).y() < -0.9999F);
+        }
+    }
+}
+
+void LeafPlacerTest::frames_areOrthonormal()
+{
+    for (const double upward : {0.0, 0.5, 1.0}) {
+        TreeParameters parameters;
+        parameters.growth.irregularity = 1.0;
+        parameters.leaves.upward = upward;
+        const TreeBuilder builder = randomTree(600, 5, parameters);
+        for (const LeafInstance& leaf : placeLeaves(builder.tree, builder.index)) {
+            QVERIFY(std::abs(rotationOf(leaf).norm() - 1.0F) < 1e-5F);
+            const Vec3 direction = directionOf(leaf);
+            const Vec3 normal = normalOf(leaf);
+            QVERIFY(std::abs(direction.norm() - 1.0F) < 1e-5F);
+            QVERIFY(std::abs(direction.dot(normal)) < 1e-5F);
+        }
+    }
+}
+
+void LeafPlacerTest::faces_lookUp()
+{
+    for (const double upward : {0.1, 0.6, 1.0}) {
+        TreeParameters parameters;
+        parameters.growth.irregularity = 1.0;
+        parameters.leaves.upward = upward;
+        parameters.leaves.droop = 0.4;
+        const TreeBuilder builder = randomTree(600, 6, parameters);
+        double worst = 1.0;
+        for (const LeafInstance& leaf : placeLeaves(builder.tree, builder.index)) {
+            worst = std::min(worst, static_cast<double>(normalOf(leaf).y()));
+            // As far up as its direction allows.
+            if (upward == 1.0)
+                QVERIFY(std::abs(normalOf(leaf).y() -
+                                 std::sqrt(1.0F - std::pow(directionOf(leaf).y(), 2.0F))) < 1e-3F);
+        }
+        QVERIFY2(worst >= -1e-5, qPrintable(QString::number(worst)));
+    }
+}
+
+void LeafPlacerTest::sizes_varyAsMuchAsAsked()
+{
+    for (const double variation : {0.0, 0.25, 0.5}) {
+        TreeParameters parameters = exact();
+        parameters.leaves.length = 0.1;
+        parameters.leaves.sizeVariation = variation;
+        const TreeBuilder builder = randomTree(1500, 7, parameters);
+        double least = 1.0;
+        double most = 0.0;
+        double mean = 0.0;
+        const auto leaves = placeLeaves(builder.tree, builder.index);
+        for (const LeafInstance& leaf : leaves) {
+            QVERIFY(std::abs(leaf.width - 0.6F * leaf.length) < 1e-6F);
+            least = std::min(least, static_cast<double>(leaf.length));
+            most = std::max(most, static_cast<double>(leaf.length));
+            mean += leaf.length / static_cast<double>(leaves.size());
+        }
+        QVERIFY(least >= 0.1 * (1.0 - variation) - 1e-6 && least <= 0.1 * (1.0 - 0.95 * variation) + 1e-6);
+        QVERIFY(most <= 0.1 * (1.0 + variation) + 1e-6 && most >= 0.1 * (1.0 + 0.95 * variation) - 1e-6);
+        QVERIFY(std::abs(mean - 0.1) < 0.003);
+    }
+}
+
+void LeafPlacerTest::needles_areAlongTheInternode()
+{
+    TreeParameters parameters = exact();
+    parameters.leaves.shape = LeafShape::Needles;
+    parameters.leaves.perNode = 4;
+    TreeBuilder builder(1, parameters);
+    const InternodeId id = builder.grow({.rotation = continuing(), .length = 0.08F});
+    const std::vector<LeafInstance> leaves = leavesOf(builder, id);
+    const float top = builder.index.nodePosition(id).y();
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+        QVERIFY(std::abs(leaves[i].position[1] - (top - 0.02F * static_cast<float>(i))) < 1e-6F);
+}
+
+void LeafPlacerTest::leaves_dependOnSeedAndNodeAlone()
+{
+    TreeBuilder small = randomTree(200, 8);
+    const InternodeId node = small.tree.size() - 1;
+    const std::vector<LeafInstance> before = leavesOf(small, node);
+    // The rest of the tree grows on, elsewhere; the leaves stay.
+    small.grow({.parent = 0, .slot = 0, .rotation = branching(0.5)});
+    QCOMPARE(leavesOf(small, node), before);
+    const std::vector<LeafInstance> again = leavesOf(randomTree(200, 8), node);
+    QCOMPARE(again, before);
+
+    TreeBuilder otherSeed(99);
+    TreeBuilder sameShape(8);
+    for (TreeBuilder* builder : {&otherSeed, &sameShape})
+        builder->grow({.rotation = continuing()});
+    QVERIFY(leavesOf(otherSeed, 1) != leavesOf(sameShape, 1));
+    QVERIFY(leavesOf(sameShape, 0)[0].rotation != leavesOf(sameShape, 1)[0].rotation);
+}
+
+void LeafPlacerTest::leaves_areTheSameOnOneThreadAndMany()
+{
+    const TreeBuilder builder = randomTree(12000, 9);
+    MeshBuffer<LeafInstance> single;
+    {
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        single = placeLeaves(builder.tree, builder.index);
+    }
+    const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
+    QVERIFY(placeLeaves(builder.tree, builder.index) == single);
+}
+
+void LeafPlacerTest::hue_shiftsFromGreenToRedWithWeakness()
+{
+    QCOMPARE(shootWeakness(0.0, 0.5), 1.0);
+    QCOMPARE(shootWeakness(0.25, 0.5), 0.5);
+    QCOMPARE(shootWeakness(0.5, 0.5), 0.0);
+    QCOMPARE(shootWeakness(1.0, 0.5), 0.0);
+    QCOMPARE(shootWeakness(0.3, 0.0), 0.0); // no NaN where nothing has vigour
+    QCOMPARE(shootWeakness(0.0, 0.0), 0.0);
+
+    // Half way from green (110°) to red (10°) is yellow (60°).
+    QVERIFY(std::abs(degrees(shiftedLeafHue(radians(110), 0.5)) - 60.0) < 1e-9);
+    for (int hue = 0; hue < 360; ++hue) {
+        QCOMPARE(shiftedLeafHue(radians(hue), 0.0), radians(hue));
+        double last = radians(hue);
+        const double direction = shiftedLeafHue(radians(hue), 1.0) - last;
+        for (int step = 1; step <= 20; ++step) {
+            const double shifted = shiftedLeafHue(radians(hue), step / 20.0);
+            QVERIFY((shifted - last) * direction >= 0.0); // monotone
+            // Never through blue: leaves that are not blue do not become so.
+            if (hue < 210 || hue > 270)
+                QVERIFY(degrees(shifted) < 210.0 || degrees(shifted) > 270.0);
+            last = shifted;
+        }
+        QVERIFY(std::abs(std::remainder(degrees(last) - 10.0, 360.0)) < 1e-9);
+    }
+}
+
+void LeafPlacerTest::hue_ofPlacedLeaves_followsVigour()
+{
+    TreeParameters parameters = exact();
+    parameters.leaves.vigourHue = 0.5;
+    parameters.leaves.perNode = 1;
+    TreeBuilder builder(1, parameters);
+    float above = -10.0F;
+    float brighter = 0.0F;
+    for (const float vigour : {0.0F, 0.1F, 0.3F, 0.6F, 1.0F}) {
+        const InternodeId id =
+            builder.grow({.parent = builder.tree.size() - 1, .rotation = continuing(), .vigour = vigour});
+        const LeafInstance leaf = leavesOf(builder, id).front();
+        const double expected =
+            shiftedLeafHue(parameters.leaves.hue, 0.5 * shootWeakness(vigour)) - kLeafTextureHue;
+        QVERIFY(std::abs(leaf.hueShift - expected) < 1e-6);
+        QVERIFY(leaf.hueShift >= above);
+        QVERIFY(leaf.value >= brighter && leaf.value >= 0.9F && leaf.value <= 1.0F);
+        above = leaf.hueShift;
+        brighter = leaf.value;
+    }
+}
+
+const TestClass<LeafPlacerTest> entered;
+
+} // namespace espalier::test
+
+#include "LeafPlacerTest.moc"

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/io/ProjectFile.h"
+#include "tests/support/TreeBuilder.h"
+
+namespace espalier::test {
+
+/// A project of about @p count internodes with all that a history can hold: births, deaths, parameter
+/// changes, and steps that were taken back.
+inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
+{
+    TreeParameters parameters;
+    parameters.growth.lateralsPerNode = 2;
+    TreeBuilder builder(seed, parameters);
+    builder.growTo(count / 2, seed);
+    parameters.growth.branchingAngle = radians(33.3);
+    parameters.leaves.shape = LeafShape::Needles;
+    builder.apply(parameterChange(builder.tree, parameters));
+    // The first lateral branch that is not the whole tree is shed.
+    for (InternodeId id = 1; id < builder.tree.size(); ++id) {
+        if (builder.tree.isAlive(id) && !builder.tree.continuesAxis(id)) {
+            builder.apply(death(builder.tree, builder.index, id));
+            break;
+        }
+    }
+    builder.growTo(count, seed + 1);
+    // What is taken back stays in the columns, absent.
+    builder.apply(randomGrowth(builder.tree, 5, seed));
+    builder.revert();
+
+    Project project;
+    for (TreeDelta& delta : builder.journal)
+        project.journal.push_back(std::make_shared<TreeDelta>(std::move(delta)));
+    project.tree = builder.tree;
+    project.name = QStringLiteral("Old oak “Älteste”");
+    return project;
+}
+
+inline bool operator==(const TreeDelta& a, const TreeDelta& b)
+{
+    return a.stepBefore == b.stepBefore && a.stepAfter == b.stepAfter &&
+           a.parametersBefore == b.parametersBefore && a.parametersAfter == b.parametersAfter &&
+           a.born == b.born && a.died == b.died && a.buds == b.buds;
+}
+
+inline bool sameJournal(const Journal& a, const Journal& b)
+{
+    return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return *x == *y; });
+}
+
+/// Reverts the whole journal and applies it again; whether that led back to the same tree.
+inline bool survivesItsHistory(const Project& project)
+{
+    Tree tree = project.tree;
+    TreeIndex index(tree);
+    for (std::size_t i = project.journal.size(); i-- > 0;) {
+        tree.revert(*project.journal[i]);
+        index.update(tree, *project.journal[i]);
+    }
+    for (const auto& delta : project.journal) {
+        tree.apply(*delta);
+        index.update(tree, *delta);
+    }
+    return tree == project.tree && index.livingCount() == TreeIndex(project.tree).livingCount();
+}
+
+} // namespace espalier::test

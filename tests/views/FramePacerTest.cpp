@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/render/FramePacer.h"
+
+#include <QtTest>
+
+using namespace espalier;
+
+namespace {
+
+constexpr double kSlow = 2.0 * FramePacer::kFrameBudget;
+
+RenderOptions applied(const FramePacer& pacer)
+{
+    RenderOptions options;
+    pacer.apply(options);
+    return options;
+}
+
+/// Enough slow frames for one step of saving more.
+void drag(FramePacer& pacer)
+{
+    const FramePacer::Saving before = pacer.saving();
+    for (int i = 0; i < 10 && pacer.saving() == before; ++i)
+        pacer.frameTook(kSlow);
+}
+
+} // namespace
+
+class FramePacerTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void atRest_isAtItsBest();
+    void moving_savesOnlyTheSamplesWhereFramesAreFast();
+    void slowFrames_saveStepByStep();
+    void oneSlowFrame_isForgiven();
+    void shadows_arePhasedInAtRest();
+    void shadows_comeAtOnceWhereFramesAreSlow();
+    void nextMovement_startsBetter();
+};
+
+void FramePacerTest::atRest_isAtItsBest()
+{
+    const FramePacer pacer;
+    QVERIFY(pacer.isAtRest());
+    QCOMPARE(applied(pacer).samples, 4);
+    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+    QCOMPARE(pacer.scale(), 1.0);
+}
+
+void FramePacerTest::moving_savesOnlyTheSamplesWhereFramesAreFast()
+{
+    FramePacer pacer;
+    pacer.disturb(true);
+    for (int i = 0; i < 100; ++i)
+        pacer.frameTook(0.1 * FramePacer::kFrameBudget);
+    QVERIFY(!pacer.isAtRest());
+    QCOMPARE(applied(pacer).samples, 1);
+    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+    QCOMPARE(pacer.scale(), 1.0);
+}
+
+void FramePacerTest::slowFrames_saveStepByStep()
+{
+    FramePacer pacer;
+    pacer.disturb(false);
+    drag(pacer);
+    QCOMPARE(pacer.saving(), FramePacer::Saving::ShadowsOfGrowth);
+    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+    pacer.disturb(true);
+    QCOMPARE(applied(pacer).shadowStrength, 0.0);
+    drag(pacer);
+    QCOMPARE(pacer.saving(), FramePacer::Saving::Shadows);
+    QCOMPARE(pacer.scale(), 1.0);
+    drag(pacer);
+    QVERIFY(pacer.scale() < 1.0);
+    drag(pacer);
+    QCOMPARE(pacer.scale(), 0.5);
+    drag(pacer);
+    QCOMPARE(pacer.saving(), FramePacer::Saving::MostPixels);
+}
+
+void FramePacerTest::oneSlowFrame_isForgiven()
+{
+    FramePacer pacer;
+    pacer.disturb(true);
+    for (int i = 0; i < 20; ++i) {
+        pacer.frameTook(kSlow);
+        pacer.frameTook(0.0);
+    }
+    QCOMPARE(pacer.saving(), FramePacer::Saving::Nothing);
+}
+
+void FramePacerTest::shadows_arePhasedInAtRest()
+{
+    FramePacer pacer;
+    pacer.disturb(true);
+    drag(pacer);
+    pacer.rest();
+    QVERIFY(!pacer.isAtRest());
+    QVERIFY(pacer.isPhasingIn());
+    QCOMPARE(applied(pacer).samples, 4);
+    QVERIFY(pacer.advance(0.5 * FramePacer::kPhaseIn));
+    QCOMPARE(applied(pacer).shadowStrength, 0.5);
+    QVERIFY(pacer.advance(FramePacer::kPhaseIn));
+    QVERIFY(pacer.isAtRest());
+    QVERIFY(!pacer.advance(FramePacer::kPhaseIn));
+}
+
+void FramePacerTest::shadows_comeAtOnceWhereFramesAreSlow()
+{
+    FramePacer pacer;
+    pacer.disturb(true);
+    drag(pacer);
+    drag(pacer);
+    pacer.rest();
+    QVERIFY(pacer.isAtRest());
+    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+}
+
+void FramePacerTest::nextMovement_startsBetter()
+{
+    FramePacer pacer;
+    pacer.disturb(true);
+    drag(pacer);
+    drag(pacer);
+    pacer.rest();
+    pacer.disturb(false);
+    QCOMPARE(pacer.saving(), FramePacer::Saving::ShadowsOfGrowth);
+    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+}
+
+QTEST_GUILESS_MAIN(FramePacerTest)
+#include "FramePacerTest.moc"

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/base/Vector.h"
+#include "views/input/GestureReader.h"
+#include "views/input/HeldKeys.h"
+#include "views/input/PointerReader.h"
+
+#include <QPointingDevice>
+#include <QTabletEvent>
+#include <QWidget>
+#include <QtTest>
+
+#include <memory>
+
+using namespace espalier;
+
+namespace {
+
+/// A widget whose pointer events become gestures, which are written down.
+class Pad : public QWidget, public GestureTarget {
+public:
+    Pad()
+    {
+        setAttribute(Qt::WA_AcceptTouchEvents);
+        setMouseTracking(true);
+        resize(400, 300);
+    }
+
+    PointerReader pointers;
+    GestureReader gestures{*this};
+    QStringList log;
+    std::vector<PointerSample> samples;
+    QPointF orbited;
+    QPointF panned;
+    double magnified = 1.0;
+
+protected:
+    bool event(QEvent* event) override
+    {
+        const auto read = pointers.read(*event);
+        if (read.empty() && event->type() != QEvent::TouchUpdate)
+            return QWidget::event(event);
+        gestures.read(read);
+        event->accept();
+        return true;
+    }
+
+    void note(const char* what, const PointerSample& sample)
+    {
+        log << what;
+        samples.push_back(sample);
+    }
+    void toolBegins(const PointerSample& sample) override { note("begin", sample); }
+    void toolMoves(const PointerSample& sample) override { note("move", sample); }
+    void toolEnds(const PointerSample& sample) override { note("end", sample); }
+    void toolIsCancelled() override { log << "cancel"; }
+    void toolHovers(const PointerSample& sample) override { note("hover", sample); }
+    void orbitBy(const QPointF& distance) override { orbited += distance; }
+    void panBy(const QPointF& distance) override { panned += distance; }
+    void magnify(double factor, const QPointF& about) override
+    {
+        Q_UNUSED(about)
+        magnified *= factor;
+    }
+};
+
+} // namespace
+
+class GestureReaderTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { m_device.reset(QTest::createTouchDevice()); }
+    void init();
+    void cleanup() { m_pad.reset(); }
+
+    void oneFinger_isTheTool();
+    void twoFingers_panAndPinch();
+    void threeFingers_rotate();
+    void secondFinger_cancelsTheTool();
+    void fingersThatLinger_doNothing();
+    void cancelledTouch_cancelsTheTool();
+    void mouseLeft_isTheTool();
+    void mouseButtons_orbitAndPan_data();
+    void mouseButtons_orbitAndPan();
+    void spaceBar_makesTheLeftButtonPan();
+    void hover_isToldToTheTool();
+    void cancel_waitsForTheRelease();
+    void pen_tellsPressureAndTilt();
+    void palm_isIgnoredWhileThePenIsDown();
+    void palm_thatCameFirstIsTakenBack();
+    void penInReach_keepsFingersOut();
+    void time_neverRunsBack();
+    void heldKeys_askForMotion();
+    void heldKeys_leaveShortcutsAlone();
+
+private:
+    void sendPen(QEvent::Type type, const QPointF& position, double pressure, Qt::MouseButtons buttons);
+
+    std::unique_ptr<QPointingDevice> m_device;
+    std::unique_ptr<Pad> m_pad;
+};
+
+void GestureReaderTest::init()
+{
+    m_pad = std::make_unique<Pad>();
+    m_pad->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_pad.get()));
+    m_pad->log.clear();
+    m_pad->samples.clear();
+}
+
+void GestureReaderTest::sendPen(QEvent::Type type, const QPointF& position, double pressure, Qt::MouseButtons buttons)
+{
+    static const QPointingDevice stylus("test stylus", 77, QInputDevice::DeviceType::Stylus,
+                                        QPointingDevice::PointerType::Pen,
+                                        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
+    QTabletEvent event(type, &stylus, position, m_pad->mapToGlobal(position), pressure, 30.0F, -20.0F, 0.0F, 0.0, 0.0F,
+                       Qt::NoModifier, type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton, buttons);
+    QCoreApplication::sendEvent(m_pad.get(), &event);
+}
+
+void GestureReaderTest::oneFinger_isTheTool()
+{
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {50, 60});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {70, 65});
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {90, 70});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "move", "end"}));
+    QCOMPARE(m_pad->samples[0].device, PointerDevice::Finger);
+    QCOMPARE(m_pad->samples[0].position, QPointF(50, 60));
+    QCOMPARE(m_pad->samples[1].position, QPointF(70, 65));
+    QCOMPARE(m_pad->samples[2].position, QPointF(90, 70));
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::twoFingers_panAndPinch()
+{
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100}).press(1, {200, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {110, 120}).move(1, {210, 120});
+    QCOMPARE(m_pad->panned, QPointF(10, 20));
+    QCOMPARE(m_pad->magnified, 1.0);
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {60, 120}).move(1, {260, 120});
+    QCOMPARE(m_pad->panned, QPointF(10, 20));
+    QCOMPARE(m_pad->magnified, 2.0);
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {60, 120}).release(1, {260, 120});
+    QCOMPARE(m_pad->log, QStringList());
+    QVERIFY(m_pad->orbited.isNull());
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::threeFingers_rotate()
+{
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100}).press(1, {200, 100}).press(2, {150, 150});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {130, 106}).move(1, {230, 106}).move(2, {180, 156});
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {130, 106}).release(1, {230, 106}).release(2, {180, 156});
+    QVERIFY(QLineF(m_pad->orbited, QPointF(30, 6)).length() < 1e-6);
+    QVERIFY(m_pad->panned.isNull());
+    QCOMPARE(m_pad->log, QStringList());
+}
+
+void GestureReaderTest::secondFinger_cancelsTheTool()
+{
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {104, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).press(1, {200, 100});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "move", "cancel"}));
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {114, 100}).move(1, {210, 100});
+    QCOMPARE(m_pad->panned, QPointF(10, 0));
+    QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).stationary(1).press(2, {150, 180});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {114, 130}).move(1, {210, 130}).move(2, {150, 210});
+    QVERIFY(QLineF(m_pad->orbited, QPointF(0, 30)).length() < 1e-6);
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {114, 130}).release(1, {210, 130}).release(2, {150, 210});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "move", "cancel"}));
+}
+
+void GestureReaderTest::fingersThatLinger_doNothing()
+{
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100}).press(1, {200, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).release(1, {200, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {50, 50});
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {50, 50});
+    QCOMPARE(m_pad->log, QStringList());
+    QVERIFY(m_pad->panned.isNull());
+    // The next finger is the tool again.
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100});
+    QCOMPARE(m_pad->log, (QStringList{"begin"}));
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {100, 100});
+}
+
+void GestureReaderTest::cancelledTouch_cancelsTheTool()
+{
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100});
+    QTouchEvent event(QEvent::TouchCancel, m_device.get(), Qt::NoModifier,
+                      {QEventPoint(0, QEventPoint::State::Released, {100, 100}, {100, 100})});
+    QCoreApplication::sendEvent(m_pad.get(), &event);
+    QCOMPARE(m_pad->log, (QStringList{"begin", "cancel"}));
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::mouseLeft_isTheTool()
+{
+    QTest::mousePress(m_pad.get(), Qt::LeftButton, {}, {50, 60});
+    QTest::mouseMove(m_pad.get(), {80, 90});
+    QTest::mouseRelease(m_pad.get(), Qt::LeftButton, {}, {81, 90});
+    m_pad->log.removeAll("hover");
+    QCOMPARE(m_pad->log.first(), "begin");
+    QCOMPARE(m_pad->log.last(), "end");
+    QVERIFY(m_pad->log.contains("move"));
+    QCOMPARE(m_pad->samples.back().pressure, 1.0);
+}
+
+void GestureReaderTest::mouseButtons_orbitAndPan_data()
+{
+    QTest::addColumn<Qt::MouseButton>("button");
+    QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+    QTest::addColumn<bool>("orbits");
+    QTest::newRow("middle") << Qt::MiddleButton << Qt::KeyboardModifiers() << true;
+    QTest::newRow("right") << Qt::RightButton << Qt::KeyboardModifiers() << true;
+    QTest::newRow("Alt+left") << Qt::LeftButton << Qt::KeyboardModifiers(Qt::AltModifier) << true;
+    QTest::newRow("Shift+middle") << Qt::MiddleButton << Qt::KeyboardModifiers(Qt::ShiftModifier) << false;
+}
+
+void GestureReaderTest::mouseButtons_orbitAndPan()
+{
+    QFETCH(Qt::MouseButton, button);
+    QFETCH(Qt::KeyboardModifiers, modifiers);
+    QFETCH(bool, orbits);
+    QTest::mousePress(m_pad.get(), button, modifiers, {50, 60});
+    QTest::mouseRelease(m_pad.get(), button, modifiers, {90, 75});
+    QCOMPARE(m_pad->orbited, orbits ? QPointF(40, 15) : QPointF());
+    QCOMPARE(m_pad->panned, orbits ? QPointF() : QPointF(40, 15));
+    QVERIFY(!m_pad->log.contains("begin"));
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::spaceBar_makesTheLeftButtonPan()
+{
+    m_pad->gestures.setPanKey(true);
+    QTest::mousePress(m_pad.get(), Qt::LeftButton, {}, {50, 60});
+    QTest::mouseRelease(m_pad.get(), Qt::LeftButton, {}, {55, 61});
+    QCOMPARE(m_pad->panned, QPointF(5, 1));
+    QVERIFY(!m_pad->log.contains("begin"));
+}
+
+void GestureReaderTest::hover_isToldToTheTool()
+{
+    QMouseEvent event(QEvent::MouseMove, {30, 40}, m_pad->mapToGlobal(QPointF(30, 40)), Qt::NoButton, Qt::NoButton,
+                      Qt::NoModifier);
+    QCoreApplication::sendEvent(m_pad.get(), &event);
+    QCOMPARE(m_pad->log.last(), "hover");
+    QCOMPARE(m_pad->samples.back().position, QPointF(30, 40));
+}
+
+void GestureReaderTest::cancel_waitsForTheRelease()
+{
+    QTest::mousePress(m_pad.get(), Qt::LeftButton, {}, {50, 60});
+    m_pad->gestures.cancel();
+    QVERIFY(m_pad->gestures.isBusy());
+    m_pad->log.clear();
+    QTest::mouseRelease(m_pad.get(), Qt::LeftButton, {}, {55, 61});
+    QCOMPARE(m_pad->log, QStringList());
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::pen_tellsPressureAndTilt()
+{
+    sendPen(QEvent::TabletPress, {40, 50}, 0.25, Qt::LeftButton);
+    sendPen(QEvent::TabletMove, {45, 50}, 0.75, Qt::LeftButton);
+    sendPen(QEvent::TabletRelease, {46, 50}, 0.0, Qt::NoButton);
+    QCOMPARE(m_pad->log, (QStringList{"begin", "move", "end"}));
+    QCOMPARE(m_pad->samples[0].device, PointerDevice::Pen);
+    QCOMPARE(m_pad->samples[0].pressure, 0.25);
+    QCOMPARE(m_pad->samples[1].pressure, 0.75);
+    QVERIFY(QLineF(m_pad->samples[1].tilt, QPointF(radians(30), radians(-20))).length() < 1e-6);
+}
+
+void GestureReaderTest::palm_isIgnoredWhileThePenIsDown()
+{
+    sendPen(QEvent::TabletPress, {40, 50}, 0.5, Qt::LeftButton);
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {200, 200});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {210, 200}).press(1, {220, 220});
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {210, 200}).release(1, {220, 220});
+    sendPen(QEvent::TabletRelease, {60, 50}, 0.0, Qt::NoButton);
+    QCOMPARE(m_pad->log, (QStringList{"begin", "end"}));
+    QVERIFY(m_pad->panned.isNull());
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::palm_thatCameFirstIsTakenBack()
+{
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {200, 200});
+    sendPen(QEvent::TabletPress, {40, 50}, 0.5, Qt::LeftButton);
+    QCOMPARE(m_pad->log, (QStringList{"begin", "cancel", "begin"}));
+    QCOMPARE(m_pad->samples.back().device, PointerDevice::Pen);
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {220, 200});
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {220, 200});
+    sendPen(QEvent::TabletRelease, {40, 50}, 0.0, Qt::NoButton);
+    QCOMPARE(m_pad->log, (QStringList{"begin", "cancel", "begin", "end"}));
+}
+
+void GestureReaderTest::penInReach_keepsFingersOut()
+{
+    m_pad->gestures.setPenInReach(true, m_pad->pointers.now());
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {200, 200});
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {200, 200});
+    QCOMPARE(m_pad->log, QStringList());
+    m_pad->gestures.setPenInReach(false, m_pad->pointers.now());
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {200, 200});
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {200, 200});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "end"}));
+}
+
+void GestureReaderTest::time_neverRunsBack()
+{
+    const auto send = [&](quint64 timestamp) {
+        QMouseEvent event(QEvent::MouseMove, {30, 40}, m_pad->mapToGlobal(QPointF(30, 40)), Qt::NoButton, Qt::NoButton,
+                          Qt::NoModifier);
+        event.setTimestamp(timestamp);
+        QCoreApplication::sendEvent(m_pad.get(), &event);
+        return m_pad->samples.back().time;
+    };
+    double last = send(5'000'000);
+    for (const quint64 timestamp : {5'000'016ULL, 5'000'010ULL, 3ULL, 900'000'000ULL, 5'000'032ULL}) {
+        const double time = send(timestamp);
+        QVERIFY(time >= last);
+        QVERIFY(time <= m_pad->pointers.now());
+        last = time;
+    }
+}
+
+void GestureReaderTest::heldKeys_askForMotion()
+{
+    HeldKeys keys;
+    QVERIFY(keys.press(Qt::Key_Right, {}));
+    QVERIFY(keys.motion().orbit.x() > 0.0);
+    QVERIFY(keys.press(Qt::Key_Q, {}));
+    QVERIFY(keys.motion().orbit.isNull());
+    QVERIFY(keys.release(Qt::Key_Q));
+    QVERIFY(keys.release(Qt::Key_Right));
+    QVERIFY(!keys.release(Qt::Key_Right));
+    QVERIFY(!keys.isAnyHeld());
+    QVERIFY(keys.press(Qt::Key_Up, Qt::ShiftModifier));
+    QVERIFY(keys.motion().orbit.isNull());
+    QVERIFY(!keys.motion().pan.isNull());
+    QVERIFY(keys.press(Qt::Key_Plus, Qt::ShiftModifier));
+    QVERIFY(keys.motion().zoom > 0.0);
+}
+
+void GestureReaderTest::heldKeys_leaveShortcutsAlone()
+{
+    HeldKeys keys;
+    QVERIFY(!keys.press(Qt::Key_E, Qt::ControlModifier));
+    QVERIFY(!keys.press(Qt::Key_Left, Qt::AltModifier));
+    QVERIFY(!keys.press(Qt::Key_B, {}));
+    QVERIFY(!keys.isAnyHeld());
+}
+
+QTEST_MAIN(GestureReaderTest)
+#include "GestureReaderTest.moc"

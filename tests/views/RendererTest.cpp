@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/TreeBuilder.h"
+#include "views/render/OffscreenRenderer.h"
+
+#include <QtTest>
+
+#include <memory>
+
+using namespace espalier;
+
+namespace {
+
+constexpr QSize kSize(320, 240);
+
+/// A document with a tree of about @p count internodes.
+std::unique_ptr<TreeDocument> grownDocument(std::uint32_t count)
+{
+    auto document = std::make_unique<TreeDocument>();
+    document->reset(3);
+    while (document->index().livingCount() < count)
+        document->apply(std::make_shared<TreeDelta>(test::randomGrowth(document->tree(), 60)));
+    return document;
+}
+
+/// Pixels whose colours differ by more than noise.
+int difference(const QImage& a, const QImage& b)
+{
+    int pixels = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor p = a.pixelColor(x, y);
+            const QColor q = b.pixelColor(x, y);
+            const int distance = std::abs(p.red() - q.red()) + std::abs(p.green() - q.green())
+                                 + std::abs(p.blue() - q.blue()) + std::abs(p.alpha() - q.alpha());
+            pixels += distance > 12 ? 1 : 0;
+        }
+    }
+    return pixels;
+}
+
+double brightness(const QImage& image)
+{
+    double sum = 0.0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x)
+            sum += image.pixelColor(x, y).lightnessF();
+    }
+    return sum / (image.width() * image.height());
+}
+
+} // namespace
+
+class RendererTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+
+    void background_isExactlyTheColourAskedFor();
+    void transparentBackground_isTransparentAndPremultiplied();
+    void tree_isSeenWhereItIsProjected();
+    void picture_isTheSameEachTime();
+    void picture_doesNotDependOnHowTheTreeCameAbout();
+    void scene_followsDeltasBothWays();
+    void leavesAndGround_canBeHidden();
+    void shadows_darken();
+    void ambientLight_isLessInsideTheCrown();
+    void samples_smoothEdges();
+    void backdrops_differ();
+    void size_beyondTheCardIsAnError();
+    void renderImage_drawsADocument();
+
+private:
+    QImage draw(TreeScene& scene, const RenderOptions& options = {}, NamedView view = NamedView::Front);
+
+    std::unique_ptr<OffscreenRenderer> m_renderer;
+    std::unique_ptr<TreeDocument> m_document;
+    std::unique_ptr<TreeScene> m_scene;
+};
+
+void RendererTest::initTestCase()
+{
+    auto renderer = OffscreenRenderer::create();
+    QVERIFY2(bool(renderer), renderer ? "" : qPrintable(renderer.error().message));
+    m_renderer = std::move(*renderer);
+    m_document = grownDocument(600);
+    m_scene = std::make_unique<TreeScene>(*m_document);
+}
+
+QImage RendererTest::draw(TreeScene& scene, const RenderOptions& options, NamedView view)
+{
+    const auto image = m_renderer->render(scene, pictureCamera(view, scene.bounds(), kSize), options);
+    return image ? *image : QImage();
+}
+
+void RendererTest::background_isExactlyTheColourAskedFor()
+{
+    RenderOptions options;
+    options.background = QColor(12, 34, 56);
+    options.view.groundShown = false;
+    const QImage image = draw(*m_scene, options);
+    QCOMPARE(image.size(), kSize);
+    QCOMPARE(image.pixelColor(0, 0), QColor(12, 34, 56));
+    QCOMPARE(image.pixelColor(kSize.width() - 1, kSize.height() - 1), QColor(12, 34, 56));
+}
+
+void RendererTest::transparentBackground_isTransparentAndPremultiplied()
+{
+    RenderOptions options;
+    options.background = QColor(Qt::transparent);
+    options.view.groundShown = false;
+    const QImage image = draw(*m_scene, options);
+    QCOMPARE(image.pixelColor(0, 0).alpha(), 0);
+    int solid = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        const uchar* line = image.constScanLine(y);
+        for (int x = 0; x < image.width(); ++x, line += 4) {
+            QVERIFY(line[0] <= line[3] && line[1] <= line[3] && line[2] <= line[3]);
+            solid += line[3] == 255 ? 1 : 0;
+        }
+    }
+    QVERIFY(solid > 500);
+}
+
+void RendererTest::tree_isSeenWhereItIsProjected()
+{
+    RenderOptions options;
+    options.background = QColor(Qt::transparent);
+    options.view.groundShown = false;
+    options.view.leavesShown = false;
+    const QImage image = draw(*m_scene, options);
+    const Camera camera = pictureCamera(NamedView::Front, m_scene->bounds(), kSize);
+    int seen = 0;
+    int asked = 0;
+    for (InternodeId id = 0; id < m_document->tree().size(); id += 7) {
+        if (!m_document->tree().isAlive(id))
+            continue;
+        const Vec3 middle = 0.5F
+                            * (m_document->index().nodePosition(id)
+                               + m_document->index().basePosition(m_document->tree(), id));
+        // The wood is rounder than the straight lines between its nodes.
+        const QPoint place = camera.project(middle)->toPoint();
+        bool isSeen = false;
+        for (const QPoint& offset : {QPoint(0, 0), QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)})
+            isSeen = isSeen || image.pixelColor(place + offset).alpha() > 0;
+        ++asked;
+        seen += isSeen ? 1 : 0;
+    }
+    QVERIFY2(seen > 0.9 * asked, qPrintable(QStringLiteral("%1 of %2").arg(seen).arg(asked)));
+}
+
+void RendererTest::picture_isTheSameEachTime()
+{
+    const QImage first = draw(*m_scene);
+    QCOMPARE(draw(*m_scene), first);
+    auto other = OffscreenRenderer::create();
+    TreeScene scene(*m_document);
+    QCOMPARE(*(*other)->render(scene, pictureCamera(NamedView::Front, scene.bounds(), kSize), {}), first);
+    QCOMPARE(draw(*m_scene), first);
+}
+
+void RendererTest::picture_doesNotDependOnHowTheTreeCameAbout()
+{
+    TreeDocument document;
+    document.reset(3);
+    TreeScene followed(document);
+    connect(&document, &TreeDocument::changed, this, [&](const TreeChange& change) { followed.follow(change); });
+    auto other = OffscreenRenderer::create();
+    QImage image;
+    while (document.index().livingCount() < 600) {
+        document.apply(std::make_shared<TreeDelta>(test::randomGrowth(document.tree(), 60)));
+        followed.prepare();
+        image = *(*other)->render(followed, pictureCamera(NamedView::Front, followed.bounds(), kSize), {});
+    }
+    followed.settle();
+    image = *(*other)->render(followed, pictureCamera(NamedView::Front, followed.bounds(), kSize), {});
+    QVERIFY(document.tree() == m_document->tree());
+    QCOMPARE(difference(image, draw(*m_scene)), 0);
+}
+
+void RendererTest::scene_followsDeltasBothWays()
+{
+    const auto document = grownDocument(300);
+    TreeScene scene(*document);
+    connect(document.get(), &TreeDocument::changed, this, [&](const TreeChange& change) { scene.follow(change); });
+    const QImage before = draw(scene);
+    const Box3 bounds = scene.bounds();
+    // A limb from the middle of the tree dies and comes back.
+    InternodeId limb = 1;
+    for (InternodeId id = 1; id < document->tree().size(); ++id) {
+        const std::uint32_t size = document->index().subtreeSize(id);
+        if (size > 20 && size < 150)
+            limb = id;
+    }
+    document->apply(std::make_shared<TreeDelta>(test::death(document->tree(), document->index(), limb)));
+    const QImage pruned = draw(scene);
+    QVERIFY(difference(before, pruned) > 50);
+    document->revertLast();
+    scene.prepare();
+    scene.settle();
+    QVERIFY(scene.bounds().isApprox(bounds));
+    QCOMPARE(difference(before, draw(scene)), 0);
+}
+
+void RendererTest::leavesAndGround_canBeHidden()
+{
+    const QImage whole = draw(*m_scene);
+    RenderOptions bare;
+    bare.view.leavesShown = false;
+    QVERIFY(difference(whole, draw(*m_scene, bare)) > 300);
+    RenderOptions floating;
+    floating.view.groundShown = false;
+    QVERIFY(difference(whole, draw(*m_scene, floating)) > 300);
+}
+
+void RendererTest::shadows_darken()
+{
+    RenderOptions plain;
+    plain.view.shadowsShown = false;
+    const double lit = brightness(draw(*m_scene, plain));
+    const double shaded = brightness(draw(*m_scene));
+    QVERIFY(shaded < lit);
+    RenderOptions half;
+    half.shadowStrength = 0.5;
+    const double between = brightness(draw(*m_scene, half));
+    QVERIFY(shaded < between && between < lit);
+}
+
+void RendererTest::ambientLight_isLessInsideTheCrown()
+{
+    const LightGrid& light = m_scene->light();
+    const auto& size = light.size();
+    for (const int edge : size)
+        QVERIFY(edge > 0 && edge <= LightGrid::kMaxEdge);
+    const VoxelSpace& space = m_document->growthIndex().space();
+    std::uint8_t darkest = 255;
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int x = 0; x < size[0]; ++x) {
+                const Vec3 centre = light.origin()
+                                    + light.cellEdge()
+                                          * Vec3(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
+                                                 static_cast<float>(z) + 0.5F);
+                const std::uint8_t cell =
+                    light.cells()[static_cast<std::size_t>((z * size[1] + y) * size[0] + x)];
+                QVERIFY(std::abs(255.0F * space.lightAt(centre) - static_cast<float>(cell)) < 1.01F);
+                darkest = std::min(darkest, cell);
+            }
+        }
+    }
+    QVERIFY(darkest < 250);
+}
+
+void RendererTest::samples_smoothEdges()
+{
+    RenderOptions options;
+    options.background = QColor(Qt::transparent);
+    options.view.groundShown = false;
+    const auto partlyCovered = [&](int samples) {
+        options.samples = samples;
+        const QImage image = draw(*m_scene, options);
+        int pixels = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const int alpha = image.pixelColor(x, y).alpha();
+                pixels += alpha > 0 && alpha < 255 ? 1 : 0;
+            }
+        }
+        return pixels;
+    };
+    QCOMPARE(partlyCovered(1), 0);
+    QVERIFY(partlyCovered(4) > 500);
+}
+
+void RendererTest::backdrops_differ()
+{
+    RenderOptions horizon;
+    horizon.view.backdrop = Backdrop::Horizon;
+    QVERIFY(brightness(draw(*m_scene, horizon)) > 2.0 * brightness(draw(*m_scene)));
+}
+
+void RendererTest::size_beyondTheCardIsAnError()
+{
+    Camera camera;
+    camera.setViewSize({100000, 100});
+    const auto image = m_renderer->render(*m_scene, camera, {});
+    QVERIFY(!image);
+    QVERIFY(image.error().message.contains("100000"));
+}
+
+void RendererTest::renderImage_drawsADocument()
+{
+    PictureRequest request;
+    request.size = {200, 300};
+    request.view = NamedView::ThreeQuarter;
+    const auto image = renderImage(*m_document, request);
+    QVERIFY(bool(image));
+    QCOMPARE(image->size(), QSize(200, 300));
+    TreeDocument seedling;
+    QVERIFY(difference(*image, *renderImage(seedling, request)) > 1000);
+}
+
+QTEST_MAIN(RendererTest)
+#include "RendererTest.moc"

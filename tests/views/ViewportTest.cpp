@@ -1,0 +1,397 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/Viewport.h"
+#include "views/tools/BrushTool.h"
+
+#include <QPointingDevice>
+#include <QTabletEvent>
+#include <QWheelEvent>
+#include <QtTest>
+
+#include <memory>
+
+using namespace espalier;
+
+namespace {
+
+/// A parameter set that grows little, so that a stroke in a test is quick.
+TreeParameters smallTree()
+{
+    TreeParameters parameters;
+    parameters.growth.internodeLength = 0.2;
+    return parameters;
+}
+
+} // namespace
+
+class ViewportTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { m_touch.reset(QTest::createTouchDevice()); }
+    void init();
+    void cleanup();
+
+    void seedling_isShownBySettingOut();
+    void mouseStroke_growsTheTreeAndIsOneUndoStep();
+    void restingBrush_goesOnGrowing();
+    void escape_takesTheStrokeBack();
+    void secondFinger_takesTheStrokeBack();
+    void fingerStroke_growsTheTree();
+    void penStroke_scalesTheRadiusByPressure();
+    void strokeFromANode_drawsInItsDepth();
+    void strokeFromElsewhere_drawsInTheDepthOfTheBase();
+    void radiusZero_drawsAnAxis();
+    void controlWheel_changesTheRadiusDuringAStroke();
+    void keysDuringAStroke_windTheTrunk();
+    void orbitAndZoom_moveTheCameraAndLeaveTheTreeAlone();
+    void frameAll_fliesToTheWholeTree();
+    void newTool_cancelsTheGestureOfTheOld();
+    void picture_changesWithTheTreeAndComesToRest();
+    void brushRadius_doesNotRedrawTheTree();
+    void window_canBeChanged();
+
+private:
+    QPoint at(const Vec3& point) const { return m_view->camera().project(point)->toPoint(); }
+    void press(const Vec3& point) { QTest::mousePress(m_view.get(), Qt::LeftButton, {}, at(point)); }
+    void release(const Vec3& point) { QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at(point)); }
+    /// Moves a held mouse evenly along a line while time goes by.
+    void drag(const Vec3& from, const Vec3& to, int milliseconds);
+    void stroke(const Vec3& from, const Vec3& to, int milliseconds);
+    void sendPen(QEvent::Type type, const QPointF& position, double pressure);
+    std::uint32_t alive() const { return m_document->index().livingCount(); }
+
+    std::unique_ptr<QPointingDevice> m_touch;
+    std::unique_ptr<TreeDocument> m_document;
+    std::unique_ptr<ViewSettings> m_settings;
+    std::unique_ptr<Viewport> m_view;
+};
+
+void ViewportTest::init()
+{
+    m_document = std::make_unique<TreeDocument>();
+    m_document->reset(7, smallTree());
+    m_settings = std::make_unique<ViewSettings>();
+    m_view = std::make_unique<Viewport>(*m_document, *m_settings);
+    m_view->resize(640, 480);
+    m_view->show();
+    m_view->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_view.get()));
+    m_view->setFocus();
+}
+
+void ViewportTest::cleanup()
+{
+    m_view.reset();
+    m_settings.reset();
+    m_document.reset();
+}
+
+void ViewportTest::drag(const Vec3& from, const Vec3& to, int milliseconds)
+{
+    constexpr int kStep = 20;
+    for (int time = kStep; time <= milliseconds; time += kStep) {
+        const Vec3 point = from + static_cast<float>(time) / static_cast<float>(milliseconds) * (to - from);
+        const QPointF place = *m_view->camera().project(point);
+        QMouseEvent event(QEvent::MouseMove, place, m_view->mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(m_view.get(), &event);
+        QTest::qWait(kStep);
+    }
+}
+
+void ViewportTest::stroke(const Vec3& from, const Vec3& to, int milliseconds)
+{
+    press(from);
+    drag(from, to, milliseconds);
+    release(to);
+}
+
+void ViewportTest::sendPen(QEvent::Type type, const QPointF& position, double pressure)
+{
+    static const QPointingDevice stylus("test stylus", 78, QInputDevice::DeviceType::Stylus,
+                                        QPointingDevice::PointerType::Pen,
+                                        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
+    QTabletEvent event(type, &stylus, position, m_view->mapToGlobal(position), pressure, 0.0F, 0.0F, 0.0F, 0.0, 0.0F,
+                       Qt::NoModifier, type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton,
+                       type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
+    QCoreApplication::sendEvent(m_view.get(), &event);
+}
+
+void ViewportTest::seedling_isShownBySettingOut()
+{
+    Camera expected;
+    expected.setViewSize(m_view->size());
+    QCOMPARE(m_view->camera(), expected);
+}
+
+void ViewportTest::mouseStroke_growsTheTreeAndIsOneUndoStep()
+{
+    const Tree before = m_document->tree();
+    QSignalSpy active(m_view.get(), &Viewport::gestureActiveChanged);
+    stroke(Vec3::Zero(), {0.0F, 2.0F, 0.0F}, 700);
+    QVERIFY(alive() > 3);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(active.count(), 2);
+    QVERIFY(!m_view->isGestureActive());
+    m_document->undoStack().undo();
+    QCOMPARE(alive(), 1U);
+    QVERIFY(m_document->tree().step() == before.step());
+    m_document->undoStack().redo();
+    QVERIFY(alive() > 3);
+}
+
+void ViewportTest::restingBrush_goesOnGrowing()
+{
+    press({0.0F, 0.8F, 0.0F});
+    QTRY_VERIFY_WITH_TIMEOUT(alive() > 2, 4000);
+    release({0.0F, 0.8F, 0.0F});
+    const std::uint32_t grown = alive();
+    QTest::qWait(150);
+    QCOMPARE(alive(), grown);
+}
+
+void ViewportTest::escape_takesTheStrokeBack()
+{
+    press(Vec3::Zero());
+    drag(Vec3::Zero(), {0.0F, 1.5F, 0.0F}, 500);
+    QVERIFY(alive() > 1);
+    QTest::keyClick(m_view.get(), Qt::Key_Escape);
+    QVERIFY(!m_view->isGestureActive());
+    QCOMPARE(alive(), 1U);
+    QCOMPARE(m_document->undoStack().count(), 0);
+    // What is still held draws nothing more.
+    drag({0.0F, 1.5F, 0.0F}, {0.0F, 2.5F, 0.0F}, 200);
+    release({0.0F, 2.5F, 0.0F});
+    QCOMPARE(alive(), 1U);
+}
+
+void ViewportTest::secondFinger_takesTheStrokeBack()
+{
+    const QPoint base = at(Vec3::Zero());
+    QTest::touchEvent(m_view.get(), m_touch.get()).press(0, base);
+    for (int i = 1; i <= 20; ++i) {
+        QTest::touchEvent(m_view.get(), m_touch.get()).move(0, base - QPoint(0, 5 * i));
+        QTest::qWait(20);
+    }
+    QVERIFY(alive() > 1);
+    QTest::touchEvent(m_view.get(), m_touch.get()).stationary(0).press(1, base + QPoint(100, 0));
+    QVERIFY(!m_view->isGestureActive());
+    QCOMPARE(alive(), 1U);
+    const Vec3 target = m_view->camera().target();
+    QTest::touchEvent(m_view.get(), m_touch.get())
+        .move(0, base - QPoint(-30, 100))
+        .move(1, base + QPoint(130, 0));
+    QVERIFY((m_view->camera().target() - target).norm() > 0.01F);
+    QTest::touchEvent(m_view.get(), m_touch.get())
+        .release(0, base - QPoint(-30, 100))
+        .release(1, base + QPoint(130, 0));
+    QCOMPARE(m_document->undoStack().count(), 0);
+}
+
+void ViewportTest::fingerStroke_growsTheTree()
+{
+    const QPoint base = at(Vec3::Zero());
+    QTest::touchEvent(m_view.get(), m_touch.get()).press(0, base);
+    for (int i = 1; i <= 25; ++i) {
+        QTest::touchEvent(m_view.get(), m_touch.get()).move(0, base - QPoint(0, 6 * i));
+        QTest::qWait(20);
+    }
+    QTest::touchEvent(m_view.get(), m_touch.get()).release(0, base - QPoint(0, 150));
+    QVERIFY(alive() > 3);
+    QCOMPARE(m_document->undoStack().count(), 1);
+}
+
+void ViewportTest::penStroke_scalesTheRadiusByPressure()
+{
+    const QPointF base = at(Vec3::Zero());
+    sendPen(QEvent::TabletPress, base, 0.5);
+    for (int i = 1; i <= 25; ++i) {
+        sendPen(QEvent::TabletMove, base - QPointF(0, 6 * i), 0.5);
+        QTest::qWait(20);
+    }
+    Overlay overlay;
+    m_view->tool().paint(overlay);
+    QCOMPARE(overlay.spheres().size(), std::size_t{1});
+    const double expected = m_settings->values().brushRadius * BrushTool::radiusShare(0.5);
+    QVERIFY(std::abs(static_cast<double>(overlay.spheres().front().radius) - expected) < 1e-6);
+    QVERIFY(expected < m_settings->values().brushRadius);
+    sendPen(QEvent::TabletRelease, base - QPointF(0, 150), 0.0);
+    QVERIFY(alive() > 2);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(BrushTool::radiusShare(1.0), 1.0);
+    QVERIFY(BrushTool::radiusShare(0.2) < BrushTool::radiusShare(0.6));
+}
+
+void ViewportTest::strokeFromANode_drawsInItsDepth()
+{
+    // From the side, draw away from the front; then from the front, begin at the tip of that.
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    Camera side = m_view->camera().turnedTo(NamedView::Side);
+    m_view->setCamera(side);
+    stroke(Vec3::Zero(), {0.0F, 1.0F, 0.9F}, 700);
+    m_view->setCamera(side.turnedTo(NamedView::Front));
+    Vec3 tip = Vec3::Zero();
+    for (InternodeId id = 0; id < m_document->tree().size(); ++id) {
+        if (m_document->index().nodePosition(id).y() > tip.y())
+            tip = m_document->index().nodePosition(id);
+    }
+    QVERIFY(tip.z() > 0.3F);
+    press(tip);
+    Overlay overlay;
+    m_view->tool().paint(overlay);
+    QVERIFY(std::abs(overlay.grids().front().centre.z() - tip.z()) < 1e-3F);
+    release(tip);
+}
+
+void ViewportTest::strokeFromElsewhere_drawsInTheDepthOfTheBase()
+{
+    press({1.0F, 2.0F, 0.0F});
+    Overlay overlay;
+    m_view->tool().paint(overlay);
+    QVERIFY((overlay.spheres().front().centre - Vec3(1.0F, 2.0F, 0.0F)).norm() < 0.02F);
+    release({1.0F, 2.0F, 0.0F});
+}
+
+void ViewportTest::radiusZero_drawsAnAxis()
+{
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    stroke(Vec3::Zero(), {0.0F, 2.0F, 0.0F}, 800);
+    QVERIFY(alive() > 3);
+    for (InternodeId id = 1; id < m_document->tree().size(); ++id)
+        QVERIFY(m_document->tree().continuesAxis(id));
+}
+
+void ViewportTest::controlWheel_changesTheRadiusDuringAStroke()
+{
+    press({0.0F, 1.0F, 0.0F});
+    const double before = m_settings->values().brushRadius;
+    const QPointF place(320, 240);
+    const Camera camera = m_view->camera();
+    QWheelEvent event(place, m_view->mapToGlobal(place), {}, {0, 240}, Qt::LeftButton, Qt::ControlModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(m_view.get(), &event);
+    QVERIFY(std::abs(m_settings->values().brushRadius - before * 1.21) < 1e-9);
+    QCOMPARE(m_view->camera(), camera);
+    Overlay overlay;
+    m_view->tool().paint(overlay);
+    QVERIFY(std::abs(static_cast<double>(overlay.spheres().front().radius) - before * 1.21) < 1e-6);
+    release({0.0F, 1.0F, 0.0F});
+}
+
+void ViewportTest::keysDuringAStroke_windTheTrunk()
+{
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    press(Vec3::Zero());
+    drag(Vec3::Zero(), Vec3(0.5F, 0.4F, 0.0F), 300);
+    QTest::keyPress(m_view.get(), Qt::Key_E);
+    // On the screen the hand goes straight up beside the axis; in the world it goes around it.
+    const QPointF from = *m_view->camera().project({0.5F, 0.4F, 0.0F});
+    for (int i = 1; i <= 60; ++i) {
+        const QPointF place = from - QPointF(0, 2 * i);
+        QMouseEvent event(QEvent::MouseMove, place, m_view->mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(m_view.get(), &event);
+        QTest::qWait(20);
+    }
+    QTest::keyRelease(m_view.get(), Qt::Key_E);
+    QVERIFY(m_view->camera().azimuth() > static_cast<float>(radians(30)));
+    QVERIFY(m_view->isGestureActive());
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, (from - QPointF(0, 120)).toPoint());
+    float farthestBack = 0.0F;
+    for (InternodeId id = 0; id < m_document->tree().size(); ++id)
+        farthestBack = std::max(farthestBack, std::abs(m_document->index().nodePosition(id).z()));
+    QVERIFY(farthestBack > 0.2F);
+    QCOMPARE(m_document->undoStack().count(), 1);
+}
+
+void ViewportTest::orbitAndZoom_moveTheCameraAndLeaveTheTreeAlone()
+{
+    const Camera before = m_view->camera();
+    QTest::mousePress(m_view.get(), Qt::RightButton, {}, {300, 200});
+    QTest::mouseRelease(m_view.get(), Qt::RightButton, {}, {360, 220});
+    QVERIFY(m_view->camera().azimuth() < before.azimuth());
+    QVERIFY(m_view->camera().elevation() > before.elevation());
+    const QPointF place(320, 240);
+    QWheelEvent event(place, m_view->mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                      false);
+    QCoreApplication::sendEvent(m_view.get(), &event);
+    QVERIFY(m_view->camera().distance() < before.distance());
+    const float distance = m_view->camera().distance();
+    QTest::keyClick(m_view.get(), Qt::Key_Minus);
+    QVERIFY(m_view->camera().distance() > distance);
+    QCOMPARE(alive(), 1U);
+    QCOMPARE(m_document->undoStack().count(), 0);
+}
+
+void ViewportTest::frameAll_fliesToTheWholeTree()
+{
+    stroke(Vec3::Zero(), {0.0F, 3.0F, 0.0F}, 600);
+    Camera away = m_view->camera();
+    away.setTarget({30.0F, 0.0F, 0.0F});
+    m_view->setCamera(away);
+    QTest::keyClick(m_view.get(), Qt::Key_F);
+    QVERIFY(m_view->camera().target().x() > 29.0F);
+    QTRY_VERIFY(std::abs(m_view->camera().target().x()) < 1.0F);
+    const QRect visible = m_view->rect();
+    for (InternodeId id = 0; id < m_document->tree().size(); ++id) {
+        if (m_document->tree().isAlive(id))
+            QTRY_VERIFY(visible.contains(at(m_document->index().nodePosition(id))));
+    }
+}
+
+void ViewportTest::newTool_cancelsTheGestureOfTheOld()
+{
+    QSignalSpy changed(m_view.get(), &Viewport::toolChanged);
+    press(Vec3::Zero());
+    drag(Vec3::Zero(), {0.0F, 1.0F, 0.0F}, 400);
+    m_view->setTool(std::make_unique<BrushTool>(m_view->toolContext()));
+    QCOMPARE(alive(), 1U);
+    QCOMPARE(changed.count(), 1);
+    release({0.0F, 1.0F, 0.0F});
+    QCOMPARE(m_document->undoStack().count(), 0);
+}
+
+void ViewportTest::picture_changesWithTheTreeAndComesToRest()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 10000);
+    const QImage seedling = m_view->grabFramebuffer();
+    stroke(Vec3::Zero(), {0.0F, 3.0F, 0.0F}, 800);
+    QVERIFY(!m_view->isAtRest());
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20000);
+    // Without the brush that hovers over it still
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(m_view.get(), &leave);
+    const QImage tree = m_view->grabFramebuffer();
+    QVERIFY(seedling != tree);
+    m_document->undoStack().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 10000);
+    QCOMPARE(m_view->grabFramebuffer(), seedling);
+}
+
+void ViewportTest::brushRadius_doesNotRedrawTheTree()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 10000);
+    m_settings->set(&ViewValues::brushRadius, 1.5);
+    QVERIFY(m_view->isAtRest());
+    m_settings->set(&ViewValues::groundShown, false);
+    QVERIFY(!m_view->isAtRest());
+}
+
+void ViewportTest::window_canBeChanged()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 10000);
+    const QImage before = m_view->grabFramebuffer();
+    QWidget window;
+    window.resize(before.size() / m_view->devicePixelRatioF());
+    m_view->setParent(&window);
+    m_view->resize(window.size());
+    m_view->show();
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 10000);
+    QCOMPARE(m_view->grabFramebuffer(), before);
+    m_view->setParent(nullptr);
+}
+
+QTEST_MAIN(ViewportTest)
+#include "ViewportTest.moc"

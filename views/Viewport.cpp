@@ -1,0 +1,468 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/Viewport.h"
+
+#include "views/render/OverlayRenderer.h"
+#include "views/render/RenderTarget.h"
+#include "views/render/Renderer.h"
+#include "views/tools/BrushTool.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QOpenGLContext>
+#include <QTimerEvent>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kTick = 16;        ///< ms
+constexpr int kRestAfter = 180;  ///< ms without any movement
+constexpr double kLongestTick = 0.1; ///< s; after a longer pause, animations go on where they were
+constexpr double kOrbitPerPixel = 0.0065; ///< rad
+constexpr double kZoomPerNotch = 0.88;
+/// A key that is only tapped moves the camera as much as one held for this long, s.
+constexpr double kTap = 0.04;
+
+} // namespace
+
+Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* parent)
+    : QOpenGLWidget(parent), m_document(document), m_settings(settings), m_gestures(*this),
+      m_scene(document), m_tool(std::make_unique<BrushTool>(toolContext()))
+{
+    setFormat(surfaceFormat());
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setAttribute(Qt::WA_AcceptTouchEvents);
+    setAccessibleName(tr("Tree"));
+    setCursor(m_tool->cursor());
+    // Whether a pen is within the tablet's reach is told to the application alone.
+    qApp->installEventFilter(this);
+    connect(&m_document, &TreeDocument::changed, this, &Viewport::followDocument);
+    connect(&m_settings, &ViewSettings::changed, this, &Viewport::followSettings);
+    m_shown = m_settings.values();
+    showAnew();
+}
+
+Viewport::~Viewport()
+{
+    m_tool.reset();
+    releaseGl();
+}
+
+// ---- Camera
+
+void Viewport::setCamera(const Camera& camera)
+{
+    m_flight.stop();
+    moveCamera(camera);
+}
+
+void Viewport::moveCamera(const Camera& camera)
+{
+    m_isFramed = false;
+    Camera sized = camera;
+    sized.setViewSize(size());
+    if (sized == m_camera)
+        return;
+    m_camera = sized;
+    m_pacer.disturb(false);
+    redrawTree();
+    Q_EMIT cameraChanged();
+}
+
+void Viewport::frameAll()
+{
+    flyTo(framed(m_camera));
+}
+
+void Viewport::showFrom(NamedView view)
+{
+    flyTo(framed(m_camera.turnedTo(view)));
+}
+
+Camera Viewport::framed(const Camera& camera)
+{
+    if (m_document.index().livingCount() > 1) {
+        Camera sized = camera;
+        sized.setViewSize(size());
+        m_scene.prepare();
+        return sized.framing(m_scene.bounds());
+    }
+    Camera first;
+    first.setViewSize(size());
+    first.setAzimuth(camera.azimuth());
+    first.setElevation(camera.elevation());
+    return first;
+}
+
+void Viewport::flyTo(const Camera& camera)
+{
+    m_flight.start(m_camera, camera);
+    startTicking();
+}
+
+// ---- Document and settings
+
+void Viewport::followDocument(const TreeChange& change)
+{
+    m_scene.follow(change);
+    if (change.kind == TreeChange::Kind::Reset)
+        showAnew();
+    m_pacer.disturb(true);
+    redrawTree();
+}
+
+/// Another tree is shown from the front, wherever the camera was.
+void Viewport::showAnew()
+{
+    setCamera(framed(Camera()));
+    m_isFramed = true;
+}
+
+void Viewport::followSettings()
+{
+    // What only tools show does not touch the picture of the tree.
+    ViewValues values = m_settings.values();
+    values.brushRadius = m_shown.brushRadius;
+    values.pressureScales = m_shown.pressureScales;
+    values.markersShown = m_shown.markersShown;
+    values.planeShown = m_shown.planeShown;
+    update();
+    if (values == m_shown)
+        return;
+    m_shown = values;
+    m_pacer.disturb(false);
+    redrawTree();
+}
+
+void Viewport::setTool(std::unique_ptr<Tool> tool)
+{
+    cancelGesture();
+    m_tool->leave();
+    m_tool = std::move(tool);
+    setCursor(m_tool->cursor());
+    update();
+    Q_EMIT toolChanged();
+}
+
+void Viewport::cancelGesture()
+{
+    m_gestures.cancel();
+}
+
+// ---- Input
+
+bool Viewport::event(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        if (event->type() == QEvent::TouchBegin)
+            setFocus(Qt::MouseFocusReason);
+        [[fallthrough]];
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+        m_gestures.read(m_pointers.read(*event));
+        event->accept();
+        return true;
+    case QEvent::ShortcutOverride: {
+        // Keys that are held to move the camera, and Escape during a gesture, are not for shortcuts.
+        const auto* key = static_cast<QKeyEvent*>(event);
+        HeldKeys probe;
+        if (probe.press(key->key(), key->modifiers()) || (key->key() == Qt::Key_Escape && m_gestures.isBusy())) {
+            event->accept();
+            return true;
+        }
+        break;
+    }
+    default:
+        break;
+    }
+    return QOpenGLWidget::event(event);
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::TabletEnterProximity || event->type() == QEvent::TabletLeaveProximity)
+        m_gestures.setPenInReach(event->type() == QEvent::TabletEnterProximity, m_pointers.now());
+    return QOpenGLWidget::eventFilter(watched, event);
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    const QPoint turned = event->angleDelta();
+    // With Alt, some systems turn the wheel sideways.
+    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+    if (event->modifiers().testFlag(Qt::ControlModifier))
+        m_tool->wheel(notches);
+    else
+        magnify(std::pow(kZoomPerNotch, -notches), event->position());
+    event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat())
+        return;
+    if (m_keys.press(event->key(), event->modifiers())) {
+        m_flight.stop();
+        moveByKeys(kTap);
+        startTicking();
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Space:
+        m_gestures.setPanKey(true);
+        break;
+    case Qt::Key_Escape:
+        if (m_gestures.isBusy())
+            cancelGesture();
+        else
+            event->ignore();
+        break;
+    case Qt::Key_F:
+    case Qt::Key_Home:
+        frameAll();
+        break;
+    default:
+        QOpenGLWidget::keyPressEvent(event);
+        break;
+    }
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat() || m_keys.release(event->key()))
+        return;
+    if (event->key() == Qt::Key_Space)
+        m_gestures.setPanKey(false);
+    else
+        QOpenGLWidget::keyReleaseEvent(event);
+}
+
+void Viewport::focusOutEvent(QFocusEvent* event)
+{
+    // Their release will be told to somebody else.
+    m_keys.clear();
+    m_gestures.setPanKey(false);
+    QOpenGLWidget::focusOutEvent(event);
+}
+
+void Viewport::leaveEvent(QEvent* event)
+{
+    if (!m_tool->isActive())
+        m_tool->leave();
+    QOpenGLWidget::leaveEvent(event);
+}
+
+void Viewport::resizeEvent(QResizeEvent* event)
+{
+    const bool wasFramed = m_isFramed;
+    moveCamera(wasFramed ? framed(m_camera) : m_camera);
+    m_isFramed = wasFramed;
+    QOpenGLWidget::resizeEvent(event);
+}
+
+void Viewport::toolBegins(const PointerSample& sample)
+{
+    m_tool->begin(sample);
+    startTicking();
+    Q_EMIT gestureActiveChanged(true);
+}
+
+void Viewport::toolMoves(const PointerSample& sample)
+{
+    m_tool->move(sample);
+}
+
+void Viewport::toolEnds(const PointerSample& sample)
+{
+    m_tool->end(sample);
+    Q_EMIT gestureActiveChanged(false);
+}
+
+void Viewport::toolIsCancelled()
+{
+    m_tool->cancel();
+    Q_EMIT gestureActiveChanged(false);
+}
+
+void Viewport::toolHovers(const PointerSample& sample)
+{
+    m_tool->hover(sample);
+}
+
+void Viewport::orbitBy(const QPointF& distance)
+{
+    m_flight.stop();
+    Camera camera = m_camera;
+    camera.orbit(static_cast<float>(-kOrbitPerPixel * distance.x()), static_cast<float>(kOrbitPerPixel * distance.y()));
+    moveCamera(camera);
+}
+
+void Viewport::panBy(const QPointF& distance)
+{
+    m_flight.stop();
+    Camera camera = m_camera;
+    camera.pan(distance);
+    moveCamera(camera);
+}
+
+void Viewport::magnify(double factor, const QPointF& about)
+{
+    m_flight.stop();
+    Camera camera = m_camera;
+    camera.zoom(static_cast<float>(1.0 / factor), about);
+    moveCamera(camera);
+}
+
+void Viewport::moveByKeys(double seconds)
+{
+    const HeldKeys::Motion motion = m_keys.motion();
+    Camera camera = m_camera;
+    camera.orbit(static_cast<float>(seconds * motion.orbit.x()), static_cast<float>(seconds * motion.orbit.y()));
+    camera.pan(seconds * motion.pan);
+    camera.zoom(static_cast<float>(std::exp(-seconds * motion.zoom)), QRectF(rect()).center());
+    moveCamera(camera);
+}
+
+// ---- Time
+
+bool Viewport::needsTicks() const
+{
+    return m_tool->wantsTicks() || m_flight.isFlying() || m_keys.isAnyHeld() || m_pacer.isPhasingIn();
+}
+
+void Viewport::startTicking()
+{
+    if (m_ticks.isActive() || !needsTicks())
+        return;
+    m_lastTick = m_pointers.now();
+    m_ticks.start(kTick, Qt::PreciseTimer, this);
+}
+
+void Viewport::timerEvent(QTimerEvent* event)
+{
+    if (event->timerId() == m_ticks.timerId()) {
+        tick();
+    } else if (event->timerId() == m_restTimer.timerId()) {
+        m_restTimer.stop();
+        if (m_gestures.isBusy() || needsTicks()) {
+            m_restTimer.start(kRestAfter, this);
+            return;
+        }
+        m_pacer.rest();
+        m_scene.settle();
+        m_pictureIsOld = true;
+        update();
+        startTicking();
+    } else {
+        QOpenGLWidget::timerEvent(event);
+    }
+}
+
+void Viewport::tick()
+{
+    const double now = m_pointers.now();
+    const double seconds = std::min(now - m_lastTick, kLongestTick);
+    m_lastTick = now;
+    if (m_flight.isFlying()) {
+        Camera camera = m_camera;
+        m_flight.advance(camera, seconds);
+        moveCamera(camera);
+    }
+    if (m_keys.isAnyHeld())
+        moveByKeys(seconds);
+    if (m_tool->wantsTicks())
+        m_tool->tick(now);
+    if (m_pacer.advance(seconds)) {
+        m_pictureIsOld = true;
+        update();
+    }
+    if (!needsTicks())
+        m_ticks.stop();
+}
+
+/// The tree must be drawn anew, and well once all has come to rest.
+void Viewport::redrawTree()
+{
+    m_pictureIsOld = true;
+    m_restTimer.start(kRestAfter, this);
+    update();
+}
+
+// ---- Drawing
+
+void Viewport::initializeGL()
+{
+    Gl* gl = currentGl();
+    if (gl == nullptr)
+        qFatal("This program needs OpenGL 3.3");
+    m_renderer = std::make_unique<Renderer>(*gl);
+    m_overlayRenderer = std::make_unique<OverlayRenderer>(*gl);
+    m_picture = std::make_unique<RenderTarget>(*gl);
+    m_pictureIsOld = true;
+    // Moving to another window brings another context.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGl, Qt::UniqueConnection);
+}
+
+void Viewport::releaseGl()
+{
+    if (!m_renderer)
+        return;
+    makeCurrent();
+    m_picture.reset();
+    m_overlayRenderer.reset();
+    m_renderer.reset();
+    doneCurrent();
+}
+
+void Viewport::drawPicture()
+{
+    RenderOptions options;
+    options.view = m_settings.values();
+    m_pacer.apply(options);
+    Camera camera = m_camera;
+    const QSizeF pixels = QSizeF(size()) * devicePixelRatioF() * m_pacer.scale();
+    camera.setViewSize({std::round(pixels.width()), std::round(pixels.height())});
+    Gl& gl = *currentGl();
+    QElapsedTimer timer;
+    timer.start();
+    m_renderer->render(m_scene, camera, options, *m_picture);
+    // Only a finished frame tells how long it took, and waiting for it also keeps input from running ahead of what is seen.
+    gl.glFinish();
+    m_pacer.frameTook(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
+    m_pictureIsOld = false;
+}
+
+void Viewport::paintGL()
+{
+    if (m_pictureIsOld)
+        drawPicture();
+    Gl& gl = *currentGl();
+    const GLuint widgetBuffer = defaultFramebufferObject();
+    const QSize from = m_picture->size();
+    const QSize to = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, m_picture->framebuffer());
+    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, widgetBuffer);
+    gl.glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, to.width(), to.height(), GL_COLOR_BUFFER_BIT,
+                         from == to ? GL_NEAREST : GL_LINEAR);
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
+    m_overlay.clear();
+    m_tool->paint(m_overlay);
+    m_overlayRenderer->render(m_overlay, m_camera, m_picture->depthTexture(), to, devicePixelRatioF());
+}
+
+} // namespace espalier

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/camera/CameraFlight.h"
+#include "views/input/GestureReader.h"
+#include "views/input/HeldKeys.h"
+#include "views/input/PointerReader.h"
+#include "views/render/FramePacer.h"
+#include "views/render/RenderOptions.h"
+#include "views/render/TreeScene.h"
+#include "views/tools/Tool.h"
+
+#include <QBasicTimer>
+#include <QOpenGLWidget>
+
+#include <memory>
+
+namespace espalier {
+
+class OverlayRenderer;
+class Renderer;
+class RenderTarget;
+
+/// Shows a document's tree, and lets a hand work on it with a tool or turn it about. While something moves it draws plainly and
+/// fast; when all has come to rest it draws well. The picture of the tree is kept, so that what a tool shows over it costs
+/// nothing to move.
+class Viewport : public QOpenGLWidget, private ToolContext, private GestureTarget {
+    Q_OBJECT
+
+public:
+    /// Both outlive it.
+    Viewport(TreeDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+    /// Cancels a gesture under way.
+    ~Viewport() override;
+
+    const Camera& camera() const override { return m_camera; }
+    /// At once; ends a flight. The view size is the viewport's own.
+    void setCamera(const Camera& camera);
+    /// Flies to where the whole tree is seen; a seedling is shown as a new document shows it.
+    void frameAll();
+    /// Flies to a view from another side of the whole tree.
+    void showFrom(NamedView view);
+
+    /// What a tool for this viewport is made with.
+    ToolContext& toolContext() { return *this; }
+    /// Cancels the gesture of the tool before. At first there is a BrushTool.
+    void setTool(std::unique_ptr<Tool> tool);
+    const Tool& tool() const { return *m_tool; }
+
+    /// While a tool's gesture is under way, the document must not be changed from elsewhere: cancel it before.
+    bool isGestureActive() const { return m_tool->isActive(); }
+    void cancelGesture();
+
+    /// Whether nothing moves and the picture is as good as it gets.
+    bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld; }
+
+    QSize minimumSizeHint() const override { return {320, 240}; }
+    QSize sizeHint() const override { return {1280, 800}; }
+
+Q_SIGNALS:
+    void cameraChanged();
+    void gestureActiveChanged(bool active);
+    void toolChanged();
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void timerEvent(QTimerEvent* event) override;
+
+private:
+    // What tools see
+    TreeDocument& document() override { return m_document; }
+    ViewSettings& viewSettings() override { return m_settings; }
+    void requestRepaint() override { update(); }
+
+    // What gestures ask for
+    void toolBegins(const PointerSample& sample) override;
+    void toolMoves(const PointerSample& sample) override;
+    void toolEnds(const PointerSample& sample) override;
+    void toolIsCancelled() override;
+    void toolHovers(const PointerSample& sample) override;
+    void orbitBy(const QPointF& distance) override;
+    void panBy(const QPointF& distance) override;
+    void magnify(double factor, const QPointF& about) override;
+
+    void followDocument(const TreeChange& change);
+    void followSettings();
+    void moveCamera(const Camera& camera);
+    void flyTo(const Camera& camera);
+    Camera framed(const Camera& camera);
+    void showAnew();
+    void moveByKeys(double seconds);
+    void redrawTree();
+    void tick();
+    bool needsTicks() const;
+    void startTicking();
+    void drawPicture();
+    void releaseGl();
+
+    TreeDocument& m_document;
+    ViewSettings& m_settings;
+    Camera m_camera;
+    bool m_isFramed = true; ///< Nobody has moved the camera since a whole tree was shown
+    ViewValues m_shown;     ///< What the picture shows
+    CameraFlight m_flight;
+    PointerReader m_pointers;
+    GestureReader m_gestures;
+    HeldKeys m_keys;
+    TreeScene m_scene;
+    std::unique_ptr<Tool> m_tool;
+    Overlay m_overlay;
+
+    FramePacer m_pacer;
+    bool m_pictureIsOld = true;
+    QBasicTimer m_ticks;
+    QBasicTimer m_restTimer;
+    double m_lastTick = 0.0; ///< s
+
+    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<OverlayRenderer> m_overlayRenderer;
+    std::unique_ptr<RenderTarget> m_picture;
+};
+
+} // namespace espalier

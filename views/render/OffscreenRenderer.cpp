@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/render/OffscreenRenderer.h"
+
+#include "views/render/RenderTarget.h"
+#include "views/render/Renderer.h"
+
+#include <QCoreApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+
+#include <algorithm>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kLargestEdge = 16384;
+
+Error noOpenGl()
+{
+    return {Error::Kind::Output,
+            QCoreApplication::translate("OffscreenRenderer", "A picture cannot be drawn, for there is no display that "
+                                                             "offers OpenGL 3.3; a virtual one (Xvfb) will do.")};
+}
+
+} // namespace
+
+OffscreenRenderer::OffscreenRenderer()
+    : m_context(std::make_unique<QOpenGLContext>()), m_surface(std::make_unique<QOffscreenSurface>())
+{
+}
+
+OffscreenRenderer::~OffscreenRenderer()
+{
+    if (m_context->isValid() && m_context->makeCurrent(m_surface.get())) {
+        m_target.reset();
+        m_renderer.reset();
+        m_context->doneCurrent();
+    }
+}
+
+Result<std::unique_ptr<OffscreenRenderer>> OffscreenRenderer::create()
+{
+    std::unique_ptr<OffscreenRenderer> made(new OffscreenRenderer);
+    made->m_context->setFormat(surfaceFormat());
+    if (!made->m_context->create())
+        return noOpenGl();
+    made->m_surface->setFormat(made->m_context->format());
+    made->m_surface->create();
+    if (!made->m_surface->isValid() || !made->m_context->makeCurrent(made->m_surface.get()))
+        return noOpenGl();
+    Gl* gl = currentGl();
+    if (gl == nullptr)
+        return noOpenGl();
+    made->m_renderer = std::make_unique<Renderer>(*gl);
+    made->m_target = std::make_unique<RenderTarget>(*gl);
+    return made;
+}
+
+Result<QImage> OffscreenRenderer::render(TreeScene& scene, const Camera& camera, const RenderOptions& options)
+{
+    if (!m_context->makeCurrent(m_surface.get()))
+        return noOpenGl();
+    GLint largest = 0;
+    currentGl()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    largest = std::min(largest, kLargestEdge);
+    const QSize size = camera.viewSize().toSize();
+    if (size.width() > largest || size.height() > largest) {
+        return Error{Error::Kind::Output, QCoreApplication::translate("OffscreenRenderer",
+                                                                      "A picture of %1 × %2 pixels is too large; %3 "
+                                                                      "along an edge is the most.")
+                                              .arg(size.width())
+                                              .arg(size.height())
+                                              .arg(largest)};
+    }
+    m_renderer->render(scene, camera, options, *m_target);
+    return m_target->readImage();
+}
+
+Camera pictureCamera(NamedView view, const Box3& bounds, const QSize& size)
+{
+    Camera camera;
+    camera.setViewSize(size);
+    return camera.turnedTo(view).framing(bounds);
+}
+
+Result<QImage> renderImage(const TreeDocument& document, const PictureRequest& request)
+{
+    auto renderer = OffscreenRenderer::create();
+    if (!renderer)
+        return renderer.error();
+    TreeScene scene(document);
+    Camera camera = request.camera.value_or(pictureCamera(request.view, scene.bounds(), request.size));
+    camera.setViewSize(request.size);
+    return (*renderer)->render(scene, camera, request.options);
+}
+
+} // namespace espalier

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/camera/Camera.h"
+#include "views/render/GlResources.h"
+#include "views/tools/Overlay.h"
+
+#include <memory>
+
+namespace espalier {
+
+/// Draws what tools show, over a picture whose depth it knows. The frame's uniforms of that picture must be bound still.
+class OverlayRenderer {
+public:
+    explicit OverlayRenderer(Gl& gl);
+    ~OverlayRenderer();
+
+    /// Draws into the framebuffer that is bound, of @p size pixels, @p pixelRatio of which are a device-independent one.
+    void render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth, const QSize& size, double pixelRatio);
+
+private:
+    /// One straight piece of a line.
+    struct Segment {
+        std::array<float, 3> from;
+        std::array<float, 3> to;
+        float path; ///< px of line before it
+    };
+
+    void drawGrids(const Overlay& overlay);
+    void drawSpheres(const Overlay& overlay, const Camera& camera);
+    void drawLines(const Overlay& overlay, const Camera& camera, float pixelRatio);
+    void drawDots(const Overlay& overlay, float pixelRatio);
+
+    Gl& m_gl;
+    std::unique_ptr<QOpenGLShaderProgram> m_gridProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_sphereProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_lineProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_dotProgram;
+    GlVertexArray m_noVertices;
+    GlVertexArray m_lineVertices;
+    GlVertexArray m_dotVertices;
+    GlBuffer m_lineBuffer;
+    GlBuffer m_dotBuffer;
+    std::vector<Segment> m_segments;
+};
+
+} // namespace espalier

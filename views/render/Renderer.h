@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/camera/Camera.h"
+#include "views/render/FrameUniforms.h"
+#include "views/render/RenderOptions.h"
+#include "views/render/RenderTarget.h"
+#include "views/render/TreeBuffers.h"
+#include "views/render/TreeShadows.h"
+
+#include <memory>
+
+namespace espalier {
+
+class TreeScene;
+
+/// Draws a tree with its ground and its light into a RenderTarget (TreeSketch §3.5). Belongs to one context of OpenGL,
+/// which must be current whenever it is used, and follows one scene.
+class Renderer {
+public:
+    explicit Renderer(Gl& gl);
+    ~Renderer();
+
+    /// Draws @p scene as @p camera sees it; its view size is the picture's, in any pixels. Takes the scene's changes: only they are sent to
+    /// the card. The target is resolved afterwards.
+    void render(TreeScene& scene, const Camera& camera, const RenderOptions& options, RenderTarget& target);
+
+    /// The frame's uniforms stay bound after render(), for what is drawn over it.
+    const FrameUniforms& frame() const { return m_frame; }
+
+private:
+    void updateShadows(const TreeScene& scene, const RenderOptions& options);
+    void fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options, const QSize& size);
+    void drawBackground(const RenderOptions& options);
+    void drawGround();
+    void drawTree(const RenderOptions& options, bool smooth);
+    void bindTexture(int unit, GLenum kind, GLuint texture);
+
+    Gl& m_gl;
+    TreeBuffers m_tree;
+    TreeShadows m_shadows;
+    GlVertexArray m_noVertices;
+    GlBuffer m_uniformBuffer;
+    FrameUniforms m_frame;
+    std::unique_ptr<QOpenGLShaderProgram> m_barkProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_leafProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_shadowProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_leafShadowProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_backgroundProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_groundProgram;
+
+    struct ShadowState {
+        Vec3 sun = Vec3::Zero();
+        bool leaves = true;
+        float groundRadius = 0.0F;
+        bool operator==(const ShadowState&) const = default;
+    };
+    ShadowState m_shadowState;
+    bool m_shadowsAreOld = true;
+};
+
+} // namespace espalier

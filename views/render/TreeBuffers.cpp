@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/render/TreeBuffers.h"
+
+#include "model/base/Parallel.h"
+#include "model/mesh/LeafCard.h"
+#include "model/mesh/Textures.h"
+#include "views/render/TreeScene.h"
+
+#include <cstddef>
+#include <map>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kBarkEdge = 1024; ///< px
+constexpr int kLeafEdge = 512;  ///< px
+
+/// A texture and its normal map.
+struct Images {
+    QImage colour;
+    QImage normal;
+};
+
+/// Making textures takes longer than a frame: they are made once, whoever shows them, and both at the same time.
+template <class Kind>
+const Images& imagesOf(Kind kind, QImage (*makeColour)(Kind), QImage (*makeNormal)(Kind))
+{
+    static std::map<Kind, Images> made;
+    Images& images = made[kind];
+    if (images.colour.isNull()) {
+        parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                (i == 0 ? images.colour : images.normal) = i == 0 ? makeColour(kind) : makeNormal(kind);
+        });
+    }
+    return images;
+}
+
+void attribute(Gl& gl, GLuint location, GLint size, std::size_t stride, std::size_t offset, GLuint divisor = 0)
+{
+    gl.glEnableVertexAttribArray(location);
+    gl.glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                             reinterpret_cast<const void*>(offset));
+    gl.glVertexAttribDivisor(location, divisor);
+}
+
+void meshAttributes(Gl& gl)
+{
+    attribute(gl, 0, 3, sizeof(MeshVertex), offsetof(MeshVertex, position));
+    attribute(gl, 1, 3, sizeof(MeshVertex), offsetof(MeshVertex, normal));
+    attribute(gl, 2, 4, sizeof(MeshVertex), offsetof(MeshVertex, tangent));
+    attribute(gl, 3, 2, sizeof(MeshVertex), offsetof(MeshVertex, uv));
+}
+
+} // namespace
+
+TreeBuffers::TreeBuffers(Gl& gl)
+    : m_gl(gl), m_vertices(gl), m_indices(gl), m_leaves(gl), m_cardVertices(gl), m_cardIndices(gl), m_barkArray(gl),
+      m_leafArray(gl), m_barkColour(gl), m_barkNormal(gl), m_leafColour(gl), m_leafNormal(gl), m_light(gl)
+{
+    gl.glBindTexture(GL_TEXTURE_3D, m_light.get());
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
+    // Outside of the volume nothing shades.
+    constexpr std::array<float, 4> light{1.0F, 1.0F, 1.0F, 1.0F};
+    gl.glTexParameterfv(GL_TEXTURE_3D, GL_TEXTURE_BORDER_COLOR, light.data());
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        gl.glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_BORDER);
+
+    gl.glBindVertexArray(m_barkArray.get());
+    gl.glBindBuffer(GL_ARRAY_BUFFER, m_vertices.name());
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.name());
+    meshAttributes(gl);
+
+    gl.glBindVertexArray(m_leafArray.get());
+    gl.glBindBuffer(GL_ARRAY_BUFFER, m_cardVertices.name());
+    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_cardIndices.name());
+    meshAttributes(gl);
+    gl.glBindBuffer(GL_ARRAY_BUFFER, m_leaves.name());
+    attribute(gl, 4, 4, sizeof(LeafInstance), offsetof(LeafInstance, position), 1);
+    attribute(gl, 5, 4, sizeof(LeafInstance), offsetof(LeafInstance, rotation), 1);
+    attribute(gl, 6, 3, sizeof(LeafInstance), offsetof(LeafInstance, width), 1);
+    gl.glBindVertexArray(0);
+}
+
+bool TreeBuffers::follow(TreeScene& scene)
+{
+    const bool isOther = std::exchange(m_scene, scene.number()) != scene.number();
+    fillTextures(scene.parameters());
+    fillLight(scene, isOther);
+    MeshPool& mesh = scene.mesh();
+    const MeshPool::Changes changes = mesh.takeChanges();
+    if (!isOther && changes.isEmpty())
+        return false;
+    send(m_vertices, mesh.vertices(), changes.vertices, isOther);
+    send(m_indices, mesh.indices(), changes.indices, isOther);
+    send(m_leaves, mesh.leaves(), changes.leaves, isOther);
+    m_indexCount = static_cast<GLsizei>(mesh.indices().size());
+    m_leafCount = static_cast<GLsizei>(mesh.leaves().size());
+    return true;
+}
+
+template <class T>
+void TreeBuffers::send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges, bool all)
+{
+    if (buffer.reserve(elements.size_bytes()) || all) {
+        buffer.write(0, elements.data(), elements.size_bytes());
+        return;
+    }
+    for (const MeshPool::Range& range : ranges) {
+        const std::span<const T> changed = elements.subspan(range.begin, range.end - range.begin);
+        buffer.write(range.begin * sizeof(T), changed.data(), changed.size_bytes());
+    }
+}
+
+void TreeBuffers::fillTextures(const TreeParameters& parameters)
+{
+    if (m_bark != parameters.bark.kind) {
+        m_bark = parameters.bark.kind;
+        const Images& images = imagesOf<BarkKind>(
+            *m_bark, [](BarkKind kind) { return barkAlbedo(kind, kBarkEdge); },
+            [](BarkKind kind) { return espalier::barkNormal(kind, kBarkEdge); });
+        fillTexture(m_gl, m_barkColour, images.colour, TextureContent::Colour, true);
+        fillTexture(m_gl, m_barkNormal, images.normal, TextureContent::Data, true);
+    }
+    if (m_leaf == parameters.leaves.shape)
+        return;
+    m_leaf = parameters.leaves.shape;
+    const Images& images = imagesOf<LeafShape>(
+        *m_leaf, [](LeafShape shape) { return leafAlbedo(shape, kLeafEdge); },
+        [](LeafShape shape) { return espalier::leafNormal(shape, kLeafEdge); });
+    fillTexture(m_gl, m_leafColour, images.colour, TextureContent::Colour, false);
+    fillTexture(m_gl, m_leafNormal, images.normal, TextureContent::Data, false);
+    const LeafCard& card = leafCard(*m_leaf);
+    m_cardVertices.reserve(card.vertices.size() * sizeof(MeshVertex));
+    m_cardVertices.write(0, card.vertices.data(), card.vertices.size() * sizeof(MeshVertex));
+    m_cardIndices.reserve(card.indices.size() * sizeof(VertexIndex));
+    m_cardIndices.write(0, card.indices.data(), card.indices.size() * sizeof(VertexIndex));
+    m_cardIndexCount = static_cast<GLsizei>(card.indices.size());
+}
+
+void TreeBuffers::fillLight(TreeScene& scene, bool all)
+{
+    LightGrid::Changes changes = scene.light().takeChanges();
+    changes.all = changes.all || all;
+    if (changes.isEmpty())
+        return;
+    const std::array<int, 3>& size = scene.light().size();
+    const std::uint8_t* cells = scene.light().cells().data();
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    m_gl.glBindTexture(GL_TEXTURE_3D, m_light.get());
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    if (changes.all) {
+        m_gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, size[0], size[1], size[2], 0, GL_RED, GL_UNSIGNED_BYTE, cells);
+    } else {
+        const auto& [first, count] = changes.region;
+        m_gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, size[0]);
+        m_gl.glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, size[1]);
+        cells += (static_cast<std::ptrdiff_t>(first[2]) * size[1] + first[1]) * size[0] + first[0];
+        m_gl.glTexSubImage3D(GL_TEXTURE_3D, 0, first[0], first[1], first[2], count[0], count[1], count[2], GL_RED,
+                             GL_UNSIGNED_BYTE, cells);
+        m_gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+        m_gl.glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
+    }
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+void TreeBuffers::drawBark()
+{
+    m_gl.glBindVertexArray(m_barkArray.get());
+    m_gl.glDrawElements(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr);
+}
+
+void TreeBuffers::drawBarkPoints()
+{
+    m_gl.glBindVertexArray(m_barkArray.get());
+    m_gl.glDrawElements(GL_POINTS, m_indexCount, GL_UNSIGNED_INT, nullptr);
+}
+
+void TreeBuffers::drawLeaves()
+{
+    if (m_leafCount == 0)
+        return;
+    m_gl.glBindVertexArray(m_leafArray.get());
+    m_gl.glDrawElementsInstanced(GL_TRIANGLES, m_cardIndexCount, GL_UNSIGNED_INT, nullptr, m_leafCount);
+}
+
+} // namespace espalier

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/mesh/MeshPool.h"
+#include "model/tree/Parameters.h"
+#include "views/render/GlResources.h"
+
+#include <optional>
+#include <span>
+
+namespace espalier {
+
+class TreeScene;
+
+/// A scene on the graphics card: buffers and textures. Only what changed in the scene is sent there.
+class TreeBuffers {
+public:
+    explicit TreeBuffers(Gl& gl);
+
+    /// Sends the scene's changes; true if what casts shadows has changed.
+    bool follow(TreeScene& scene);
+
+    /// Draw with the program that is bound.
+    void drawBark();
+    /// A point for each corner of its triangles.
+    void drawBarkPoints();
+    void drawLeaves();
+
+    GLuint barkColour() const { return m_barkColour.get(); }
+    GLuint barkNormal() const { return m_barkNormal.get(); }
+    GLuint leafColour() const { return m_leafColour.get(); }
+    GLuint leafNormal() const { return m_leafNormal.get(); }
+    GLuint lightVolume() const { return m_light.get(); }
+
+private:
+    /// Sends the elements of @p ranges, or all of them.
+    template <class T>
+    void send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges, bool all);
+    void fillTextures(const TreeParameters& parameters);
+    void fillLight(TreeScene& scene, bool all);
+
+    Gl& m_gl;
+    GlBuffer m_vertices;
+    GlBuffer m_indices;
+    GlBuffer m_leaves;
+    GlBuffer m_cardVertices;
+    GlBuffer m_cardIndices;
+    GlVertexArray m_barkArray;
+    GlVertexArray m_leafArray;
+    GlTexture m_barkColour;
+    GlTexture m_barkNormal;
+    GlTexture m_leafColour;
+    GlTexture m_leafNormal;
+    GlTexture m_light;
+    std::uint64_t m_scene = 0; ///< Number of the scene that is here, 0 for none
+    std::optional<BarkKind> m_bark;  ///< Of the textures
+    std::optional<LeafShape> m_leaf;
+    GLsizei m_indexCount = 0;
+    GLsizei m_leafCount = 0;
+    GLsizei m_cardIndexCount = 0;
+};
+
+} // namespace espalier

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/document/TreeDocument.h"
+#include "model/mesh/MeshPool.h"
+#include "views/render/LightGrid.h"
+
+namespace espalier {
+
+/// What there is to draw of a document's tree: its mesh, its leaves, its light, and how large it is. Told of each change, it
+/// follows at a cost of what changed; one renderer takes its changes.
+class TreeScene {
+public:
+    /// Shows the tree as it is. @p document outlives the scene.
+    explicit TreeScene(const TreeDocument& document);
+
+    /// Follows a change that the document has just told.
+    void follow(const TreeChange& change);
+    /// Brings everything to its exact form, when there is time; returns whether that changed anything.
+    bool settle();
+    /// Brings up to date what several changes need only once; before light() and bounds().
+    void prepare();
+
+    /// Tells scenes apart, also those that lived at the same place.
+    std::uint64_t number() const { return m_number; }
+    const TreeParameters& parameters() const { return m_document.parameters(); }
+    MeshPool& mesh() { return m_mesh; }
+    LightGrid& light() { return m_light; }
+    const LightGrid& light() const { return m_light; }
+    /// Of the living tree with its leaves and the seedling's base, m; never empty.
+    const Box3& bounds() const { return m_bounds; }
+
+private:
+    void rebuild();
+
+    const TreeDocument& m_document;
+    std::uint64_t m_number;
+    MeshPool m_mesh;
+    LightGrid m_light;
+    Box3 m_bounds;
+    Box3 m_relit; ///< Where nodes came or went since prepare()
+    bool m_lightIsOld = false;
+    bool m_boundsAreOld = false;
+};
+
+} // namespace espalier

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/render/TreeShadows.h"
+
+#include <QOpenGLShaderProgram>
+#include <QVector2D>
+
+#include <algorithm>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kCoverageEdge = 256;
+
+} // namespace
+
+Matrix4 parallelProjection(const Box3& box, const Vec3& toward)
+{
+    const Vec3 right = anyPerpendicular(toward);
+    Eigen::Matrix3f axes;
+    axes.row(0) = right;
+    axes.row(1) = toward.cross(right);
+    axes.row(2) = -toward; // Depth grows away from the camera.
+    Box3 seen;
+    for (int corner = 0; corner < 8; ++corner)
+        seen.extend(axes * box.corner(static_cast<Box3::CornerType>(corner)));
+    const Vec3 half = (0.5F * seen.sizes()).cwiseMax(Vec3::Constant(1e-3F));
+    Matrix4 projection = Matrix4::Identity();
+    projection.topLeftCorner<3, 3>() = half.cwiseInverse().asDiagonal() * axes;
+    projection.topRightCorner<3, 1>() = -seen.center().cwiseQuotient(half);
+    return projection;
+}
+
+Matrix4 textureFromClip()
+{
+    Matrix4 matrix = Matrix4::Identity();
+    matrix.topLeftCorner<3, 3>() *= 0.5F;
+    matrix.topRightCorner<3, 1>().setConstant(0.5F);
+    return matrix;
+}
+
+TreeShadows::TreeShadows(Gl& gl)
+    : m_gl(gl), m_map(gl), m_mapFramebuffer(gl), m_coverage(gl), m_ground{Surface(gl), Surface(gl)}, m_noVertices(gl),
+      m_groundProgram(loadProgram("screen.vert", "groundshadow.frag")),
+      m_blurProgram(loadProgram("screen.vert", "blur.frag"))
+{
+    gl.glBindTexture(GL_TEXTURE_2D, m_map.get());
+    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kMapEdge, kMapEdge, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                    nullptr);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        gl.glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    // Outside of the map is light.
+    constexpr std::array<float, 4> farthest{1.0F, 1.0F, 1.0F, 1.0F};
+    gl.glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest.data());
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        gl.glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_BORDER);
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, m_mapFramebuffer.get());
+    gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_map.get(), 0);
+    gl.glDrawBuffer(GL_NONE);
+    gl.glReadBuffer(GL_NONE);
+    gl.glClear(GL_DEPTH_BUFFER_BIT);
+
+    makeSurface(m_coverage, kCoverageEdge, GL_R8);
+    for (Surface& surface : m_ground)
+        makeSurface(surface, kGroundEdge, GL_RG8);
+}
+
+TreeShadows::~TreeShadows() = default;
+
+void TreeShadows::makeSurface(Surface& surface, int edge, GLint format)
+{
+    m_gl.glBindTexture(GL_TEXTURE_2D, surface.texture.get());
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, format, edge, edge, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        m_gl.glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    constexpr std::array<float, 4> outside{};
+    m_gl.glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, outside.data());
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        m_gl.glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_BORDER);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer.get());
+    m_gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, surface.texture.get(), 0);
+    m_gl.glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+    m_gl.glClear(GL_COLOR_BUFFER_BIT);
+}
+
+void TreeShadows::render(const Box3& bounds, const Vec3& sun, float groundRadius, const Draw& draw,
+                         const Draw& drawRoughly)
+{
+    m_gl.glDisable(GL_BLEND);
+    m_gl.glDisable(GL_CULL_FACE);
+
+    const Matrix4 fromSun = parallelProjection(bounds, sun);
+    m_shadowFromWorld = textureFromClip() * fromSun;
+    m_texelEdge = 2.0F / (static_cast<float>(kMapEdge) * std::min(fromSun.row(0).head<3>().norm(),
+                                                                  fromSun.row(1).head<3>().norm()));
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_mapFramebuffer.get());
+    m_gl.glViewport(0, 0, kMapEdge, kMapEdge);
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glEnable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glPolygonOffset(1.5F, 2.0F);
+    m_gl.glClear(GL_DEPTH_BUFFER_BIT);
+    draw(fromSun);
+    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
+
+    // What stands above the ground hides the sky from it, the more the lower it is; a view from straight above tells where.
+    const Matrix4 fromAbove = parallelProjection(bounds, up());
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_coverage.framebuffer.get());
+    m_gl.glViewport(0, 0, kCoverageEdge, kCoverageEdge);
+    m_gl.glDisable(GL_DEPTH_TEST);
+    m_gl.glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
+    m_gl.glClear(GL_COLOR_BUFFER_BIT);
+    drawRoughly(fromAbove);
+    shadeGround(textureFromClip() * fromAbove, groundRadius, bounds.max().y());
+}
+
+void TreeShadows::shadeGround(const Matrix4& coverageFromWorld, float groundRadius, float height)
+{
+    m_gl.glBindVertexArray(m_noVertices.get());
+    m_gl.glViewport(0, 0, kGroundEdge, kGroundEdge);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_ground[0].framebuffer.get());
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    m_gl.glBindTexture(GL_TEXTURE_2D, m_map.get());
+    m_gl.glActiveTexture(GL_TEXTURE1);
+    m_gl.glBindTexture(GL_TEXTURE_2D, m_coverage.texture.get());
+    m_groundProgram->bind();
+    m_groundProgram->setUniformValue("shadowMap", 0);
+    m_groundProgram->setUniformValue("coverage", 1);
+    setMatrix(*m_groundProgram, "shadowFromWorld", m_shadowFromWorld);
+    setMatrix(*m_groundProgram, "coverageFromWorld", coverageFromWorld);
+    m_groundProgram->setUniformValue("radius", groundRadius);
+    m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+
+    // The sun's disc blurs a shadow by about a hundredth of the way it has come; a crown hides the sky for as far around as it is
+    // high.
+    const float texels = static_cast<float>(kGroundEdge) / (2.0F * groundRadius);
+    const QVector2D sigma(std::max(0.018F * height * texels, 1.0F), std::max(0.16F * height * texels, 2.0F));
+    m_blurProgram->bind();
+    m_blurProgram->setUniformValue("image", 0);
+    m_blurProgram->setUniformValue("sigma", sigma);
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    for (const std::size_t from : {0U, 1U}) {
+        m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_ground[1 - from].framebuffer.get());
+        m_gl.glBindTexture(GL_TEXTURE_2D, m_ground[from].texture.get());
+        constexpr float texel = 1.0F / kGroundEdge;
+        m_blurProgram->setUniformValue("direction", from == 0 ? QVector2D(texel, 0.0F) : QVector2D(0.0F, texel));
+        m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    m_blurProgram->release();
+}
+
+} // namespace espalier

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/render/GlResources.h"
+
+#include <functional>
+
+namespace espalier {
+
+/// The matrix of a camera infinitely far away in the direction @p toward (unit), whose picture holds just @p box: world to clip space.
+Matrix4 parallelProjection(const Box3& box, const Vec3& toward);
+/// Clip space (−1...1) to texture coordinates and depth (0...1).
+Matrix4 textureFromClip();
+
+/// What the sun sees of the tree (hard shadows within it), and how they and the crown above darken the ground (blurred).
+class TreeShadows {
+public:
+    static constexpr int kMapEdge = 2048;
+    static constexpr int kGroundEdge = 512;
+
+    explicit TreeShadows(Gl& gl);
+    ~TreeShadows();
+
+    /// Draws what casts shadows with a matrix from the world to clip space.
+    using Draw = std::function<void(const Matrix4& clipFromWorld)>;
+    /// @p bounds: of the tree, m; @p sun: toward it; @p groundRadius: half the edge of what the ground's texture covers, m;
+    /// @p drawRoughly: draws about where something is, for what is blurred anyway.
+    void render(const Box3& bounds, const Vec3& sun, float groundRadius, const Draw& draw, const Draw& drawRoughly);
+
+    const Matrix4& shadowFromWorld() const { return m_shadowFromWorld; }
+    /// Edge of a texel, m.
+    float texelEdge() const { return m_texelEdge; }
+    GLuint map() const { return m_map.get(); }
+    /// Red: 1 in the sun's shadow; green: 1 under a closed crown.
+    GLuint groundTexture() const { return m_ground[0].texture.get(); }
+
+private:
+    struct Surface {
+        explicit Surface(Gl& gl) : framebuffer(gl), texture(gl) {}
+        GlFramebuffer framebuffer;
+        GlTexture texture;
+    };
+
+    void makeSurface(Surface& surface, int edge, GLint format);
+    void shadeGround(const Matrix4& coverageFromWorld, float groundRadius, float height);
+
+    Gl& m_gl;
+    GlTexture m_map;
+    GlFramebuffer m_mapFramebuffer;
+    Surface m_coverage;
+    std::array<Surface, 2> m_ground;
+    GlVertexArray m_noVertices;
+    std::unique_ptr<QOpenGLShaderProgram> m_groundProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_blurProgram;
+    Matrix4 m_shadowFromWorld = Matrix4::Identity();
+    float m_texelEdge = 0.01F;
+};
+
+} // namespace espalier
