@@ -37,7 +37,7 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     menuButton->setMenu(makeMenu(actions, std::move(fillRecentFiles)));
 
     m_title->setTextFormat(Qt::PlainText);
-    m_title->setMinimumWidth(40);
+    m_title->setMinimumWidth(90);
     QPalette dim = m_title->palette();
     dim.setColor(QPalette::WindowText, theme::kDimText);
     m_title->setPalette(dim);

@@ -26,7 +26,7 @@ QString keyCap(const QString& key)
 QString section(const QString& title, const QList<Line>& lines)
 {
     QString html =
-        QStringLiteral("<h3 style='margin-bottom:4px'>%1</h3><table cellspacing='0' cellpadding='3'>")
+        QStringLiteral("<h3 style='margin-bottom:4px'>%1</h3><table cellspacing='0' cellpadding='5'>")
             .arg(title.toHtmlEscaped());
     for (const Line& line : lines) {
         QStringList caps;

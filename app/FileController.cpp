@@ -103,17 +103,17 @@ void FileController::openProject(const QString& fileName)
 
 void FileController::openRecipe(const QString& fileName)
 {
-    const Result<Recipe> recipe = readRecipe(fileName);
+    Result<Recipe> recipe = readRecipe(fileName);
     if (!recipe) {
         m_notice.showWarning(recipe.error().message);
         return;
     }
+    if (recipe->name.isEmpty())
+        recipe->name = QFileInfo(fileName).completeBaseName();
     if (!mayLeave())
         return;
     Q_EMIT aboutToReplace();
     rememberFolder(fileName);
-    m_file.forgetFile(QFileInfo(fileName).completeBaseName());
-    m_autosave.clear();
     m_notice.finish();
     Q_EMIT recipeOpened(*recipe);
 }

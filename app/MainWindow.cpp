@@ -4,6 +4,7 @@
 #include "app/CheatSheet.h"
 #include "app/GrowTool.h"
 #include "app/RecipeTool.h"
+#include "app/TreeCounts.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
@@ -15,12 +16,15 @@
 #include <QDropEvent>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QScreen>
 
 namespace espalier {
 
 namespace {
 
 constexpr int kThumbnailEdge = 256;
+/// ms between two looks at whether a growing tree is still in sight.
+constexpr int kFollowInterval = 400;
 
 /// The middle of what the viewport shows, without the brush.
 QImage thumbnailOf(Viewport& viewport)
@@ -41,6 +45,28 @@ QString droppedFile(const QMimeData& data)
     return FileController::canOpen(name) ? name : QString();
 }
 
+/// Where the brush will be, m; empty if the recipe has no strokes.
+Box3 strokeBounds(const Recipe& recipe)
+{
+    Box3 bounds;
+    for (const RecipeOperation& operation : recipe.operations) {
+        if (const auto* stroke = std::get_if<BrushStrokeOperation>(&operation)) {
+            for (const BrushSample& sample : stroke->samples) {
+                const Vec3 reach = Vec3::Constant(sample.radius);
+                bounds.extend(Box3(sample.position - reach, sample.position + reach));
+            }
+        }
+    }
+    return bounds;
+}
+
+/// The same camera, moved back until it shows all of the box and some room for it to grow.
+Camera withHeadroom(const Camera& camera, const Box3& bounds)
+{
+    const Vec3 room = 0.15F * bounds.sizes();
+    return camera.framing(Box3(bounds.min() - room, bounds.max() + room));
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -54,7 +80,7 @@ MainWindow::MainWindow(QWidget* parent)
                                                [this] { return thumbnailOf(m_workspace->viewport()); }))
 {
     setCentralWidget(m_workspace.get());
-    setMinimumSize(860, 560);
+    setMinimumSize(920, 580);
     setAcceptDrops(true);
     m_viewSettings.setValues(m_settings.viewValues());
     connectFiles();
@@ -66,7 +92,8 @@ MainWindow::MainWindow(QWidget* parent)
     updateTitle();
     updateEnabled();
     m_workspace->viewport().setFocus();
-    restoreGeometry(m_settings.windowGeometry());
+    if (!restoreGeometry(m_settings.windowGeometry()))
+        resize(sizeHint().boundedTo(screen()->availableSize()));
 }
 
 MainWindow::~MainWindow()
@@ -124,11 +151,11 @@ void MainWindow::connectTools()
     connect(&m_growRunner, &GrowRunner::exhausted, this,
             [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
     connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
-    connect(&m_recipeRunner, &RecipeRunner::advanced, &m_workspace->viewport(),
-            qOverload<>(&QWidget::update));
+    connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
     connect(&m_recipeRunner, &RecipeRunner::finished, this, [this] {
         takeTool();
         updateEnabled();
+        m_workspace->viewport().frameAll();
     });
 }
 
@@ -200,8 +227,29 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
     Viewport& viewport = m_workspace->viewport();
     viewport.setTool(std::make_unique<RecipeTool>(viewport.toolContext(), m_recipeRunner));
     m_recipeRunner.start(recipe, pace);
+    m_files->file().forgetFile(recipe.name);
+    m_files->autosave().clear();
+    if (const Box3 strokes = strokeBounds(recipe); !strokes.isEmpty())
+        viewport.setCamera(withHeadroom(viewport.camera(), strokes));
     updateEnabled();
     updateTip();
+}
+
+void MainWindow::followRecipe()
+{
+    Viewport& viewport = m_workspace->viewport();
+    viewport.update();
+    if (m_followClock.isValid() && m_followClock.elapsed() < kFollowInterval)
+        return;
+    m_followClock.start();
+    const Box3 bounds = treeBounds(m_document.tree(), m_document.index());
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto place = viewport.camera().project(bounds.corner(static_cast<Box3::CornerType>(corner)));
+        if (!place || !QRectF(viewport.rect()).contains(*place)) {
+            viewport.flyTo(withHeadroom(viewport.camera(), bounds));
+            return;
+        }
+    }
 }
 
 bool MainWindow::isHandBusy() const

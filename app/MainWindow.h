@@ -8,6 +8,7 @@
 #include "app/Settings.h"
 #include "app/Workspace.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 
 namespace espalier {
@@ -52,6 +53,8 @@ private:
     void updateEnabled();
     void updateTitle();
     void updateTip();
+    /// Keeps a tree in sight that a recipe lets grow.
+    void followRecipe();
     void takeTool();
     void cancel();
 
@@ -61,6 +64,7 @@ private:
     GrowRunner m_growRunner;
     RecipeRunner m_recipeRunner;
     Actions m_actions;
+    QElapsedTimer m_followClock;
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
 };

@@ -46,7 +46,8 @@ void installTranslations(QCoreApplication& application)
         QCoreApplication::installTranslator(qts);
 }
 
-/// Without a window the standard error is for this program's own one line: what Qt has to say about the system is kept from it.
+/// Without a window the standard error is for this program's own one line: what Qt has to say about the
+/// system is kept from it.
 void onlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message)
 {
     if (type == QtCriticalMsg || type == QtFatalMsg)

@@ -16,11 +16,11 @@ void RecipeTool::paint(Overlay& overlay) const
     if (context().viewSettings().values().markersShown)
         overlay.addDots(stroke->markers(), theme::kHandle, 3.0F, 0.7F);
     std::vector<Vec3> trail;
-    for (const BrushSample& sample : stroke->samples())
+    for (const BrushSample& sample : stroke->path())
         trail.push_back(sample.position);
     if (trail.size() > 1)
         overlay.addLine(trail, theme::kHandle, 1.8F, 5.0F);
-    const BrushSample& brush = stroke->samples().back();
+    const BrushSample& brush = stroke->path().back();
     if (brush.radius > 0.0F)
         overlay.addSphere({brush.position, brush.radius, theme::kHandle, 0.16F});
     overlay.addDots(std::span(&brush.position, 1), theme::kHandle, 6.0F);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kTopBarHeight = 50;
 constexpr int kGap = 10;
+constexpr int kStatusHeight = 40;
 /// ms; a tree that grows under the brush is counted no more often.
 constexpr int kCountInterval = 200;
 
@@ -88,10 +89,11 @@ void Workspace::resizeEvent(QResizeEvent*)
 void Workspace::showCounts()
 {
     const TreeCounts counts = countTree(m_document.tree(), m_document.index());
-    m_counts->setText(tr("%L1 internodes · %L2 leaves · step %L3")
-                          .arg(counts.internodes)
-                          .arg(counts.leaves)
-                          .arg(counts.steps));
+    m_counts->setText(counts.internodes == 1 ? tr("a seedling")
+                                             : tr("%L1 internodes · %L2 leaves · step %L3")
+                                                   .arg(counts.internodes)
+                                                   .arg(counts.leaves)
+                                                   .arg(counts.steps));
     arrange();
 }
 
@@ -118,16 +120,15 @@ void Workspace::arrange()
         y = panel.geometry().bottom() + 1 + kGap;
     }
 
+    m_viewport->setFrameMargins({0, y - kGap, 0, kStatusHeight});
     QWidget* const popOuts[] = {m_brushPopOut, m_growPopOut};
     for (QWidget* popOut : popOuts) {
         const PopOut kind = popOut == m_brushPopOut ? PopOut::Brush : PopOut::Grow;
         const QSize size = popOut->sizeHint();
-        const int top = std::max(kTopBarHeight + kGap, std::min(y, height() - kGap - size.height()));
-        popOut->setGeometry(QRect(QPoint(x, top), size));
-        popOut->setVisible(shown && kind == m_popOut);
+        popOut->setGeometry(QRect(QPoint(x, y), size));
+        // A small window has room for a sheet or for a pop-out.
+        popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
     }
-    if (m_sheet >= 0 && m_sheet < kSheetCount)
-        sheet(m_sheet).raise();
 
     m_counts->adjustSize();
     m_counts->move(width() - m_counts->width() - 20, height() - m_counts->height() - 16);

@@ -8,7 +8,7 @@
 namespace espalier {
 
 BrushGesture::BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors)
-    : m_document(document), m_growth(competitors), m_samples{first}, m_last(first)
+    : m_document(document), m_growth(competitors), m_path{first}, m_sample(first), m_last(first)
 {
 }
 
@@ -19,15 +19,23 @@ BrushGesture::~BrushGesture()
 
 void BrushGesture::add(const BrushSample& sample)
 {
-    const BrushSample previous = m_samples.back();
-    if (m_ended || sample.time <= previous.time)
+    if (m_ended || sample.time <= m_sample.time)
         return;
-    m_samples.push_back(sample);
+    moveToward(sample, sample.time);
+    m_sample = sample;
+}
+
+void BrushGesture::moveToward(const BrushSample& next, double time)
+{
+    if (m_ended || time <= m_path.back().time)
+        return;
+    m_path.push_back(time < next.time ? between(m_sample, next, time) : next);
     for (;;) {
-        const double time = m_samples.front().time + static_cast<double>(m_stepsDone + 1) / kBrushStepsPerSecond;
-        if (time > sample.time)
+        const double stepTime =
+            m_path.front().time + static_cast<double>(m_stepsDone + 1) / kBrushStepsPerSecond;
+        if (stepTime > time)
             return;
-        const BrushSample brush = between(previous, sample, time);
+        const BrushSample brush = between(m_sample, next, stepTime);
         TreeDelta delta =
             m_growth.step(m_document.tree(), m_document.index(), m_document.growthIndex(), m_last, brush);
         m_last = brush;

@@ -22,18 +22,22 @@ public:
     /// Grows up to the sample's time. While the hand rests, send samples of the resting place (a timer does): growth goes on.
     /// Samples earlier than the last one are ignored.
     void add(const BrushSample& sample);
+    /// Grows up to @p time on the way to @p next, a sample yet to be added: the same growth in pieces.
+    void moveToward(const BrushSample& next, double time);
     void finish();
     void cancel();
 
     /// The living markers of free space, for showing them.
     std::span<const Vec3> markers() const { return m_growth.markers(); }
-    const std::vector<BrushSample>& samples() const { return m_samples; }
+    /// Where the brush has been, for showing the stroke: the samples, and the ends of pieces between them.
+    const std::vector<BrushSample>& path() const { return m_path; }
 
 private:
     TreeDocument& m_document;
     BrushGrowth m_growth;
-    std::vector<BrushSample> m_samples;
-    BrushSample m_last; ///< Where the last growth step was made
+    std::vector<BrushSample> m_path;
+    BrushSample m_sample; ///< The last one added
+    BrushSample m_last;   ///< Where the last growth step was made
     Journal m_deltas;
     std::uint64_t m_stepsDone = 0;
     bool m_ended = false;

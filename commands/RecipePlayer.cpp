@@ -10,22 +10,6 @@ namespace {
 /// Pace of a demonstration.
 constexpr double kGrowthStepsPerSecond = 12.0;
 
-/// s; samples further apart are filled up, so that a demonstration moves evenly. It is done for every replay, so that all are the same.
-constexpr double kLongestGap = 1.0 / 30.0;
-
-std::vector<BrushSample> withoutGaps(const std::vector<BrushSample>& samples)
-{
-    std::vector<BrushSample> dense{samples.front()};
-    for (std::size_t i = 1; i < samples.size(); ++i) {
-        const double gap = samples[i].time - samples[i - 1].time;
-        const int parts = std::max(1, static_cast<int>(std::ceil(gap / kLongestGap)));
-        for (int part = 1; part < parts; ++part)
-            dense.push_back(between(samples[i - 1], samples[i], samples[i - 1].time + gap * part / parts));
-        dense.push_back(samples[i]);
-    }
-    return dense;
-}
-
 template <class... Handlers>
 struct Overloaded : Handlers... {
     using Handlers::operator()...;
@@ -92,17 +76,19 @@ void RecipePlayer::advance(double seconds)
 
 bool RecipePlayer::advanceStroke(const BrushStrokeOperation& operation, double seconds)
 {
+    const std::vector<BrushSample>& samples = operation.samples;
     if (!m_stroke) {
-        m_samples = withoutGaps(operation.samples);
-        m_stroke = std::make_unique<BrushGesture>(m_document, m_samples.front());
-        m_strokeTime = m_samples.front().time;
+        m_stroke = std::make_unique<BrushGesture>(m_document, samples.front());
+        m_strokeTime = samples.front().time;
         m_nextSample = 1;
     }
     m_strokeTime += seconds;
-    for (; m_nextSample < m_samples.size() && m_samples[m_nextSample].time <= m_strokeTime; ++m_nextSample)
-        m_stroke->add(m_samples[m_nextSample]);
-    if (m_nextSample < m_samples.size())
+    for (; m_nextSample < samples.size() && samples[m_nextSample].time <= m_strokeTime; ++m_nextSample)
+        m_stroke->add(samples[m_nextSample]);
+    if (m_nextSample < samples.size()) {
+        m_stroke->moveToward(samples[m_nextSample], m_strokeTime);
         return false;
+    }
     m_stroke->finish();
     m_stroke.reset();
     return true;
@@ -131,7 +117,7 @@ std::optional<BrushSample> RecipePlayer::brush() const
 {
     if (!m_stroke)
         return std::nullopt;
-    return m_stroke->samples().back();
+    return m_stroke->path().back();
 }
 
 } // namespace espalier

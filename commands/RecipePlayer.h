@@ -41,7 +41,6 @@ private:
     Recipe m_recipe;
     std::size_t m_next = 0;
     std::unique_ptr<BrushGesture> m_stroke;
-    std::vector<BrushSample> m_samples;
     std::size_t m_nextSample = 0;
     double m_strokeTime = 0.0;
     std::unique_ptr<GrowGesture> m_growth;

@@ -44,9 +44,11 @@ BarButton::BarButton(Look look, QWidget* parent) : QToolButton(parent), m_look(l
     switch (look) {
     case Look::Icon:
         setToolButtonStyle(Qt::ToolButtonIconOnly);
+        setProperty("look", "icon");
         break;
     case Look::IconAboveText: {
         setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        setProperty("look", "tool");
         QFont small = font();
         small.setPointSizeF(small.pointSizeF() * 0.88);
         setFont(small);
@@ -54,7 +56,7 @@ BarButton::BarButton(Look look, QWidget* parent) : QToolButton(parent), m_look(l
     }
     case Look::Tab:
         setToolButtonStyle(Qt::ToolButtonTextOnly);
-        setProperty("tab", true);
+        setProperty("look", "tab");
         break;
     }
 }

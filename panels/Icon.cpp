@@ -18,7 +18,7 @@ QColor colourFor(QIcon::Mode mode, QIcon::State state)
     if (mode == QIcon::Disabled)
         return theme::kFaintText;
     if (state == QIcon::On)
-        return mode == QIcon::Active ? QColor(Qt::white) : QColor(0xd6, 0xec, 0xcb);
+        return mode == QIcon::Active ? QColor(Qt::white) : QColor(0xa6, 0xd0, 0x93);
     return mode == QIcon::Active ? QColor(Qt::white) : theme::kText;
 }
 

@@ -11,6 +11,14 @@
 
 namespace espalier {
 
+namespace {
+
+// Widths of the sentence, px; a longer one takes several lines.
+constexpr int kLeastText = 160;
+constexpr int kMostText = 520;
+
+} // namespace
+
 Notice::Notice(QWidget* parent)
     : Bar(parent),
       m_text(new QLabel(this)),
@@ -20,8 +28,6 @@ Notice::Notice(QWidget* parent)
 {
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
-    m_text->setMinimumWidth(260);
-    m_text->setMaximumWidth(560);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_progress->setRange(0, 1000);
     m_progress->setFixedWidth(180);
@@ -92,6 +98,8 @@ void Notice::present(const QString& text, bool warning, const QString& yes, cons
     m_timer.stop();
     m_isWarning = warning;
     m_text->setText(text);
+    m_text->setFixedWidth(
+        std::clamp(m_text->fontMetrics().horizontalAdvance(text) + 4, kLeastText, kMostText));
     m_progress->hide();
     m_yes->setText(yes);
     m_yes->setVisible(!yes.isEmpty());

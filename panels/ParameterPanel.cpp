@@ -12,6 +12,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 #include <cstring>
 
@@ -49,6 +50,9 @@ void reconcile(TreeParameters& parameters, std::string_view changed)
     growth.ellipseOffset = std::clamp(growth.ellipseOffset, -most, most);
 }
 
+/// Room for the scroll bar below the rows.
+constexpr int kScrollBarHeight = 6;
+
 /// Scrolls sideways where the window is too narrow, and is exactly as high as what it shows.
 class Sideways : public QScrollArea {
 public:
@@ -61,8 +65,17 @@ public:
         setWidget(content);
     }
 
-    QSize sizeHint() const override { return widget()->sizeHint(); }
+    QSize sizeHint() const override { return widget()->sizeHint() + QSize(0, kScrollBarHeight); }
     QSize minimumSizeHint() const override { return {100, sizeHint().height()}; }
+
+protected:
+    void wheelEvent(QWheelEvent* event) override
+    {
+        const QPoint turned = event->angleDelta();
+        horizontalScrollBar()->setValue(horizontalScrollBar()->value() -
+                                        (turned.y() != 0 ? turned.y() : turned.x()));
+        event->accept();
+    }
 };
 
 } // namespace

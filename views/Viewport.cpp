@@ -8,10 +8,8 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QKeyEvent>
 #include <QOpenGLContext>
 #include <QTimerEvent>
-#include <QWheelEvent>
 
 #include <cmath>
 
@@ -19,19 +17,19 @@ namespace espalier {
 
 namespace {
 
-constexpr int kTick = 16;        ///< ms
-constexpr int kRestAfter = 180;  ///< ms without any movement
+constexpr int kTick = 16;            ///< ms
+constexpr int kRestAfter = 180;      ///< ms without any movement
 constexpr double kLongestTick = 0.1; ///< s; after a longer pause, animations go on where they were
-constexpr double kOrbitPerPixel = 0.0065; ///< rad
-constexpr double kZoomPerNotch = 0.88;
-/// A key that is only tapped moves the camera as much as one held for this long, s.
-constexpr double kTap = 0.04;
 
 } // namespace
 
 Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* parent)
-    : QOpenGLWidget(parent), m_document(document), m_settings(settings), m_gestures(*this),
-      m_scene(document), m_tool(std::make_unique<BrushTool>(toolContext()))
+    : QOpenGLWidget(parent),
+      m_document(document),
+      m_settings(settings),
+      m_gestures(*this),
+      m_scene(document),
+      m_tool(std::make_unique<BrushTool>(toolContext()))
 {
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
@@ -53,8 +51,6 @@ Viewport::~Viewport()
     m_tool.reset();
     releaseGl();
 }
-
-// ---- Camera
 
 void Viewport::setCamera(const Camera& camera)
 {
@@ -85,13 +81,18 @@ void Viewport::showFrom(NamedView view)
     flyTo(framed(m_camera.turnedTo(view)));
 }
 
-Camera Viewport::framed(const Camera& camera)
+Camera Viewport::framed(const Camera& camera) const
 {
     if (m_document.index().livingCount() > 1) {
+        const QRect clear = rect().marginsRemoved(m_frameMargins);
         Camera sized = camera;
+        sized.setViewSize(clear.size());
+        sized = sized.framing(m_scene.outline());
+        sized.setDistance(sized.distance() * static_cast<float>(height()) /
+                          static_cast<float>(std::max(clear.height(), 1)));
         sized.setViewSize(size());
-        m_scene.prepare();
-        return sized.framing(m_scene.bounds());
+        sized.pan(QRectF(clear).center() - QRectF(rect()).center());
+        return sized;
     }
     Camera first;
     first.setViewSize(size());
@@ -105,8 +106,6 @@ void Viewport::flyTo(const Camera& camera)
     m_flight.start(m_camera, camera);
     startTicking();
 }
-
-// ---- Document and settings
 
 void Viewport::followDocument(const TreeChange& change)
 {
@@ -154,191 +153,6 @@ void Viewport::cancelGesture()
 {
     m_gestures.cancel();
 }
-
-// ---- Input
-
-bool Viewport::event(QEvent* event)
-{
-    switch (event->type()) {
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-    case QEvent::TouchEnd:
-    case QEvent::TouchCancel:
-        if (event->type() == QEvent::TouchBegin)
-            setFocus(Qt::MouseFocusReason);
-        [[fallthrough]];
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::MouseButtonRelease:
-    case QEvent::TabletPress:
-    case QEvent::TabletMove:
-    case QEvent::TabletRelease:
-        m_gestures.read(m_pointers.read(*event));
-        event->accept();
-        return true;
-    case QEvent::ShortcutOverride: {
-        // Keys that are held to move the camera, and Escape during a gesture, are not for shortcuts.
-        const auto* key = static_cast<QKeyEvent*>(event);
-        HeldKeys probe;
-        if (probe.press(key->key(), key->modifiers()) || (key->key() == Qt::Key_Escape && m_gestures.isBusy())) {
-            event->accept();
-            return true;
-        }
-        break;
-    }
-    default:
-        break;
-    }
-    return QOpenGLWidget::event(event);
-}
-
-bool Viewport::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::TabletEnterProximity || event->type() == QEvent::TabletLeaveProximity)
-        m_gestures.setPenInReach(event->type() == QEvent::TabletEnterProximity, m_pointers.now());
-    return QOpenGLWidget::eventFilter(watched, event);
-}
-
-void Viewport::wheelEvent(QWheelEvent* event)
-{
-    const QPoint turned = event->angleDelta();
-    // With Alt, some systems turn the wheel sideways.
-    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
-    if (event->modifiers().testFlag(Qt::ControlModifier))
-        m_tool->wheel(notches);
-    else
-        magnify(std::pow(kZoomPerNotch, -notches), event->position());
-    event->accept();
-}
-
-void Viewport::keyPressEvent(QKeyEvent* event)
-{
-    if (event->isAutoRepeat())
-        return;
-    if (m_keys.press(event->key(), event->modifiers())) {
-        m_flight.stop();
-        moveByKeys(kTap);
-        startTicking();
-        return;
-    }
-    switch (event->key()) {
-    case Qt::Key_Space:
-        m_gestures.setPanKey(true);
-        break;
-    case Qt::Key_Escape:
-        if (m_gestures.isBusy())
-            cancelGesture();
-        else
-            event->ignore();
-        break;
-    case Qt::Key_F:
-    case Qt::Key_Home:
-        frameAll();
-        break;
-    default:
-        QOpenGLWidget::keyPressEvent(event);
-        break;
-    }
-}
-
-void Viewport::keyReleaseEvent(QKeyEvent* event)
-{
-    if (event->isAutoRepeat() || m_keys.release(event->key()))
-        return;
-    if (event->key() == Qt::Key_Space)
-        m_gestures.setPanKey(false);
-    else
-        QOpenGLWidget::keyReleaseEvent(event);
-}
-
-void Viewport::focusOutEvent(QFocusEvent* event)
-{
-    // Their release will be told to somebody else.
-    m_keys.clear();
-    m_gestures.setPanKey(false);
-    QOpenGLWidget::focusOutEvent(event);
-}
-
-void Viewport::leaveEvent(QEvent* event)
-{
-    if (!m_tool->isActive())
-        m_tool->leave();
-    QOpenGLWidget::leaveEvent(event);
-}
-
-void Viewport::resizeEvent(QResizeEvent* event)
-{
-    const bool wasFramed = m_isFramed;
-    moveCamera(wasFramed ? framed(m_camera) : m_camera);
-    m_isFramed = wasFramed;
-    QOpenGLWidget::resizeEvent(event);
-}
-
-void Viewport::toolBegins(const PointerSample& sample)
-{
-    m_tool->begin(sample);
-    startTicking();
-    Q_EMIT gestureActiveChanged(true);
-}
-
-void Viewport::toolMoves(const PointerSample& sample)
-{
-    m_tool->move(sample);
-}
-
-void Viewport::toolEnds(const PointerSample& sample)
-{
-    m_tool->end(sample);
-    Q_EMIT gestureActiveChanged(false);
-}
-
-void Viewport::toolIsCancelled()
-{
-    m_tool->cancel();
-    Q_EMIT gestureActiveChanged(false);
-}
-
-void Viewport::toolHovers(const PointerSample& sample)
-{
-    m_tool->hover(sample);
-}
-
-void Viewport::orbitBy(const QPointF& distance)
-{
-    m_flight.stop();
-    Camera camera = m_camera;
-    camera.orbit(static_cast<float>(-kOrbitPerPixel * distance.x()), static_cast<float>(kOrbitPerPixel * distance.y()));
-    moveCamera(camera);
-}
-
-void Viewport::panBy(const QPointF& distance)
-{
-    m_flight.stop();
-    Camera camera = m_camera;
-    camera.pan(distance);
-    moveCamera(camera);
-}
-
-void Viewport::magnify(double factor, const QPointF& about)
-{
-    m_flight.stop();
-    Camera camera = m_camera;
-    camera.zoom(static_cast<float>(1.0 / factor), about);
-    moveCamera(camera);
-}
-
-void Viewport::moveByKeys(double seconds)
-{
-    const HeldKeys::Motion motion = m_keys.motion();
-    Camera camera = m_camera;
-    camera.orbit(static_cast<float>(seconds * motion.orbit.x()), static_cast<float>(seconds * motion.orbit.y()));
-    camera.pan(seconds * motion.pan);
-    camera.zoom(static_cast<float>(std::exp(-seconds * motion.zoom)), QRectF(rect()).center());
-    moveCamera(camera);
-}
-
-// ---- Time
 
 bool Viewport::needsTicks() const
 {
@@ -403,8 +217,6 @@ void Viewport::redrawTree()
     update();
 }
 
-// ---- Drawing
-
 void Viewport::initializeGL()
 {
     Gl* gl = currentGl();
@@ -441,7 +253,8 @@ void Viewport::drawPicture()
     QElapsedTimer timer;
     timer.start();
     m_renderer->render(m_scene, camera, options, *m_picture);
-    // Only a finished frame tells how long it took, and waiting for it also keeps input from running ahead of what is seen.
+    // Only a finished frame tells how long it took, and waiting for it also keeps input from running ahead
+    // of what is seen.
     gl.glFinish();
     m_pacer.frameTook(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
     m_pictureIsOld = false;
@@ -457,8 +270,8 @@ void Viewport::paintGL()
     const QSize to = (QSizeF(size()) * devicePixelRatioF()).toSize();
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, m_picture->framebuffer());
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, widgetBuffer);
-    gl.glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, to.width(), to.height(), GL_COLOR_BUFFER_BIT,
-                         from == to ? GL_NEAREST : GL_LINEAR);
+    gl.glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, to.width(), to.height(),
+                         GL_COLOR_BUFFER_BIT, from == to ? GL_NEAREST : GL_LINEAR);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
     m_overlay.clear();
     m_tool->paint(m_overlay);

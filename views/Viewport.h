@@ -11,6 +11,7 @@
 #include "views/tools/Tool.h"
 
 #include <QBasicTimer>
+#include <QMargins>
 #include <QOpenGLWidget>
 
 #include <memory>
@@ -21,9 +22,9 @@ class OverlayRenderer;
 class Renderer;
 class RenderTarget;
 
-/// Shows a document's tree, and lets a hand work on it with a tool or turn it about. While something moves it draws plainly and
-/// fast; when all has come to rest it draws well. The picture of the tree is kept, so that what a tool shows over it costs
-/// nothing to move.
+/// Shows a document's tree, and lets a hand work on it with a tool or turn it about. While something moves
+/// it draws plainly and fast; when all has come to rest it draws well. The picture of the tree is kept, so
+/// that what a tool shows over it costs nothing to move.
 class Viewport : public QOpenGLWidget, private ToolContext, private GestureTarget {
     Q_OBJECT
 
@@ -36,10 +37,15 @@ public:
     const Camera& camera() const override { return m_camera; }
     /// At once; ends a flight. The view size is the viewport's own.
     void setCamera(const Camera& camera);
+    /// Moves there smoothly.
+    void flyTo(const Camera& camera);
     /// Flies to where the whole tree is seen; a seedling is shown as a new document shows it.
     void frameAll();
     /// Flies to a view from another side of the whole tree.
     void showFrom(NamedView view);
+
+    /// What bars over the viewport cover, px: whole trees are framed in the rest of it from now on.
+    void setFrameMargins(const QMargins& margins) { m_frameMargins = margins; }
 
     /// What a tool for this viewport is made with.
     ToolContext& toolContext() { return *this; }
@@ -47,7 +53,8 @@ public:
     void setTool(std::unique_ptr<Tool> tool);
     const Tool& tool() const { return *m_tool; }
 
-    /// While a tool's gesture is under way, the document must not be changed from elsewhere: cancel it before.
+    /// While a tool's gesture is under way, the document must not be changed from elsewhere: cancel it
+    /// before.
     bool isGestureActive() const { return m_tool->isActive(); }
     void cancelGesture();
 
@@ -94,8 +101,7 @@ private:
     void followDocument(const TreeChange& change);
     void followSettings();
     void moveCamera(const Camera& camera);
-    void flyTo(const Camera& camera);
-    Camera framed(const Camera& camera);
+    Camera framed(const Camera& camera) const;
     void showAnew();
     void moveByKeys(double seconds);
     void redrawTree();
@@ -108,6 +114,7 @@ private:
     TreeDocument& m_document;
     ViewSettings& m_settings;
     Camera m_camera;
+    QMargins m_frameMargins;
     bool m_isFramed = true; ///< Nobody has moved the camera since a whole tree was shown
     ViewValues m_shown;     ///< What the picture shows
     CameraFlight m_flight;

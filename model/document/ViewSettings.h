@@ -12,8 +12,8 @@ namespace espalier {
 /// Largest radius of the brush, m.
 inline constexpr double kMaxBrushRadius = 5.0;
 
-/// The next larger (@p notches > 0) or smaller radius, as a wheel or the keys [ and ] step through them: by a tenth a notch, down
-/// to an axis and up again from it.
+/// The next larger (@p notches > 0) or smaller radius, as a wheel or the keys [ and ] step through them: by
+/// a tenth a notch, down to an axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
 
 /// What stands behind the tree.
@@ -22,13 +22,13 @@ enum class Backdrop : int {
     Horizon, ///< An overcast sky over a light ground
 };
 
-/// How the tree is shown and what the hand holds; belongs to the person who works, not to the tree, so it is no part of the
-/// document and nothing of it is undone.
+/// How the tree is shown and what the hand holds; belongs to the person who works, not to the tree, so it
+/// is no part of the document and nothing of it is undone.
 struct ViewValues {
-    double brushRadius = 0.5;    ///< m, 0...kMaxBrushRadius; 0 draws a single axis
-    bool pressureScales = true;  ///< A pen's pressure scales the radius of the brush
-    bool markersShown = true;    ///< Markers of free space while brushing
-    bool planeShown = true;      ///< Hints of where the drawing plane is
+    double brushRadius = 0.5;   ///< m, 0...kMaxBrushRadius; 0 draws a single axis
+    bool pressureScales = true; ///< A pen's pressure scales the radius of the brush
+    bool markersShown = true;   ///< Markers of free space while brushing
+    bool planeShown = true;     ///< Hints of where the drawing plane is
     bool leavesShown = true;
     bool groundShown = true;
     bool shadowsShown = true;

@@ -108,7 +108,11 @@ TreeDelta BrushGrowth::step(const Tree& tree, const TreeIndex& index, const Grow
     // A seedling follows a brush that is out of its sight, with a trunk that stays bare until it gets there.
     const float sight = brush.radius + 0.5F * options.perception.reach;
     const bool isSeedling = index.tipCount(0) == 1 && m_competitors.node == kNoInternode;
-    if (isSeedling && (brush.position - index.nodePosition(trunkTip(index))).norm() > sight)
+    const auto isOutOfSight = [&] {
+        const BudRef nearest = nearestBud(tree, index, brush.position);
+        return (brush.position - index.nodePosition(nearest.node)).norm() > sight;
+    };
+    if (isSeedling && isOutOfSight())
         return growLeader(tree, index, brush.position, sight, p.maxShootLength, m_workspace);
     return growthStep(tree, index, growth, m_markers, options, m_workspace);
 }

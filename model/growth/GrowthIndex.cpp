@@ -18,7 +18,15 @@ GrowthIndex::Settings GrowthIndex::settingsOf(const GrowthParameters& p)
 void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
 {
     m_settings = settingsOf(tree.parameters().growth);
-    m_space = VoxelSpace(m_settings.edge, m_settings.pyramid);
+    // A tree that was grown in other proportions than those in force now may be too sparse for voxels of the size that they ask for.
+    float edge = m_settings.edge;
+    while (!fill(tree, index, edge))
+        edge *= 2.0F;
+}
+
+bool GrowthIndex::fill(const Tree& tree, const TreeIndex& index, float edge)
+{
+    m_space = VoxelSpace(edge, m_settings.pyramid);
     m_inSpace.assign(tree.size(), 0);
     m_sensed.assign(tree.size(), 0);
     m_own.assign(tree.size(), 0);
@@ -26,12 +34,15 @@ void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
     m_pending.assign(tree.size(), 0);
     m_sweep = {};
     for (InternodeId id = 0; id < tree.size(); ++id) {
-        if (tree.isAlive(id)) {
-            m_space.insert(id, index.nodePosition(id));
-            m_inSpace[id] = 1;
-        }
+        if (!tree.isAlive(id))
+            continue;
+        if (m_space.isOverfull())
+            return false;
+        m_space.insert(id, index.nodePosition(id));
+        m_inSpace[id] = 1;
     }
     castAndSweep(tree, index);
+    return !m_space.isOverfull();
 }
 
 void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
@@ -61,6 +72,8 @@ void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDel
         refresh(tree, index, id);
     });
     castAndSweep(tree, index);
+    if (m_space.isOverfull())
+        rebuild(tree, index);
 }
 
 void GrowthIndex::castAndSweep(const Tree& tree, const TreeIndex& index)

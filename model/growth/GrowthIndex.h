@@ -53,6 +53,8 @@ private:
         GravimorphismEllipse ellipse;
         bool operator==(const Settings&) const = default;
     };
+    /// False if voxels of that edge are too many.
+    bool fill(const Tree& tree, const TreeIndex& index, float edge);
     static Settings settingsOf(const GrowthParameters& parameters);
 
     std::int32_t sensedLight(std::uint32_t shadow) const;

@@ -77,6 +77,8 @@ void VoxelSpace::castPending()
             count += m_pending[i].count;
         if (count == 0)
             continue;
+        if (isOverfull())
+            break;
         makeBricksBelow(cell);
         forEachPyramidRow(cell, [&](std::uint32_t index, std::size_t row, int from, int to, int layer) {
             Brick& brick = *m_bricks[index];

@@ -38,12 +38,16 @@ public:
     /// Shadow 1.0 in the integer unit of the sums.
     static constexpr double kShadowUnit = 1 << 18;
     static constexpr int kBrickEdge = 8;
+    /// More bricks than this (half a gigabyte) are not made: the space is then overfull, and its contents are of no use. That takes a
+    /// tree that is very large, or very sparse, for its voxels.
+    static constexpr std::size_t kMostBricks = std::size_t{1} << 17;
 
     VoxelSpace() = default;
     /// @p edge of a voxel, m, > 0.
     VoxelSpace(float edge, const ShadowPyramid& pyramid);
 
     float edge() const { return m_edge; }
+    bool isOverfull() const { return m_bricks.size() >= kMostBricks; }
     const ShadowPyramid& pyramid() const { return m_pyramid; }
     Cell cellAt(const Vec3& position) const;
     Vec3 centreOf(const Cell& cell) const;

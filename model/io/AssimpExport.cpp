@@ -68,7 +68,7 @@ aiMesh* convert(const ExportMesh& source)
 
 /// A material with its textures at the given paths.
 aiMaterial* convert(const ExportMaterial& source, const QString& colourPath, const QString& normalPath,
-                    Slots slots_)
+                    Slots slots)
 {
     auto material = std::make_unique<aiMaterial>();
     const auto add = [&](const auto& value, const char* key, unsigned type = 0, unsigned index = 0) {
@@ -89,10 +89,19 @@ aiMaterial* convert(const ExportMaterial& source, const QString& colourPath, con
     addTexture(colourPath, aiTextureType_DIFFUSE);
     addTexture(colourPath, aiTextureType_BASE_COLOR);
     addTexture(normalPath, aiTextureType_NORMALS);
-    if (slots_ == Slots::Fbx)
+    if (slots == Slots::Fbx) {
         addTexture(normalPath, aiTextureType_HEIGHT);
+        // Dull and no metal: readers derive that from Phong's terms, and Assimp's defaults are those of a
+        // mirror.
+        const aiColor3D black(0.0F, 0.0F, 0.0F);
+        add(black, AI_MATKEY_COLOR_SPECULAR);
+        add(black, AI_MATKEY_COLOR_REFLECTIVE);
+        add(0.0F, AI_MATKEY_REFLECTIVITY);
+        add(0.1F, AI_MATKEY_SHININESS_STRENGTH);
+        add(1.0F, AI_MATKEY_SHININESS);
+    }
     if (source.isLeaf) {
-        if (slots_ == Slots::Fbx)
+        if (slots == Slots::Fbx)
             addTexture(colourPath, aiTextureType_OPACITY);
         add(1, AI_MATKEY_TWOSIDED);
         const aiString mask("MASK");

@@ -15,8 +15,8 @@ namespace espalier {
 struct ExportOptions {
     bool leaves = true;  ///< If the tree has any
     double detail = 1.0; ///< 0.1...2, see BranchMeshOptions
-    int textureSize =
-        1024; ///< Pixels of a bark texture's edge, 64...8192, a power of two; a leaf has half of it
+    /// Pixels of a bark texture's edge, a power of two, 64...8192; a leaf has half of it.
+    int textureSize = 1024;
 
     bool operator==(const ExportOptions&) const = default;
 };

@@ -2,6 +2,7 @@
 #include "model/io/ProjectFile.h"
 
 #include "model/io/JournalCheck.h"
+#include "model/io/JournalColumns.h"
 #include "model/io/JsonReader.h"
 #include "model/io/ParametersJson.h"
 #include "model/io/ZipArchive.h"
@@ -16,7 +17,6 @@
 #include <QSaveFile>
 
 #include <bit>
-#include <numeric>
 
 namespace espalier {
 
@@ -37,125 +37,16 @@ constexpr qint64 kMaximumFile = qint64{2} << 30;
 constexpr std::uint64_t kMaximumThumbnail = 16 << 20;
 constexpr int kMaximumThumbnailEdge = 4096;
 
-/// How many rows the columns have.
-struct Counts {
-    std::uint32_t internodes = 1;
-    std::uint32_t deltas = 0;
-    std::uint32_t died = 0;
-    std::uint32_t budChanges = 0;
-
-    bool withinLimits() const
-    {
-        return internodes <= projectLimits::kInternodes && deltas <= projectLimits::kDeltas &&
-               died <= projectLimits::kInternodes && budChanges <= projectLimits::kBudChanges;
-    }
-};
-
 /// What project.json says.
 struct Description {
     QString name;
     std::uint64_t seed = 1;
     Step step = 0;
-    Counts counts;
+    std::uint32_t internodes = 1;
+    JournalCounts journal;
     QList<TreeParameters> parameterSets;
     std::uint32_t currentParameters = 0;
 };
-
-/// The journal as columns: a row a delta, then all deaths and all bud changes in the same order.
-struct JournalColumns {
-    QList<Step> stepBefore;
-    QList<Step> stepAfter;
-    QList<std::uint32_t> parametersBefore;
-    QList<std::uint32_t> parametersAfter;
-    QList<InternodeId> bornFirst;
-    QList<std::uint32_t> bornCount;
-    QList<std::uint32_t> diedCount;
-    QList<std::uint32_t> budCount;
-    QList<InternodeId> died;
-    QList<InternodeId> budId;
-    QList<BudMask> budBefore;
-    QList<BudMask> budAfter;
-
-    /// Calls @p visitor(name, column, rows) for each column, in a fixed order.
-    template <class Self, class Visit>
-    static void visit(Self& self, const Counts& counts, Visit&& visitor)
-    {
-        visitor("stepBefore", self.stepBefore, counts.deltas);
-        visitor("stepAfter", self.stepAfter, counts.deltas);
-        visitor("parametersBefore", self.parametersBefore, counts.deltas);
-        visitor("parametersAfter", self.parametersAfter, counts.deltas);
-        visitor("bornFirst", self.bornFirst, counts.deltas);
-        visitor("bornCount", self.bornCount, counts.deltas);
-        visitor("diedCount", self.diedCount, counts.deltas);
-        visitor("budCount", self.budCount, counts.deltas);
-        visitor("died", self.died, counts.died);
-        visitor("budId", self.budId, counts.budChanges);
-        visitor("budBefore", self.budBefore, counts.budChanges);
-        visitor("budAfter", self.budAfter, counts.budChanges);
-    }
-};
-
-Counts countRows(const Project& project)
-{
-    Counts counts{project.tree.size(), static_cast<std::uint32_t>(project.journal.size()), 0, 0};
-    for (const auto& delta : project.journal) {
-        counts.died += static_cast<std::uint32_t>(delta->died.size());
-        counts.budChanges += static_cast<std::uint32_t>(delta->buds.size());
-    }
-    return counts;
-}
-
-JournalColumns toColumns(const Journal& journal)
-{
-    JournalColumns columns;
-    for (const auto& delta : journal) {
-        columns.stepBefore.append(delta->stepBefore);
-        columns.stepAfter.append(delta->stepAfter);
-        columns.parametersBefore.append(delta->parametersBefore);
-        columns.parametersAfter.append(delta->parametersAfter);
-        columns.bornFirst.append(delta->born.first);
-        columns.bornCount.append(delta->born.count);
-        columns.diedCount.append(static_cast<std::uint32_t>(delta->died.size()));
-        columns.budCount.append(static_cast<std::uint32_t>(delta->buds.size()));
-        for (const InternodeId id : delta->died)
-            columns.died.append(id);
-        for (const TreeDelta::BudChange& change : delta->buds) {
-            columns.budId.append(change.id);
-            columns.budBefore.append(change.before);
-            columns.budAfter.append(change.after);
-        }
-    }
-    return columns;
-}
-
-/// Nothing if the counts of the deltas do not add up to the rows.
-std::optional<Journal> toJournal(const JournalColumns& columns, const Counts& counts)
-{
-    const auto sum = [](const QList<std::uint32_t>& column) {
-        return std::accumulate(column.begin(), column.end(), std::uint64_t{0});
-    };
-    if (sum(columns.diedCount) != counts.died || sum(columns.budCount) != counts.budChanges)
-        return {};
-    Journal journal;
-    journal.reserve(counts.deltas);
-    auto died = columns.died.begin();
-    qsizetype bud = 0;
-    for (qsizetype i = 0; i < columns.stepBefore.size(); ++i) {
-        auto delta = std::make_shared<TreeDelta>();
-        delta->stepBefore = columns.stepBefore[i];
-        delta->stepAfter = columns.stepAfter[i];
-        delta->parametersBefore = columns.parametersBefore[i];
-        delta->parametersAfter = columns.parametersAfter[i];
-        delta->born = {columns.bornFirst[i], columns.bornCount[i]};
-        delta->died.assign(died, died + columns.diedCount[i]);
-        died += columns.diedCount[i];
-        delta->buds.reserve(columns.budCount[i]);
-        for (const qsizetype end = bud + columns.budCount[i]; bud < end; ++bud)
-            delta->buds.push_back({columns.budId[bud], columns.budBefore[bud], columns.budAfter[bud]});
-        journal.push_back(std::move(delta));
-    }
-    return journal;
-}
 
 template <class T>
 QByteArray bytesOf(const QList<T>& column)
@@ -176,7 +67,7 @@ Result<void> readColumn(const ZipReader& archive, const QByteArray& name, std::u
     return archive.readExactly(name.constData(), std::as_writable_bytes(std::span(column.data(), rows)));
 }
 
-QByteArray describe(const Project& project, const Counts& counts)
+QByteArray describe(const Project& project, const JournalCounts& counts)
 {
     const Tree& tree = project.tree;
     QJsonArray sets;
@@ -194,27 +85,28 @@ QByteArray describe(const Project& project, const Counts& counts)
                            {QStringLiteral("name"), project.name},
                            {QStringLiteral("seed"), seedToJson(tree.seed())},
                            {QStringLiteral("step"), qint64{tree.step()}},
-                           {QStringLiteral("internodes"), qint64{counts.internodes}},
+                           {QStringLiteral("internodes"), qint64{tree.size()}},
                            {QStringLiteral("journal"), journal},
                            {QStringLiteral("currentParameters"), qint64{tree.currentParameterSet()}},
                            {QStringLiteral("parameterSets"), sets}};
     return QJsonDocument(json).toJson();
 }
 
-Counts readCounts(JsonReader& reader)
+std::uint32_t readCount(JsonReader& reader, const char* key, std::uint32_t minimum, std::uint32_t maximum)
 {
-    const auto count = [](JsonReader& from, const char* key, std::uint32_t minimum, std::uint32_t maximum) {
-        return static_cast<std::uint32_t>(from.integer(QLatin1StringView(key), minimum, maximum));
-    };
-    Counts counts;
-    counts.internodes = count(reader, "internodes", 1, projectLimits::kInternodes);
+    return static_cast<std::uint32_t>(reader.integer(QLatin1StringView(key), minimum, maximum));
+}
+
+JournalCounts readJournalCounts(JsonReader& parent, std::uint32_t internodes)
+{
     const QLatin1StringView key("journal");
-    JsonReader journal(reader.object(key), reader.placeOf(key));
-    counts.deltas = count(journal, "deltas", 0, projectLimits::kDeltas);
-    counts.died = count(journal, "died", 0, counts.internodes);
-    counts.budChanges = count(journal, "budChanges", 0, projectLimits::kBudChanges);
-    if (const Result<void> end = journal.finish(); !end)
-        reader.fail(end.error());
+    JsonReader reader(parent.object(key), parent.placeOf(key));
+    JournalCounts counts;
+    counts.deltas = readCount(reader, "deltas", 0, projectLimits::kDeltas);
+    counts.died = readCount(reader, "died", 0, internodes);
+    counts.budChanges = readCount(reader, "budChanges", 0, projectLimits::kBudChanges);
+    if (const Result<void> end = reader.finish(); !end)
+        parent.fail(end.error());
     return counts;
 }
 
@@ -259,7 +151,8 @@ Result<Description> readDescription(const QByteArray& text)
     description.name = reader.text(QLatin1StringView("name"));
     description.seed = reader.seed(QLatin1StringView("seed"));
     description.step = static_cast<Step>(reader.integer(QLatin1StringView("step"), 0, kNever - 1));
-    description.counts = readCounts(reader);
+    description.internodes = readCount(reader, "internodes", 1, projectLimits::kInternodes);
+    description.journal = readJournalCounts(reader, description.internodes);
     const QJsonArray sets = reader.array(QLatin1StringView("parameterSets"));
     if (sets.isEmpty() || sets.size() > projectLimits::kParameterSets)
         reader.fail(QLatin1StringView("parameterSets"),
@@ -297,7 +190,7 @@ Result<Tree> readTree(const ZipReader& archive, Description description)
     Result<void> read;
     InternodeColumns::visit(columns, [&](const char* name, auto& column) {
         if (read)
-            read = readColumn(archive, QByteArray("tree/") + name, description.counts.internodes, column);
+            read = readColumn(archive, QByteArray("tree/") + name, description.internodes, column);
     });
     if (!read)
         return read.error();
@@ -311,7 +204,7 @@ Result<Tree> readTree(const ZipReader& archive, Description description)
     return tree;
 }
 
-Result<Journal> readJournal(const ZipReader& archive, const Counts& counts, const Tree& tree)
+Result<Journal> readJournal(const ZipReader& archive, const JournalCounts& counts, const Tree& tree)
 {
     JournalColumns columns;
     Result<void> read;
@@ -321,7 +214,7 @@ Result<Journal> readJournal(const ZipReader& archive, const Counts& counts, cons
     });
     if (!read)
         return read.error();
-    std::optional<Journal> journal = toJournal(columns, counts);
+    std::optional<Journal> journal = columns.toJournal(counts);
     if (!journal)
         return inputError(Text::tr("the history"), Text::tr("its parts do not add up"));
     if (const Result<void> check = checkJournal(tree, *journal); !check)
@@ -356,8 +249,9 @@ QByteArray toPng(const QImage& image)
 
 Result<QByteArray> packProject(const Project& project)
 {
-    const Counts counts = countRows(project);
-    if (!counts.withinLimits())
+    const JournalCounts counts = JournalCounts::of(project.journal);
+    if (project.tree.size() > projectLimits::kInternodes || counts.deltas > projectLimits::kDeltas ||
+        counts.budChanges > projectLimits::kBudChanges)
         return Error{Error::Kind::Output,
                      Text::tr("the tree or its history is too large for a project file")};
     ZipWriter archive;
@@ -365,7 +259,7 @@ Result<QByteArray> packProject(const Project& project)
     InternodeColumns::visit(project.tree.columns(), [&](const char* name, const auto& column) {
         archive.add(QByteArray("tree/") + name, bytesOf(column));
     });
-    const JournalColumns journal = toColumns(project.journal);
+    const JournalColumns journal = JournalColumns::of(project.journal);
     JournalColumns::visit(journal, counts, [&](const char* name, const auto& column, std::uint32_t) {
         archive.add(QByteArray("journal/") + name, bytesOf(column));
     });
@@ -385,7 +279,7 @@ Result<Project> unpackProject(const QByteArray& content)
     Result<Description> description = readDescription(*text);
     if (!description)
         return inputError(QString::fromLatin1(kDescriptionEntry), description.error().message);
-    const Counts counts = description->counts;
+    const JournalCounts counts = description->journal;
     const QString name = description->name;
     Result<Tree> tree = readTree(*archive, std::move(*description));
     if (!tree)

@@ -13,10 +13,9 @@ namespace espalier {
 /// What a project file (.espalier) holds. The format is a ZIP archive of
 ///
 /// - project.json: versions, name, seed, step, how many rows the columns have, and the parameter sets, the
-/// first in whole and each
-///   other as far as it differs from the one before;
-/// - tree/<column>: one file a column of InternodeColumns, numbers little-endian, rotations as four floats x,
-/// y, z, w;
+///   first in whole and each other as far as it differs from the one before;
+/// - tree/<column>: one file a column of InternodeColumns, numbers little-endian, a rotation as four floats
+///   x, y, z, w;
 /// - journal/<column>: the deltas as columns, then their deaths and changed buds in the same order;
 /// - thumbnail.png, if there is one.
 struct Project {

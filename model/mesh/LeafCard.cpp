@@ -113,7 +113,7 @@ const LeafCard& leafCard(LeafShape shape)
     static const std::array<LeafCard, kLeafShapeCount> cards{
         foldedCard({.aspect = 0.6F, .arch = 0.06F, .tip = 0.2F, .fold = 0.1F}, 0.1F, 0.66F),
         foldedCard({.aspect = 0.2F, .arch = 0.25F, .tip = 0.9F, .fold = 0.12F}, 0.12F, 0.7F),
-        foldedCard({.aspect = 0.65F, .arch = 0.05F, .tip = 0.16F, .fold = 0.08F}, 0.14F, 0.82F),
+        foldedCard({.aspect = 0.65F, .arch = 0.05F, .tip = 0.16F, .fold = 0.08F}, 0.14F, 0.9F),
         crossedCards(),
     };
     return cards[static_cast<std::size_t>(shape)];

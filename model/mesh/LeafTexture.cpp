@@ -14,6 +14,7 @@ namespace {
 
 /// Beyond this distance from the margin, in half widths, a pixel is wholly in or out.
 constexpr float kEdgeBand = 0.15F;
+constexpr float kBladeEnd = 0.98F;
 /// Heights of 1 are this share of the image's edge: veins, and needles.
 constexpr float kRelief = 0.012F;
 constexpr float kNeedleRelief = 0.03F;
@@ -47,7 +48,7 @@ struct BladeForm {
 };
 
 constexpr BladeForm kOvate{.baseCurve = 0.52F,
-                           .tipCurve = 1.02F,
+                           .tipCurve = 1.1F,
                            .petiole = 0.1F,
                            .teeth = 26,
                            .toothDepth = 0.07F,
@@ -56,8 +57,8 @@ constexpr BladeForm kOvate{.baseCurve = 0.52F,
                            .veinStrength = 1.0F,
                            .veins = 8,
                            .veinRise = 0.2F};
-constexpr BladeForm kLanceolate{.baseCurve = 0.78F,
-                                .tipCurve = 0.92F,
+constexpr BladeForm kLanceolate{.baseCurve = 0.95F,
+                                .tipCurve = 1.15F,
                                 .petiole = 0.07F,
                                 .teeth = 44,
                                 .toothDepth = 0.05F,
@@ -67,7 +68,7 @@ constexpr BladeForm kLanceolate{.baseCurve = 0.78F,
                                 .veins = 15,
                                 .veinRise = 0.1F};
 constexpr BladeForm kLobed{.baseCurve = 0.85F,
-                           .tipCurve = 0.62F,
+                           .tipCurve = 0.72F,
                            .petiole = 0.07F,
                            .teeth = 0,
                            .toothDepth = 0.0F,
@@ -90,7 +91,7 @@ public:
     {
         const float x = std::abs(2.0F * u - 1.0F);
         const bool left = u < 0.5F;
-        const float t = (v - m_form.petiole) / (1.0F - m_form.petiole);
+        const float t = bladeHeight(v);
         const float inside = blade(x, t);
 
         LeafPoint point;
@@ -129,6 +130,9 @@ public:
     }
 
 private:
+    /// Of the blade; it ends just below the image's edge.
+    float bladeHeight(float v) const { return (v - m_form.petiole) / (kBladeEnd - m_form.petiole); }
+
     /// The height at which the vein through a place left the midrib.
     float veinHeight(float x, float t) const { return t - m_form.veinRise * x * (1.0F + 0.35F * x); }
 
@@ -160,8 +164,7 @@ private:
         if (std::abs(inside) > kEdgeBand)
             return inside > 0.0F ? 1.0F : 0.0F;
         const auto at = [&](float du, float dv) {
-            return blade(std::abs(2.0F * (u + du) - 1.0F),
-                         (v + dv - m_form.petiole) / (1.0F - m_form.petiole));
+            return blade(std::abs(2.0F * (u + du) - 1.0F), bladeHeight(v + dv));
         };
         const float dx = at(m_pixel, 0.0F) - inside;
         const float dy = at(0.0F, m_pixel) - inside;
@@ -171,7 +174,7 @@ private:
 
     float petioleCoverage(float x, float v) const
     {
-        const float half = 0.035F + 0.03F * smoothStep(0.03F, 0.0F, v);
+        const float half = 0.035F + 0.02F * smoothStep(0.03F, 0.0F, v);
         return v < m_form.petiole + 0.03F ? clamped(0.5F + 0.5F * (half - x) / m_pixel) : 0.0F;
     }
 
@@ -228,7 +231,7 @@ public:
     }
 
 private:
-    static constexpr int kNeedles = 110;
+    static constexpr int kNeedles = 150;
     static constexpr int kPieces = 6;
 
     /// A bent needle from @p a by @p b to @p c, of half-widths @p from and @p to; round, and @p level high.

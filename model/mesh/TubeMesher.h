@@ -20,7 +20,7 @@ struct BranchMeshOptions {
 /// closed at both ends (frames: parallel transport by double reflection, Wang et al. 2008; texture:
 /// generalised cylinders with a whole number of repeats, Bloomenthal 1985).
 ///
-/// - It starts at the node of its parent, inside it, in the parent's direction, never thicker than 98 % of
+/// - It starts at the node of its parent, inside it, in the parent's direction, never thicker than 90 % of
 /// it. A collar widens it
 ///   toward the parent, and the trunk toward the ground.
 /// - A ring has m sides, one of kSideCounts by how much thicker than a twig the tube is there; m + 1
@@ -34,8 +34,6 @@ struct BranchMeshOptions {
 /// The buffers inside are reused: keep one mesher per thread for many tubes.
 class TubeMesher {
 public:
-    static constexpr std::array<int, 7> kSideCounts{4, 6, 8, 12, 16, 24, 32};
-
     TubeMesher(const Tree& tree, const TreeIndex& index, const Widths& widths,
                const BranchMeshOptions& options = {});
 

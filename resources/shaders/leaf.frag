@@ -45,7 +45,7 @@ void main()
     }
     vec3 albedo = hueTurned(texel.rgb, leafTint.x) * leafTint.y;
     // Under a warm sun and a filmic curve, leaves as they are would look like paint.
-    albedo = 0.8 * mix(vec3(dot(albedo, vec3(0.21, 0.72, 0.07))), albedo, 0.8);
+    albedo = vec3(0.88, 0.82, 0.7) * mix(vec3(dot(albedo, vec3(0.21, 0.72, 0.07))), albedo, 0.78);
 
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec3 face = normalize(worldNormal);
@@ -77,6 +77,6 @@ void main()
     light += frame.sunColour.rgb * seen * gloss(normal, toEye, 26.0) * (side > 0.0 ? 0.7 : 0.2)
              * step(0.0, dot(normal, sun));
     float rim = pow(1.0 - abs(dot(normal, toEye)), 3.0);
-    light += frame.rimColour.rgb * rim * share * 0.35;
+    light += frame.rimColour.rgb * rim * share * 0.25;
     colour = vec4(developed(light), alphaToCoverage ? alpha : 1.0);
 }

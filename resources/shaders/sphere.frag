@@ -4,7 +4,9 @@
 #include "overlaydepth.glsl"
 
 uniform vec3 centre;
+uniform float pixelSize; // of the overlay at distance 1, m
 uniform float radius;
+uniform float width; // px, of the outline
 uniform vec4 tint; // w: opacity of the inside
 
 in vec3 worldPosition;
@@ -23,12 +25,12 @@ void main()
     vec3 offset = centre - frame.eye.xyz;
     float ahead = dot(offset, view);
     float miss = length(offset - ahead * view); // distance of the ray from the middle
-    float pixel = frame.eye.w * max(ahead, 1e-3);
+    float pixel = pixelSize * max(ahead, 1e-3);
     float inside = clamp((radius - miss) / pixel + 0.5, 0.0, 1.0);
-    float outline = 1.0 - smoothstep(0.6, 1.6, abs(miss - radius) / pixel);
-    float half_ = sqrt(max(radius * radius - miss * miss, 0.0));
-    vec3 front = frame.eye.xyz + (ahead - half_) * view;
-    vec3 back = frame.eye.xyz + (ahead + half_) * view;
+    float outline = clamp(0.5 * width + 0.5 - abs(miss - radius) / pixel, 0.0, 1.0);
+    float halfway = sqrt(max(radius * radius - miss * miss, 0.0));
+    vec3 front = frame.eye.xyz + (ahead - halfway) * view;
+    vec3 back = frame.eye.xyz + (ahead + halfway) * view;
     // What of the scene is inside the ball is tinted more than what is in front of it.
     float depth = texture(sceneDepth, gl_FragCoord.xy / overlaySize).r;
     float reached = depth < depthOf(front) ? 0.3 : 1.0;

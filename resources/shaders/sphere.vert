@@ -4,6 +4,7 @@
 #include "frame.glsl"
 
 uniform vec3 centre;
+uniform float pixelSize; // of the overlay at distance 1, m
 uniform float radius; // m
 uniform vec3 right;   // of the camera
 uniform vec3 up;
@@ -17,7 +18,7 @@ void main()
     float away = length(offset);
     // Tangents from the eye touch the ball nearer than its middle, and widen its outline; and the outline is two pixels wide.
     float near = min(radius / away, 0.98);
-    float extent = radius / sqrt(1.0 - near * near) + 4.0 * frame.eye.w * away;
+    float extent = radius / sqrt(1.0 - near * near) + 4.0 * pixelSize * away;
     worldPosition = centre + extent * 1.03 * (corner.x * right + corner.y * up);
     gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);
 }

@@ -238,8 +238,8 @@ void ProgramTest::failures_areOneLineAndACode_data()
     add("project is a recipe", {"info", "r.json"}, 3, "r.json");
     add("project is empty", {"info", "empty.espalier"}, 3, "empty.espalier");
     add("project of none rendered", {"render", "none.espalier", "--png", "p.png"}, 4, "p.png");
-    add("output has no folder", {"replay", "r.json", "-o", "no/where/t.glb"}, 4, "no/where/t.glb");
-    add("project has no folder", {"replay", "r.json", "-o", "no/where/t.espalier"}, 4, "no/where/t.espalier");
+    add("output has no folder", {"replay", "r.json", "-o", "no/where/t.glb"}, 4, "t.glb: ");
+    add("project has no folder", {"replay", "r.json", "-o", "no/where/t.espalier"}, 4, "t.espalier: ");
     add("stats have no folder", {"replay", "r.json", "--stats", "no/where/s.json"}, 4, "no/where/s.json");
     add("picture without a display", {"replay", "r.json", "--png", "p.png"}, 4, "display");
     add("window without a display", {}, 4, "display");
@@ -252,7 +252,7 @@ void ProgramTest::failures_areOneLineAndACode()
     QFETCH(QString, mentions);
     write("broken.json", "{\"espalier-recipe\": 1,\n oops}");
     write("fault.json",
-          R"({"espalier-recipe": 1, "operations": [{"op": "grow"}, {"op": "grow", "steps": -3}]})");
+          R"({"espalier-recipe": 1, "operations": [{"op": "grow", "steps": 1}, {"op": "grow", "steps": -3}]})");
     write("empty.espalier", "");
     QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("folder")));
 

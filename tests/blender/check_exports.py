@@ -117,6 +117,8 @@ def check_material(where, mesh_object, suffix):
     shader = next(n for n in material.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
     check_image(f"{where}: base colour", image_behind(shader.inputs["Base Color"]))
     check_image(f"{where}: normal", image_behind(shader.inputs["Normal"]))
+    check(shader.inputs["Metallic"].default_value == 0.0, f"{where}: it is of metal")
+    check(suffix == "obj" or shader.inputs["Roughness"].default_value > 0.8, f"{where}: it shines")
     alpha = shader.inputs["Alpha"]
     if kind == "Leaves":
         check_image(f"{where}: alpha", image_behind(alpha))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/base/Vector.h"
 #include "views/input/GestureReader.h"
+
+#include "model/base/Vector.h"
 #include "views/input/HeldKeys.h"
 #include "views/input/PointerReader.h"
 
@@ -109,13 +110,15 @@ void GestureReaderTest::init()
     m_pad->samples.clear();
 }
 
-void GestureReaderTest::sendPen(QEvent::Type type, const QPointF& position, double pressure, Qt::MouseButtons buttons)
+void GestureReaderTest::sendPen(QEvent::Type type, const QPointF& position, double pressure,
+                                Qt::MouseButtons buttons)
 {
-    static const QPointingDevice stylus("test stylus", 77, QInputDevice::DeviceType::Stylus,
-                                        QPointingDevice::PointerType::Pen,
-                                        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
-    QTabletEvent event(type, &stylus, position, m_pad->mapToGlobal(position), pressure, 30.0F, -20.0F, 0.0F, 0.0, 0.0F,
-                       Qt::NoModifier, type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton, buttons);
+    static const QPointingDevice stylus(
+        "test stylus", 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
+    QTabletEvent event(type, &stylus, position, m_pad->mapToGlobal(position), pressure, 30.0F, -20.0F, 0.0F,
+                       0.0, 0.0F, Qt::NoModifier, type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton,
+                       buttons);
     QCoreApplication::sendEvent(m_pad.get(), &event);
 }
 
@@ -149,9 +152,18 @@ void GestureReaderTest::twoFingers_panAndPinch()
 
 void GestureReaderTest::threeFingers_rotate()
 {
-    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100}).press(1, {200, 100}).press(2, {150, 150});
-    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {130, 106}).move(1, {230, 106}).move(2, {180, 156});
-    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {130, 106}).release(1, {230, 106}).release(2, {180, 156});
+    QTest::touchEvent(m_pad.get(), m_device.get())
+        .press(0, {100, 100})
+        .press(1, {200, 100})
+        .press(2, {150, 150});
+    QTest::touchEvent(m_pad.get(), m_device.get())
+        .move(0, {130, 106})
+        .move(1, {230, 106})
+        .move(2, {180, 156});
+    QTest::touchEvent(m_pad.get(), m_device.get())
+        .release(0, {130, 106})
+        .release(1, {230, 106})
+        .release(2, {180, 156});
     QVERIFY(QLineF(m_pad->orbited, QPointF(30, 6)).length() < 1e-6);
     QVERIFY(m_pad->panned.isNull());
     QCOMPARE(m_pad->log, QStringList());
@@ -166,9 +178,15 @@ void GestureReaderTest::secondFinger_cancelsTheTool()
     QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {114, 100}).move(1, {210, 100});
     QCOMPARE(m_pad->panned, QPointF(10, 0));
     QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).stationary(1).press(2, {150, 180});
-    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {114, 130}).move(1, {210, 130}).move(2, {150, 210});
+    QTest::touchEvent(m_pad.get(), m_device.get())
+        .move(0, {114, 130})
+        .move(1, {210, 130})
+        .move(2, {150, 210});
     QVERIFY(QLineF(m_pad->orbited, QPointF(0, 30)).length() < 1e-6);
-    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {114, 130}).release(1, {210, 130}).release(2, {150, 210});
+    QTest::touchEvent(m_pad.get(), m_device.get())
+        .release(0, {114, 130})
+        .release(1, {210, 130})
+        .release(2, {150, 210});
     QCOMPARE(m_pad->log, (QStringList{"begin", "move", "cancel"}));
 }
 
@@ -243,8 +261,8 @@ void GestureReaderTest::spaceBar_makesTheLeftButtonPan()
 
 void GestureReaderTest::hover_isToldToTheTool()
 {
-    QMouseEvent event(QEvent::MouseMove, {30, 40}, m_pad->mapToGlobal(QPointF(30, 40)), Qt::NoButton, Qt::NoButton,
-                      Qt::NoModifier);
+    QMouseEvent event(QEvent::MouseMove, {30, 40}, m_pad->mapToGlobal(QPointF(30, 40)), Qt::NoButton,
+                      Qt::NoButton, Qt::NoModifier);
     QCoreApplication::sendEvent(m_pad.get(), &event);
     QCOMPARE(m_pad->log.last(), "hover");
     QCOMPARE(m_pad->samples.back().position, QPointF(30, 40));
@@ -312,8 +330,8 @@ void GestureReaderTest::penInReach_keepsFingersOut()
 void GestureReaderTest::time_neverRunsBack()
 {
     const auto send = [&](quint64 timestamp) {
-        QMouseEvent event(QEvent::MouseMove, {30, 40}, m_pad->mapToGlobal(QPointF(30, 40)), Qt::NoButton, Qt::NoButton,
-                          Qt::NoModifier);
+        QMouseEvent event(QEvent::MouseMove, {30, 40}, m_pad->mapToGlobal(QPointF(30, 40)), Qt::NoButton,
+                          Qt::NoButton, Qt::NoModifier);
         event.setTimestamp(timestamp);
         QCoreApplication::sendEvent(m_pad.get(), &event);
         return m_pad->samples.back().time;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/render/LightGrid.h"
+
 #include "model/document/TreeDocument.h"
 #include "tests/support/TreeBuilder.h"
-#include "views/render/LightGrid.h"
 
 #include <QtTest>
 
@@ -20,7 +21,8 @@ int wrongCells(const LightGrid& grid, const VoxelSpace& space)
                 const Vec3 inCells(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
                                    static_cast<float>(z) + 0.5F);
                 const float light = space.lightAt(grid.origin() + grid.cellEdge() * inCells);
-                const std::uint8_t cell = grid.cells()[static_cast<std::size_t>((z * size[1] + y) * size[0] + x)];
+                const std::uint8_t cell =
+                    grid.cells()[static_cast<std::size_t>((z * size[1] + y) * size[0] + x)];
                 wrong += std::abs(255.0F * light - static_cast<float>(cell)) > 1.0F ? 1 : 0;
             }
         }
@@ -93,12 +95,14 @@ void LightGridTest::update_changesOnlyAPart()
     grid.rebuild(document.growthIndex().space());
     grid.takeChanges();
     InternodeId tip = document.tree().size() - 1;
-    document.apply(std::make_shared<TreeDelta>(test::births(document.tree(), std::array{test::NewInternode{.parent = tip}})));
+    document.apply(std::make_shared<TreeDelta>(
+        test::births(document.tree(), std::array{test::NewInternode{.parent = tip}})));
     grid.update(document.growthIndex().space(), touched(document, *document.journal().back()));
     const LightGrid::Changes changes = grid.takeChanges();
     QVERIFY(!changes.all);
     QVERIFY(!changes.isEmpty());
-    const auto cells = static_cast<std::size_t>(changes.region.count[0] * changes.region.count[1] * changes.region.count[2]);
+    const auto cells =
+        static_cast<std::size_t>(changes.region.count[0] * changes.region.count[1] * changes.region.count[2]);
     QVERIFY(cells < grid.cells().size() / 4);
     grid.update(document.growthIndex().space(), Box3());
     QVERIFY(grid.takeChanges().isEmpty());

@@ -30,8 +30,8 @@ int difference(const QImage& a, const QImage& b)
         for (int x = 0; x < a.width(); ++x) {
             const QColor p = a.pixelColor(x, y);
             const QColor q = b.pixelColor(x, y);
-            const int distance = std::abs(p.red() - q.red()) + std::abs(p.green() - q.green())
-                                 + std::abs(p.blue() - q.blue()) + std::abs(p.alpha() - q.alpha());
+            const int distance = std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) +
+                                 std::abs(p.blue() - q.blue()) + std::abs(p.alpha() - q.alpha());
             pixels += distance > 12 ? 1 : 0;
         }
     }
@@ -89,7 +89,7 @@ void RendererTest::initTestCase()
 
 QImage RendererTest::draw(TreeScene& scene, const RenderOptions& options, NamedView view)
 {
-    const auto image = m_renderer->render(scene, pictureCamera(view, scene.bounds(), kSize), options);
+    const auto image = m_renderer->render(scene, pictureCamera(view, scene, kSize), options);
     return image ? *image : QImage();
 }
 
@@ -129,15 +129,14 @@ void RendererTest::tree_isSeenWhereItIsProjected()
     options.view.groundShown = false;
     options.view.leavesShown = false;
     const QImage image = draw(*m_scene, options);
-    const Camera camera = pictureCamera(NamedView::Front, m_scene->bounds(), kSize);
+    const Camera camera = pictureCamera(NamedView::Front, *m_scene, kSize);
     int seen = 0;
     int asked = 0;
     for (InternodeId id = 0; id < m_document->tree().size(); id += 7) {
         if (!m_document->tree().isAlive(id))
             continue;
-        const Vec3 middle = 0.5F
-                            * (m_document->index().nodePosition(id)
-                               + m_document->index().basePosition(m_document->tree(), id));
+        const Vec3 middle = 0.5F * (m_document->index().nodePosition(id) +
+                                    m_document->index().basePosition(m_document->tree(), id));
         // The wood is rounder than the straight lines between its nodes.
         const QPoint place = camera.project(middle)->toPoint();
         bool isSeen = false;
@@ -155,7 +154,7 @@ void RendererTest::picture_isTheSameEachTime()
     QCOMPARE(draw(*m_scene), first);
     auto other = OffscreenRenderer::create();
     TreeScene scene(*m_document);
-    QCOMPARE(*(*other)->render(scene, pictureCamera(NamedView::Front, scene.bounds(), kSize), {}), first);
+    QCOMPARE(*(*other)->render(scene, pictureCamera(NamedView::Front, scene, kSize), {}), first);
     QCOMPARE(draw(*m_scene), first);
 }
 
@@ -164,16 +163,17 @@ void RendererTest::picture_doesNotDependOnHowTheTreeCameAbout()
     TreeDocument document;
     document.reset(3);
     TreeScene followed(document);
-    connect(&document, &TreeDocument::changed, this, [&](const TreeChange& change) { followed.follow(change); });
+    connect(&document, &TreeDocument::changed, this,
+            [&](const TreeChange& change) { followed.follow(change); });
     auto other = OffscreenRenderer::create();
     QImage image;
     while (document.index().livingCount() < 600) {
         document.apply(std::make_shared<TreeDelta>(test::randomGrowth(document.tree(), 60)));
         followed.prepare();
-        image = *(*other)->render(followed, pictureCamera(NamedView::Front, followed.bounds(), kSize), {});
+        image = *(*other)->render(followed, pictureCamera(NamedView::Front, followed, kSize), {});
     }
     followed.settle();
-    image = *(*other)->render(followed, pictureCamera(NamedView::Front, followed.bounds(), kSize), {});
+    image = *(*other)->render(followed, pictureCamera(NamedView::Front, followed, kSize), {});
     QVERIFY(document.tree() == m_document->tree());
     QCOMPARE(difference(image, draw(*m_scene)), 0);
 }
@@ -182,7 +182,8 @@ void RendererTest::scene_followsDeltasBothWays()
 {
     const auto document = grownDocument(300);
     TreeScene scene(*document);
-    connect(document.get(), &TreeDocument::changed, this, [&](const TreeChange& change) { scene.follow(change); });
+    connect(document.get(), &TreeDocument::changed, this,
+            [&](const TreeChange& change) { scene.follow(change); });
     const QImage before = draw(scene);
     const Box3 bounds = scene.bounds();
     // A limb from the middle of the tree dies and comes back.
@@ -237,10 +238,9 @@ void RendererTest::ambientLight_isLessInsideTheCrown()
     for (int z = 0; z < size[2]; ++z) {
         for (int y = 0; y < size[1]; ++y) {
             for (int x = 0; x < size[0]; ++x) {
-                const Vec3 centre = light.origin()
-                                    + light.cellEdge()
-                                          * Vec3(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
-                                                 static_cast<float>(z) + 0.5F);
+                const Vec3 centre = light.origin() + light.cellEdge() * Vec3(static_cast<float>(x) + 0.5F,
+                                                                             static_cast<float>(y) + 0.5F,
+                                                                             static_cast<float>(z) + 0.5F);
                 const std::uint8_t cell =
                     light.cells()[static_cast<std::size_t>((z * size[1] + y) * size[0] + x)];
                 QVERIFY(std::abs(255.0F * space.lightAt(centre) - static_cast<float>(cell)) < 1.01F);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/Viewport.h"
+
 #include "views/tools/BrushTool.h"
 
 #include <QPointingDevice>
@@ -108,11 +109,11 @@ void ViewportTest::stroke(const Vec3& from, const Vec3& to, int milliseconds)
 
 void ViewportTest::sendPen(QEvent::Type type, const QPointF& position, double pressure)
 {
-    static const QPointingDevice stylus("test stylus", 78, QInputDevice::DeviceType::Stylus,
-                                        QPointingDevice::PointerType::Pen,
-                                        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
-    QTabletEvent event(type, &stylus, position, m_view->mapToGlobal(position), pressure, 0.0F, 0.0F, 0.0F, 0.0, 0.0F,
-                       Qt::NoModifier, type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton,
+    static const QPointingDevice stylus(
+        "test stylus", 78, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
+    QTabletEvent event(type, &stylus, position, m_view->mapToGlobal(position), pressure, 0.0F, 0.0F, 0.0F,
+                       0.0, 0.0F, Qt::NoModifier, type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton,
                        type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
     QCoreApplication::sendEvent(m_view.get(), &event);
 }
@@ -312,8 +313,8 @@ void ViewportTest::orbitAndZoom_moveTheCameraAndLeaveTheTreeAlone()
     QVERIFY(m_view->camera().azimuth() < before.azimuth());
     QVERIFY(m_view->camera().elevation() > before.elevation());
     const QPointF place(320, 240);
-    QWheelEvent event(place, m_view->mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
-                      false);
+    QWheelEvent event(place, m_view->mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(m_view.get(), &event);
     QVERIFY(m_view->camera().distance() < before.distance());
     const float distance = m_view->camera().distance();

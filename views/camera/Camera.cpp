@@ -2,14 +2,16 @@
 #include "views/camera/Camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace espalier {
 
 namespace {
 
 const float kHalfHeight = std::tan(Camera::kFieldOfView / 2.0F); ///< Of the view at depth 1
-constexpr float kFrameMargin = 1.12F;
+constexpr float kFrameMargin = 1.1F;
 constexpr float kSmallestDepth = 1e-4F;
 
 } // namespace
@@ -66,21 +68,54 @@ void Camera::zoom(float factor, const QPointF& about)
     m_target = fixed + m_distance / before * (m_target - fixed);
 }
 
-Camera Camera::framing(const Box3& box) const
+Camera Camera::framing(std::span<const Vec3> points) const
 {
     Camera framed = *this;
-    if (box.isEmpty())
+    if (points.empty())
         return framed;
-    framed.m_target = box.center();
-    const float halfWidth = kHalfHeight * aspect();
-    float wanted = kMinDistance;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 offset = box.corner(static_cast<Box3::CornerType>(corner)) - framed.m_target;
-        const float extent = std::max(std::abs(offset.dot(right())) / halfWidth, std::abs(offset.dot(up())) / kHalfHeight);
-        wanted = std::max(wanted, extent * kFrameMargin - offset.dot(forward()));
+    // In the axes of the camera, each side of the view is a plane through the eye; how far out the
+    // outermost point lies along its normal says where the plane must be, and two opposite planes say where
+    // the eye is.
+    const float slopeX = kHalfHeight * aspect() / kFrameMargin;
+    const float slopeY = kHalfHeight / kFrameMargin;
+    constexpr float kNone = std::numeric_limits<float>::lowest();
+    float left = kNone;
+    float rightmost = kNone;
+    float top = kNone;
+    float bottom = kNone;
+    float nearest = -kNone;
+    float farthest = kNone;
+    const Vec3 toRight = right();
+    const Vec3 toTop = up();
+    const Vec3 ahead = forward();
+    for (const Vec3& point : points) {
+        const float x = point.dot(toRight);
+        const float y = point.dot(toTop);
+        const float z = point.dot(ahead);
+        left = std::max(left, -x - slopeX * z);
+        rightmost = std::max(rightmost, x - slopeX * z);
+        top = std::max(top, y - slopeY * z);
+        bottom = std::max(bottom, -y - slopeY * z);
+        nearest = std::min(nearest, z);
+        farthest = std::max(farthest, z);
     }
-    framed.setDistance(wanted);
+    const float eyeX = (rightmost - left) / 2.0F;
+    const float eyeY = (top - bottom) / 2.0F;
+    const float eyeZ = std::min(-(left + rightmost) / (2.0F * slopeX), -(top + bottom) / (2.0F * slopeY));
+    const float middle = (nearest + farthest) / 2.0F;
+    framed.m_target = eyeX * toRight + eyeY * toTop + middle * ahead;
+    framed.setDistance(middle - eyeZ);
     return framed;
+}
+
+Camera Camera::framing(const Box3& box) const
+{
+    if (box.isEmpty())
+        return *this;
+    std::array<Vec3, 8> corners;
+    for (int corner = 0; corner < 8; ++corner)
+        corners[static_cast<std::size_t>(corner)] = box.corner(static_cast<Box3::CornerType>(corner));
+    return framing(corners);
 }
 
 Camera Camera::turnedTo(NamedView view) const
@@ -100,7 +135,7 @@ Camera Camera::turnedTo(NamedView view) const
         turned.m_elevation = kMaxElevation;
         break;
     case NamedView::ThreeQuarter:
-        turned.m_azimuth = static_cast<float>(radians(35));
+        turned.m_azimuth = static_cast<float>(radians(-35));
         turned.m_elevation = static_cast<float>(radians(18));
         break;
     }

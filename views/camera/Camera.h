@@ -7,6 +7,7 @@
 #include <QSizeF>
 
 #include <optional>
+#include <span>
 
 namespace espalier {
 
@@ -20,20 +21,20 @@ struct Ray {
 
 enum class NamedView { Front, Side, Top, ThreeQuarter };
 
-/// A turntable camera: it looks at a target from a distance, at an azimuth around the vertical and an elevation above the
-/// horizon, and its horizon is always level. A value; it knows the size of the view it fills, so that it can say where on
-/// the screen a point of the world is, and the other way round. Screen positions are device-independent pixels from the
-/// upper left corner.
+/// A turntable camera: it looks at a target from a distance, at an azimuth around the vertical and an
+/// elevation above the horizon, and its horizon is always level. A value; it knows the size of the view it
+/// fills, so that it can say where on the screen a point of the world is, and the other way round. Screen
+/// positions are device-independent pixels from the upper left corner.
 class Camera {
 public:
     /// Full vertical angle of view, rad.
     static constexpr float kFieldOfView = static_cast<float>(radians(38));
-    static constexpr float kMinDistance = 0.05F; ///< m
+    static constexpr float kMinDistance = 0.05F;   ///< m
     static constexpr float kMaxDistance = 1000.0F; ///< m
     static constexpr float kMaxElevation = static_cast<float>(radians(90));
 
-    /// Upright before a seedling: level, so that a stroke straight up makes an upright trunk; 6 m of the world are visible from top
-    /// to bottom at the origin, a quarter of them below ground.
+    /// Upright before a seedling: level, so that a stroke straight up makes an upright trunk; 6 m of the
+    /// world are visible from top to bottom at the origin, a quarter of them below ground.
     Camera() = default;
 
     const Vec3& target() const { return m_target; }
@@ -61,11 +62,12 @@ public:
     void orbit(float byAzimuth, float byElevation);
     /// As if the plane through the target were drawn along under the pointer, px.
     void pan(const QPointF& by);
-    /// Multiplies the distance by @p factor (> 0, below 1 comes nearer) while the point under @p about on the plane through the
-    /// target stays under it.
+    /// Multiplies the distance by @p factor (> 0, below 1 comes nearer) while the point under @p about on
+    /// the plane through the target stays under it.
     void zoom(float factor, const QPointF& about);
-    /// The same camera, moved without turning until it shows all of @p box, in the middle and with a margin; unchanged if
-    /// the box is empty.
+    /// The same camera, moved without turning as near as it can be to show all of @p points, in the middle
+    /// and with a margin; unchanged if there are none. It turns about the middle of them from then on.
+    Camera framing(std::span<const Vec3> points) const;
     Camera framing(const Box3& box) const;
     /// The same camera, turned.
     Camera turnedTo(NamedView view) const;
@@ -76,8 +78,8 @@ public:
     float depth(const Vec3& point) const { return (point - position()).dot(forward()); }
     /// Through a point of the screen, from the camera's position.
     Ray ray(const QPointF& screen) const;
-    /// The point under @p screen of the drawing plane, which goes through @p through and is parallel to the screen; a point at the
-    /// camera or behind it has no such plane, and the one through the target serves.
+    /// The point under @p screen of the drawing plane, which goes through @p through and is parallel to the
+    /// screen; a point at the camera or behind it has no such plane, and the one through the target serves.
     Vec3 onPlane(const QPointF& screen, const Vec3& through) const;
     /// Of a length that is parallel to the screen, at a depth > 0.
     float pixelsPerMetre(float depth) const;

@@ -92,8 +92,8 @@ void GestureReader::readPointer(const PointerSample& sample)
     }
     if (sample.device != m_device)
         return;
-    const bool ends = sample.phase == PointerPhase::Cancel || sample.phase == PointerPhase::Hover
-                      || (sample.phase == PointerPhase::Release && sample.button == m_button);
+    const bool ends = sample.phase == PointerPhase::Cancel || sample.phase == PointerPhase::Hover ||
+                      (sample.phase == PointerPhase::Release && sample.button == m_button);
     const QPointF distance = sample.position - m_position;
     m_position = sample.position;
     if (m_mode == Mode::Tool) {
@@ -153,8 +153,8 @@ bool GestureReader::updateFingers(std::span<const PointerSample> samples)
     return changed;
 }
 
-/// Gestures grow with the number of fingers; once one is lifted, the others leave, too, in their own time, and must not
-/// draw or pull anything along.
+/// Gestures grow with the number of fingers; once one is lifted, the others leave, too, in their own time,
+/// and must not draw or pull anything along.
 void GestureReader::changeFingers(std::span<const PointerSample> samples)
 {
     const std::size_t count = fingerCount();
@@ -169,7 +169,8 @@ void GestureReader::changeFingers(std::span<const PointerSample> samples)
     if (count == 0) {
         m_mode = Mode::Idle;
     } else if (count == 1 && m_mode == Mode::Idle) {
-        const auto finger = std::find_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return !f.isPalm; });
+        const auto finger =
+            std::find_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return !f.isPalm; });
         if (const PointerSample* sample = sampleOf(samples, finger->id)) {
             m_mode = Mode::Tool;
             m_toolFinger = finger->id;

@@ -26,10 +26,11 @@ public:
     virtual void magnify(double factor, const QPointF& about) = 0;
 };
 
-/// Reads gestures before tools are asked (TreeSketch §3.1): one finger, a pen's tip or the left mouse button is the tool; two
-/// fingers pan and pinch, three rotate. The mouse rotates by its right or middle button or with Alt, and pans by Shift and the
-/// middle button or while the space bar is held. A finger that is joined by a second one has not been meant for the tool:
-/// its gesture is cancelled. While a pen is near or down, touch is a palm and counts for nothing.
+/// Reads gestures before tools are asked (TreeSketch §3.1): one finger, a pen's tip or the left mouse
+/// button is the tool; two fingers pan and pinch, three rotate. The mouse rotates by its right or middle
+/// button or with Alt, and pans by Shift and the middle button or while the space bar is held. A finger
+/// that is joined by a second one has not been meant for the tool: its gesture is cancelled. While a pen is
+/// near or down, touch is a palm and counts for nothing.
 class GestureReader {
 public:
     explicit GestureReader(GestureTarget& target) : m_target(target) {}
@@ -57,9 +58,9 @@ private:
         Spent, ///< Waits until everything is lifted
     };
     struct Finger {
-        int id;
+        int id = 0;
         QPointF position;
-        bool isPalm;
+        bool isPalm = false;
     };
 
     void readPointer(const PointerSample& sample);

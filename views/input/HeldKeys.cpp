@@ -14,7 +14,7 @@ constexpr double kOrbitSpeed = radians(75); ///< rad/s
 constexpr double kPanSpeed = 420.0;         ///< px/s
 constexpr double kZoomSpeed = 1.2;          ///< 1/s
 
-constexpr std::array kKeys{Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,   Qt::Key_Down,      Qt::Key_Q,
+constexpr std::array kKeys{Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,    Qt::Key_Down,  Qt::Key_Q,
                            Qt::Key_E,    Qt::Key_Plus,  Qt::Key_Minus, Qt::Key_Equal, Qt::Key_Underscore};
 
 } // namespace

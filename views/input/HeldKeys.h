@@ -8,8 +8,8 @@
 
 namespace espalier {
 
-/// Keys that move the camera for as long as they are held, a stroke under way or not: arrows and Q, E rotate, Shift and arrows pan,
-/// plus and minus zoom.
+/// Keys that move the camera for as long as they are held, a stroke under way or not: arrows and Q, E
+/// rotate, Shift and arrows pan, plus and minus zoom.
 class HeldKeys {
 public:
     /// Whether the key is one of these; then it counts as held.
@@ -21,9 +21,9 @@ public:
 
     /// What the held keys ask for.
     struct Motion {
-        QPointF orbit;       ///< Azimuth and elevation, rad/s
-        QPointF pan;         ///< Of what is seen, px/s
-        double zoom = 0.0;   ///< Natural logarithm of the magnification, 1/s
+        QPointF orbit;     ///< Azimuth and elevation, rad/s
+        QPointF pan;       ///< Of what is seen, px/s
+        double zoom = 0.0; ///< Natural logarithm of the magnification, 1/s
     };
     Motion motion() const;
 

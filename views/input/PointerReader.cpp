@@ -41,8 +41,8 @@ double PointerReader::now() const
     return static_cast<double>(m_timer.nsecsElapsed()) * 1e-9;
 }
 
-/// Events that a busy moment made wait tell the truth about when they happened, so that a stroke keeps its pace; but their
-/// clock may have any origin, and made-up events may have any time at all.
+/// Events that a busy moment made wait tell the truth about when they happened, so that a stroke keeps its
+/// pace; but their clock may have any origin, and made-up events may have any time at all.
 double PointerReader::timeOf(quint64 timestamp)
 {
     const double arrived = now();
@@ -102,8 +102,8 @@ void PointerReader::readMouse(const QMouseEvent& event)
 void PointerReader::readTouch(const QTouchEvent& event)
 {
     const bool cancelled = event.type() == QEvent::TouchCancel;
-    const bool hasPressure = event.device() != nullptr
-                             && event.device()->hasCapability(QInputDevice::Capability::Pressure);
+    const bool hasPressure =
+        event.device() != nullptr && event.device()->hasCapability(QInputDevice::Capability::Pressure);
     const double time = timeOf(event.timestamp());
     for (const QEventPoint& point : event.points()) {
         if (point.state() == QEventPoint::State::Stationary && !cancelled)

@@ -15,14 +15,15 @@ class QTouchEvent;
 
 namespace espalier {
 
-/// Turns mouse, touch and tablet events into PointerSamples. Touch is read directly: Qt's own gestures lose or double
-/// moves. Mouse events that the system makes up from touch or pen are dropped, for their originals arrive as well.
+/// Turns mouse, touch and tablet events into PointerSamples. Touch is read directly: Qt's own gestures lose
+/// or double moves. Mouse events that the system makes up from touch or pen are dropped, for their
+/// originals arrive as well.
 class PointerReader {
 public:
     PointerReader();
 
-    /// What @p event says, one sample for each point that did something; empty if it is no event of a pointer. Valid until the
-    /// next call.
+    /// What @p event says, one sample for each point that did something; empty if it is no event of a
+    /// pointer. Valid until the next call.
     std::span<const PointerSample> read(QEvent& event);
 
     /// s since the reader was made: the clock of all samples.

@@ -15,7 +15,8 @@ constexpr int kPatience = 3;
 
 void FramePacer::disturb(bool treeChanges)
 {
-    // A movement starts a little better than the last one ended: the tree may be smaller now, or the machine less busy.
+    // A movement starts a little better than the last one ended: the tree may be smaller now, or the
+    // machine less busy.
     if (m_isAtRest) {
         if (m_saving != Saving::Nothing)
             m_saving = static_cast<Saving>(static_cast<int>(m_saving) - 1);
@@ -57,7 +58,8 @@ void FramePacer::frameTook(double seconds)
 
 bool FramePacer::showsShadows() const
 {
-    return m_isAtRest || m_saving == Saving::Nothing || (m_saving == Saving::ShadowsOfGrowth && !m_treeChanges);
+    return m_isAtRest || m_saving == Saving::Nothing ||
+           (m_saving == Saving::ShadowsOfGrowth && !m_treeChanges);
 }
 
 void FramePacer::apply(RenderOptions& options) const

@@ -5,8 +5,9 @@
 
 namespace espalier {
 
-/// Decides how well a frame may be drawn (TreeSketch §3.5, speed considerations): plainly while something moves, by how long
-/// such frames take on this machine, and at its best at rest, where the shadows that were off are phased in.
+/// Decides how well a frame may be drawn (TreeSketch §3.5, speed considerations): plainly while something
+/// moves, by how long such frames take on this machine, and at its best at rest, where the shadows that
+/// were off are phased in.
 class FramePacer {
 public:
     /// A frame while moving should take less, s.

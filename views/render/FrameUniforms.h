@@ -5,8 +5,8 @@
 
 namespace espalier {
 
-/// What all programs of one picture share, laid out as the uniform block of resources/shaders/frame.glsl (std140), where the
-/// meaning of each field is told.
+/// What all programs of one picture share, laid out as the uniform block of resources/shaders/frame.glsl
+/// (std140), where the meaning of each field is told.
 struct FrameUniforms {
     using Vector = std::array<float, 4>;
     using Matrix = std::array<float, 16>;

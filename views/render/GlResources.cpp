@@ -21,7 +21,8 @@ QByteArray readShader(const QString& name)
     constexpr QByteArrayView kInclude = "#include \"";
     for (const QByteArray& line : file.readAll().split('\n')) {
         if (line.startsWith(kInclude))
-            text += readShader(QString::fromLatin1(line.mid(kInclude.size(), line.lastIndexOf('"') - kInclude.size())));
+            text += readShader(
+                QString::fromLatin1(line.mid(kInclude.size(), line.lastIndexOf('"') - kInclude.size())));
         else
             text += line + '\n';
     }
@@ -64,16 +65,18 @@ void GlBuffer::write(std::size_t offset, const void* data, std::size_t bytes)
 {
     // Binding to this target leaves the vertex arrays as they are.
     m_gl.glBindBuffer(GL_COPY_WRITE_BUFFER, name());
-    m_gl.glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+    m_gl.glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
+                         data);
 }
 
 std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertexShader, const char* fragmentShader)
 {
     auto program = std::make_unique<QOpenGLShaderProgram>();
-    const bool works =
-        program->addShaderFromSourceCode(QOpenGLShader::Vertex, readShader(QString::fromLatin1(vertexShader)))
-        && program->addShaderFromSourceCode(QOpenGLShader::Fragment, readShader(QString::fromLatin1(fragmentShader)))
-        && program->link();
+    const bool works = program->addShaderFromSourceCode(QOpenGLShader::Vertex,
+                                                        readShader(QString::fromLatin1(vertexShader))) &&
+                       program->addShaderFromSourceCode(QOpenGLShader::Fragment,
+                                                        readShader(QString::fromLatin1(fragmentShader))) &&
+                       program->link();
     if (!works)
         qFatal("%s and %s: %s", vertexShader, fragmentShader, qPrintable(program->log()));
     const GLuint id = program->programId();
@@ -88,8 +91,8 @@ void fillTexture(Gl& gl, const GlTexture& texture, const QImage& image, TextureC
 {
     const QImage upright = image.convertToFormat(QImage::Format_RGBA8888).mirrored();
     gl.glBindTexture(GL_TEXTURE_2D, texture.get());
-    gl.glTexImage2D(GL_TEXTURE_2D, 0, content == TextureContent::Colour ? GL_SRGB8_ALPHA8 : GL_RGBA8, upright.width(),
-                    upright.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE, upright.constBits());
+    gl.glTexImage2D(GL_TEXTURE_2D, 0, content == TextureContent::Colour ? GL_SRGB8_ALPHA8 : GL_RGBA8,
+                    upright.width(), upright.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE, upright.constBits());
     gl.glGenerateMipmap(GL_TEXTURE_2D);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

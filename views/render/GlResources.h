@@ -17,13 +17,15 @@ namespace espalier {
 
 using Gl = QOpenGLFunctions_3_3_Core;
 
-/// What this program asks of OpenGL: 3.3 core, no buffers but colour, for everything is drawn into textures first.
+/// What this program asks of OpenGL: 3.3 core, no buffers but colour, for everything is drawn into textures
+/// first.
 QSurfaceFormat surfaceFormat();
 
 /// OpenGL's functions of the current context; null if it has not got version 3.3.
 Gl* currentGl();
 
-/// The name of an object of OpenGL, deleted with its owner: make, use and destroy it with the same context current.
+/// The name of an object of OpenGL, deleted with its owner: make, use and destroy it with the same context
+/// current.
 template <auto Generate, auto Delete>
 class GlName {
 public:
@@ -73,8 +75,9 @@ private:
     std::size_t m_capacity = 0;
 };
 
-/// Makes a program of two of the resources' shaders, such as "bark.vert" and "bark.frag"; a line #include "x.glsl" in
-/// them stands for that file. The shaders are parts of this program: an error in them is a defect and ends it.
+/// Makes a program of two of the resources' shaders, such as "bark.vert" and "bark.frag"; a line #include
+/// "x.glsl" in them stands for that file. The shaders are parts of this program: an error in them is a
+/// defect and ends it.
 std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertexShader, const char* fragmentShader);
 
 enum class TextureContent {

@@ -42,10 +42,10 @@ void LightGrid::rebuild(const VoxelSpace& space)
         m_size[axis] = (extent + m_stride - 1) / m_stride;
     }
     m_first = isEmpty ? Cell{} : Cell{lower[0] - kMargin, lower[1] - kMargin, lower[2] - kMargin};
-    m_origin = m_voxelEdge
-               * Vec3(static_cast<float>(m_first.x), static_cast<float>(m_first.y), static_cast<float>(m_first.z));
-    m_cells.resize(static_cast<std::size_t>(m_size[0]) * static_cast<std::size_t>(m_size[1])
-                   * static_cast<std::size_t>(m_size[2]));
+    m_origin = m_voxelEdge * Vec3(static_cast<float>(m_first.x), static_cast<float>(m_first.y),
+                                  static_cast<float>(m_first.z));
+    m_cells.resize(static_cast<std::size_t>(m_size[0]) * static_cast<std::size_t>(m_size[1]) *
+                   static_cast<std::size_t>(m_size[2]));
     sample(space, {{0, 0, 0}, m_size});
     m_changes = {};
     m_changes.all = true;
@@ -93,14 +93,16 @@ void LightGrid::sample(const VoxelSpace& space, const Region& region)
     const auto light = [&](int x, int y, int z) {
         if (m_stride == 1)
             return space.light({m_first.x + x, m_first.y + y, m_first.z + z});
-        const Vec3 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F, static_cast<float>(z) + 0.5F);
+        const Vec3 centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F,
+                          static_cast<float>(z) + 0.5F);
         return space.lightAt(m_origin + m_cellEdge * centre);
     };
     parallelFor(static_cast<std::size_t>(region.count[2]), 4, [&](std::size_t begin, std::size_t end) {
         for (std::size_t layer = begin; layer < end; ++layer) {
             const int z = region.first[2] + static_cast<int>(layer);
             for (int y = region.first[1]; y < region.first[1] + region.count[1]; ++y) {
-                const auto row = static_cast<std::size_t>(m_size[0]) * static_cast<std::size_t>(z * m_size[1] + y);
+                const auto row =
+                    static_cast<std::size_t>(m_size[0]) * static_cast<std::size_t>(z * m_size[1] + y);
                 for (int x = region.first[0]; x < region.first[0] + region.count[0]; ++x)
                     m_cells[row + static_cast<std::size_t>(x)] =
                         static_cast<std::uint8_t>(std::lround(255.0F * light(x, y, z)));

@@ -10,8 +10,8 @@
 
 namespace espalier {
 
-/// The light of the growth model as a dense grid for a 3D texture (algorithms N). Follows growth region by region: it is laid out with
-/// a margin, so that most steps change only a part of it.
+/// The light of the growth model as a dense grid for a 3D texture (algorithms N). Follows growth region by
+/// region: it is laid out with a margin, so that most steps change only a part of it.
 class LightGrid {
 public:
     static constexpr int kMaxEdge = 96;

@@ -19,8 +19,9 @@ constexpr int kLargestEdge = 16384;
 Error noOpenGl()
 {
     return {Error::Kind::Output,
-            QCoreApplication::translate("OffscreenRenderer", "A picture cannot be drawn, for there is no display that "
-                                                             "offers OpenGL 3.3; a virtual one (Xvfb) will do.")};
+            QCoreApplication::translate("OffscreenRenderer",
+                                        "A picture cannot be drawn, for there is no display that "
+                                        "offers OpenGL 3.3; a virtual one (Xvfb) will do.")};
 }
 
 } // namespace
@@ -66,22 +67,26 @@ Result<QImage> OffscreenRenderer::render(TreeScene& scene, const Camera& camera,
     largest = std::min(largest, kLargestEdge);
     const QSize size = camera.viewSize().toSize();
     if (size.width() > largest || size.height() > largest) {
-        return Error{Error::Kind::Output, QCoreApplication::translate("OffscreenRenderer",
-                                                                      "A picture of %1 × %2 pixels is too large; %3 "
-                                                                      "along an edge is the most.")
-                                              .arg(size.width())
-                                              .arg(size.height())
-                                              .arg(largest)};
+        return Error{Error::Kind::Output,
+                     QCoreApplication::translate("OffscreenRenderer",
+                                                 "A picture of %1 × %2 pixels is too large; %3 "
+                                                 "along an edge is the most.")
+                         .arg(size.width())
+                         .arg(size.height())
+                         .arg(largest)};
     }
     m_renderer->render(scene, camera, options, *m_target);
     return m_target->readImage();
 }
 
-Camera pictureCamera(NamedView view, const Box3& bounds, const QSize& size)
+Camera pictureCamera(NamedView view, const TreeScene& scene, const QSize& size)
 {
     Camera camera;
     camera.setViewSize(size);
-    return camera.turnedTo(view).framing(bounds);
+    camera = camera.turnedTo(view);
+    const std::vector<Vec3> outline = scene.outline();
+    constexpr std::size_t kSeedling = 2; // its node and its base
+    return outline.size() > kSeedling ? camera.framing(outline) : camera;
 }
 
 Result<QImage> renderImage(const TreeDocument& document, const PictureRequest& request)
@@ -90,7 +95,7 @@ Result<QImage> renderImage(const TreeDocument& document, const PictureRequest& r
     if (!renderer)
         return renderer.error();
     TreeScene scene(document);
-    Camera camera = request.camera.value_or(pictureCamera(request.view, scene.bounds(), request.size));
+    Camera camera = request.camera.value_or(pictureCamera(request.view, scene, request.size));
     camera.setViewSize(request.size);
     return (*renderer)->render(scene, camera, request.options);
 }

@@ -19,8 +19,8 @@ namespace espalier {
 class Renderer;
 class RenderTarget;
 
-/// Draws pictures of trees without a window. It needs a display that offers OpenGL 3.3 (a virtual one will do), and belongs to
-/// the GUI thread.
+/// Draws pictures of trees without a window. It needs a display that offers OpenGL 3.3 (a virtual one will
+/// do), and belongs to the GUI thread.
 class OffscreenRenderer {
 public:
     /// Fails, in words for a person, where there is no OpenGL.
@@ -48,10 +48,11 @@ struct PictureRequest {
     RenderOptions options;
 };
 
-/// Draws the document's tree. Makes what it needs and throws it away: for many pictures keep an OffscreenRenderer.
+/// Draws the document's tree. Makes what it needs and throws it away: for many pictures keep an
+/// OffscreenRenderer.
 Result<QImage> renderImage(const TreeDocument& document, const PictureRequest& request = {});
 
-/// The front view and so on of all that is within @p bounds, m.
-Camera pictureCamera(NamedView view, const Box3& bounds, const QSize& size);
+/// The front view and so on of the whole tree; of a seedling, as a new document shows it.
+Camera pictureCamera(NamedView view, const TreeScene& scene, const QSize& size);
 
 } // namespace espalier

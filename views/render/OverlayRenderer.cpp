@@ -11,7 +11,8 @@ namespace espalier {
 
 namespace {
 
-constexpr float kHalo = 3.2F; ///< Diameter of a dot's halo in diameters of its middle
+constexpr float kOutline = 1.8F; ///< Width of a sphere's outline, px
+constexpr float kHalo = 3.2F;    ///< Diameter of a dot's halo in diameters of its middle
 
 QVector4D tint(const QColor& colour)
 {
@@ -21,10 +22,16 @@ QVector4D tint(const QColor& colour)
 } // namespace
 
 OverlayRenderer::OverlayRenderer(Gl& gl)
-    : m_gl(gl), m_gridProgram(loadProgram("grid.vert", "grid.frag")),
-      m_sphereProgram(loadProgram("sphere.vert", "sphere.frag")), m_lineProgram(loadProgram("line.vert", "line.frag")),
-      m_dotProgram(loadProgram("dot.vert", "dot.frag")), m_noVertices(gl), m_lineVertices(gl), m_dotVertices(gl),
-      m_lineBuffer(gl), m_dotBuffer(gl)
+    : m_gl(gl),
+      m_gridProgram(loadProgram("grid.vert", "grid.frag")),
+      m_sphereProgram(loadProgram("sphere.vert", "sphere.frag")),
+      m_lineProgram(loadProgram("line.vert", "line.frag")),
+      m_dotProgram(loadProgram("dot.vert", "dot.frag")),
+      m_noVertices(gl),
+      m_lineVertices(gl),
+      m_dotVertices(gl),
+      m_lineBuffer(gl),
+      m_dotBuffer(gl)
 {
     gl.glBindVertexArray(m_lineVertices.get());
     gl.glBindBuffer(GL_ARRAY_BUFFER, m_lineBuffer.name());
@@ -46,8 +53,8 @@ OverlayRenderer::OverlayRenderer(Gl& gl)
 
 OverlayRenderer::~OverlayRenderer() = default;
 
-void OverlayRenderer::render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth, const QSize& size,
-                             double pixelRatio)
+void OverlayRenderer::render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth,
+                             const QSize& size, double pixelRatio)
 {
     m_gl.glViewport(0, 0, size.width(), size.height());
     m_gl.glDisable(GL_DEPTH_TEST);
@@ -65,7 +72,7 @@ void OverlayRenderer::render(const Overlay& overlay, const Camera& camera, GLuin
     }
     const auto ratio = static_cast<float>(pixelRatio);
     drawGrids(overlay);
-    drawSpheres(overlay, camera);
+    drawSpheres(overlay, camera, ratio);
     drawLines(overlay, camera, ratio);
     drawDots(overlay, ratio);
     m_gl.glDisable(GL_BLEND);
@@ -88,12 +95,14 @@ void OverlayRenderer::drawGrids(const Overlay& overlay)
     }
 }
 
-void OverlayRenderer::drawSpheres(const Overlay& overlay, const Camera& camera)
+void OverlayRenderer::drawSpheres(const Overlay& overlay, const Camera& camera, float pixelRatio)
 {
     m_gl.glBindVertexArray(m_noVertices.get());
     m_sphereProgram->bind();
     setVector(*m_sphereProgram, "right", camera.right());
     setVector(*m_sphereProgram, "up", camera.up());
+    m_sphereProgram->setUniformValue("pixelSize", 1.0F / (camera.pixelsPerMetre(1.0F) * pixelRatio));
+    m_sphereProgram->setUniformValue("width", kOutline * pixelRatio);
     for (const Overlay::Sphere& sphere : overlay.spheres()) {
         setVector(*m_sphereProgram, "centre", sphere.centre);
         m_sphereProgram->setUniformValue("radius", sphere.radius);
@@ -116,7 +125,8 @@ void OverlayRenderer::drawLines(const Overlay& overlay, const Camera& camera, fl
         for (std::size_t i = 1; i < points.size(); ++i) {
             const Vec3& a = points[i - 1];
             const Vec3& b = points[i];
-            m_segments.push_back({{a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()}, static_cast<float>(path) * pixelRatio});
+            m_segments.push_back(
+                {{a.x(), a.y(), a.z()}, {b.x(), b.y(), b.z()}, static_cast<float>(path) * pixelRatio});
             const std::optional<QPointF> now = camera.project(b);
             if (before && now)
                 path += std::hypot(now->x() - before->x(), now->y() - before->y());

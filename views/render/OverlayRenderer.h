@@ -9,14 +9,17 @@
 
 namespace espalier {
 
-/// Draws what tools show, over a picture whose depth it knows. The frame's uniforms of that picture must be bound still.
+/// Draws what tools show, over a picture whose depth it knows. The frame's uniforms of that picture must be
+/// bound still.
 class OverlayRenderer {
 public:
     explicit OverlayRenderer(Gl& gl);
     ~OverlayRenderer();
 
-    /// Draws into the framebuffer that is bound, of @p size pixels, @p pixelRatio of which are a device-independent one.
-    void render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth, const QSize& size, double pixelRatio);
+    /// Draws into the framebuffer that is bound, of @p size pixels, @p pixelRatio of which are a
+    /// device-independent one.
+    void render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth, const QSize& size,
+                double pixelRatio);
 
 private:
     /// One straight piece of a line.
@@ -27,7 +30,7 @@ private:
     };
 
     void drawGrids(const Overlay& overlay);
-    void drawSpheres(const Overlay& overlay, const Camera& camera);
+    void drawSpheres(const Overlay& overlay, const Camera& camera, float pixelRatio);
     void drawLines(const Overlay& overlay, const Camera& camera, float pixelRatio);
     void drawDots(const Overlay& overlay, float pixelRatio);
 

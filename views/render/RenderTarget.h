@@ -9,7 +9,8 @@
 
 namespace espalier {
 
-/// Where a picture is drawn: colour and depth, with several samples a pixel or one, and afterwards readable as textures with one.
+/// Where a picture is drawn: colour and depth, with several samples a pixel or one, and afterwards readable
+/// as textures with one.
 class RenderTarget {
 public:
     explicit RenderTarget(Gl& gl) : m_gl(gl) {}

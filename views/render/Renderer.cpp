@@ -29,19 +29,20 @@ struct Lighting {
     Vector backgroundInner;
     Vector backgroundOuter;
     Vector groundAlbedo;
-    float leastAmbient; ///< a_min
+    float leastAmbient;  ///< a_min
     float lightExponent; ///< γ
     float exposure;
 };
 
 constexpr Vector displayed(int red, int green, int blue, float last)
 {
-    return {static_cast<float>(red) / 255.0F, static_cast<float>(green) / 255.0F, static_cast<float>(blue) / 255.0F, last};
+    return {static_cast<float>(red) / 255.0F, static_cast<float>(green) / 255.0F,
+            static_cast<float>(blue) / 255.0F, last};
 }
 
 constexpr Lighting kStudio{
-    .sun = {2.9F, 2.6F, 2.1F, 0.0F},
-    .sky = {0.60F, 0.70F, 0.84F, 0.0F},
+    .sun = {2.65F, 2.35F, 1.88F, 0.0F},
+    .sky = {0.58F, 0.66F, 0.78F, 0.0F},
     .ground = {0.24F, 0.22F, 0.20F, 0.0F},
     .rim = {0.16F, 0.20F, 0.26F, 0.0F},
     .backgroundInner = displayed(58, 66, 77, 0.0F),
@@ -80,7 +81,8 @@ FrameUniforms::Matrix toMatrix(const Matrix4& matrix)
 Vec3 towardSun(const ViewValues& view)
 {
     const double level = std::cos(view.sunElevation);
-    return Vec3(static_cast<float>(level * std::sin(view.sunAzimuth)), static_cast<float>(std::sin(view.sunElevation)),
+    return Vec3(static_cast<float>(level * std::sin(view.sunAzimuth)),
+                static_cast<float>(std::sin(view.sunElevation)),
                 static_cast<float>(level * std::cos(view.sunAzimuth)))
         .normalized();
 }
@@ -101,8 +103,13 @@ bool isTransparent(const RenderOptions& options)
 } // namespace
 
 Renderer::Renderer(Gl& gl)
-    : m_gl(gl), m_tree(gl), m_shadows(gl), m_noVertices(gl), m_uniformBuffer(gl),
-      m_barkProgram(loadProgram("bark.vert", "bark.frag")), m_leafProgram(loadProgram("leaf.vert", "leaf.frag")),
+    : m_gl(gl),
+      m_tree(gl),
+      m_shadows(gl),
+      m_noVertices(gl),
+      m_uniformBuffer(gl),
+      m_barkProgram(loadProgram("bark.vert", "bark.frag")),
+      m_leafProgram(loadProgram("leaf.vert", "leaf.frag")),
       m_shadowProgram(loadProgram("shadow.vert", "shadow.frag")),
       m_leafShadowProgram(loadProgram("leafshadow.vert", "leafshadow.frag")),
       m_backgroundProgram(loadProgram("screen.vert", "background.frag")),
@@ -125,9 +132,11 @@ Renderer::Renderer(Gl& gl)
 
 Renderer::~Renderer() = default;
 
-void Renderer::render(TreeScene& scene, const Camera& camera, const RenderOptions& options, RenderTarget& target)
+void Renderer::render(TreeScene& scene, const Camera& camera, const RenderOptions& options,
+                      RenderTarget& target)
 {
-    const QSize size(static_cast<int>(camera.viewSize().width()), static_cast<int>(camera.viewSize().height()));
+    const QSize size(static_cast<int>(camera.viewSize().width()),
+                     static_cast<int>(camera.viewSize().height()));
     scene.prepare();
     m_shadowsAreOld = m_tree.follow(scene) || m_shadowsAreOld;
     if (options.view.shadowsShown && options.shadowStrength > 0.0)
@@ -178,7 +187,8 @@ void Renderer::updateShadows(const TreeScene& scene, const RenderOptions& option
     m_shadowsAreOld = false;
 }
 
-void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options, const QSize& size)
+void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options,
+                         const QSize& size)
 {
     const Lighting& lighting = options.view.backdrop == Backdrop::Horizon ? kHorizon : kStudio;
     const Box3& bounds = scene.bounds();
@@ -186,7 +196,8 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
     const Vec3 eye = camera.position();
 
     // As near as the tree lets it be, for the sake of the depth buffer; as far as the ground goes.
-    const float nearest = std::max(0.02F * camera.distance(), 0.4F * std::sqrt(bounds.squaredExteriorDistance(eye)));
+    const float nearest =
+        std::max(0.02F * camera.distance(), 0.4F * std::sqrt(bounds.squaredExteriorDistance(eye)));
     const float farthest = nearest + eye.norm() + 1.5F * radius + bounds.diagonal().norm();
     const Matrix4 viewProjection = camera.projectionMatrix(nearest, farthest) * camera.viewMatrix();
 
@@ -225,7 +236,8 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
 void Renderer::drawBackground(const RenderOptions& options)
 {
     const QColor colour = options.background.value_or(Qt::black);
-    m_gl.glClearColor(isTransparent(options) ? 0.0F : colour.redF(), isTransparent(options) ? 0.0F : colour.greenF(),
+    m_gl.glClearColor(isTransparent(options) ? 0.0F : colour.redF(),
+                      isTransparent(options) ? 0.0F : colour.greenF(),
                       isTransparent(options) ? 0.0F : colour.blueF(), isTransparent(options) ? 0.0F : 1.0F);
     m_gl.glClearDepth(1.0);
     m_gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -14,15 +14,15 @@ namespace espalier {
 
 class TreeScene;
 
-/// Draws a tree with its ground and its light into a RenderTarget (TreeSketch §3.5). Belongs to one context of OpenGL,
-/// which must be current whenever it is used, and follows one scene.
+/// Draws a tree with its ground and its light into a RenderTarget (TreeSketch §3.5). Belongs to one context
+/// of OpenGL, which must be current whenever it is used, and follows one scene.
 class Renderer {
 public:
     explicit Renderer(Gl& gl);
     ~Renderer();
 
-    /// Draws @p scene as @p camera sees it; its view size is the picture's, in any pixels. Takes the scene's changes: only they are sent to
-    /// the card. The target is resolved afterwards.
+    /// Draws @p scene as @p camera sees it; its view size is the picture's, in any pixels. Takes the
+    /// scene's changes: only they are sent to the card. The target is resolved afterwards.
     void render(TreeScene& scene, const Camera& camera, const RenderOptions& options, RenderTarget& target);
 
     /// The frame's uniforms stay bound after render(), for what is drawn over it.
@@ -30,7 +30,8 @@ public:
 
 private:
     void updateShadows(const TreeScene& scene, const RenderOptions& options);
-    void fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options, const QSize& size);
+    void fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options,
+                   const QSize& size);
     void drawBackground(const RenderOptions& options);
     void drawGround();
     void drawTree(const RenderOptions& options, bool smooth);

@@ -22,7 +22,8 @@ struct Images {
     QImage normal;
 };
 
-/// Making textures takes longer than a frame: they are made once, whoever shows them, and both at the same time.
+/// Making textures takes longer than a frame: they are made once, whoever shows them, and both at the same
+/// time.
 template <class Kind>
 const Images& imagesOf(Kind kind, QImage (*makeColour)(Kind), QImage (*makeNormal)(Kind))
 {
@@ -37,7 +38,8 @@ const Images& imagesOf(Kind kind, QImage (*makeColour)(Kind), QImage (*makeNorma
     return images;
 }
 
-void attribute(Gl& gl, GLuint location, GLint size, std::size_t stride, std::size_t offset, GLuint divisor = 0)
+void attribute(Gl& gl, GLuint location, GLint size, std::size_t stride, std::size_t offset,
+               GLuint divisor = 0)
 {
     gl.glEnableVertexAttribArray(location);
     gl.glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
@@ -56,8 +58,19 @@ void meshAttributes(Gl& gl)
 } // namespace
 
 TreeBuffers::TreeBuffers(Gl& gl)
-    : m_gl(gl), m_vertices(gl), m_indices(gl), m_leaves(gl), m_cardVertices(gl), m_cardIndices(gl), m_barkArray(gl),
-      m_leafArray(gl), m_barkColour(gl), m_barkNormal(gl), m_leafColour(gl), m_leafNormal(gl), m_light(gl)
+    : m_gl(gl),
+      m_vertices(gl),
+      m_indices(gl),
+      m_leaves(gl),
+      m_cardVertices(gl),
+      m_cardIndices(gl),
+      m_barkArray(gl),
+      m_leafArray(gl),
+      m_barkColour(gl),
+      m_barkNormal(gl),
+      m_leafColour(gl),
+      m_leafNormal(gl),
+      m_light(gl)
 {
     gl.glBindTexture(GL_TEXTURE_3D, m_light.get());
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -102,7 +115,8 @@ bool TreeBuffers::follow(TreeScene& scene)
 }
 
 template <class T>
-void TreeBuffers::send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges, bool all)
+void TreeBuffers::send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges,
+                       bool all)
 {
     if (buffer.reserve(elements.size_bytes()) || all) {
         buffer.write(0, elements.data(), elements.size_bytes());
@@ -152,14 +166,15 @@ void TreeBuffers::fillLight(TreeScene& scene, bool all)
     m_gl.glBindTexture(GL_TEXTURE_3D, m_light.get());
     m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     if (changes.all) {
-        m_gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, size[0], size[1], size[2], 0, GL_RED, GL_UNSIGNED_BYTE, cells);
+        m_gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, size[0], size[1], size[2], 0, GL_RED, GL_UNSIGNED_BYTE,
+                          cells);
     } else {
         const auto& [first, count] = changes.region;
         m_gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, size[0]);
         m_gl.glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, size[1]);
         cells += (static_cast<std::ptrdiff_t>(first[2]) * size[1] + first[1]) * size[0] + first[0];
-        m_gl.glTexSubImage3D(GL_TEXTURE_3D, 0, first[0], first[1], first[2], count[0], count[1], count[2], GL_RED,
-                             GL_UNSIGNED_BYTE, cells);
+        m_gl.glTexSubImage3D(GL_TEXTURE_3D, 0, first[0], first[1], first[2], count[0], count[1], count[2],
+                             GL_RED, GL_UNSIGNED_BYTE, cells);
         m_gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
         m_gl.glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 0);
     }

@@ -35,7 +35,8 @@ public:
 private:
     /// Sends the elements of @p ranges, or all of them.
     template <class T>
-    void send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges, bool all);
+    void send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges,
+              bool all);
     void fillTextures(const TreeParameters& parameters);
     void fillLight(TreeScene& scene, bool all);
 
@@ -52,8 +53,8 @@ private:
     GlTexture m_leafColour;
     GlTexture m_leafNormal;
     GlTexture m_light;
-    std::uint64_t m_scene = 0; ///< Number of the scene that is here, 0 for none
-    std::optional<BarkKind> m_bark;  ///< Of the textures
+    std::uint64_t m_scene = 0;      ///< Number of the scene that is here, 0 for none
+    std::optional<BarkKind> m_bark; ///< Of the textures
     std::optional<LeafShape> m_leaf;
     GLsizei m_indexCount = 0;
     GLsizei m_leafCount = 0;

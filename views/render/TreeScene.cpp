@@ -49,6 +49,18 @@ bool TreeScene::settle()
     return m_mesh.settle(m_document.tree(), m_document.index());
 }
 
+std::vector<Vec3> TreeScene::outline() const
+{
+    const Tree& tree = m_document.tree();
+    std::vector<Vec3> points{Vec3::Zero()};
+    points.reserve(m_document.index().livingCount() + 1);
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id))
+            points.push_back(m_document.index().nodePosition(id));
+    }
+    return points;
+}
+
 void TreeScene::prepare()
 {
     const VoxelSpace& space = m_document.growthIndex().space();

@@ -7,8 +7,8 @@
 
 namespace espalier {
 
-/// What there is to draw of a document's tree: its mesh, its leaves, its light, and how large it is. Told of each change, it
-/// follows at a cost of what changed; one renderer takes its changes.
+/// What there is to draw of a document's tree: its mesh, its leaves, its light, and how large it is. Told
+/// of each change, it follows at a cost of what changed; one renderer takes its changes.
 class TreeScene {
 public:
     /// Shows the tree as it is. @p document outlives the scene.
@@ -29,6 +29,8 @@ public:
     const LightGrid& light() const { return m_light; }
     /// Of the living tree with its leaves and the seedling's base, m; never empty.
     const Box3& bounds() const { return m_bounds; }
+    /// Points that a picture of the whole tree must show: its nodes and its base, m.
+    std::vector<Vec3> outline() const;
 
 private:
     void rebuild();

@@ -40,13 +40,18 @@ Matrix4 textureFromClip()
 }
 
 TreeShadows::TreeShadows(Gl& gl)
-    : m_gl(gl), m_map(gl), m_mapFramebuffer(gl), m_coverage(gl), m_ground{Surface(gl), Surface(gl)}, m_noVertices(gl),
+    : m_gl(gl),
+      m_map(gl),
+      m_mapFramebuffer(gl),
+      m_coverage(gl),
+      m_ground{Surface(gl), Surface(gl)},
+      m_noVertices(gl),
       m_groundProgram(loadProgram("screen.vert", "groundshadow.frag")),
       m_blurProgram(loadProgram("screen.vert", "blur.frag"))
 {
     gl.glBindTexture(GL_TEXTURE_2D, m_map.get());
-    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kMapEdge, kMapEdge, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
-                    nullptr);
+    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kMapEdge, kMapEdge, 0, GL_DEPTH_COMPONENT,
+                    GL_UNSIGNED_INT, nullptr);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     // Outside of the map is light.
@@ -80,7 +85,8 @@ void TreeShadows::makeSurface(Surface& surface, int edge, GLint format)
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         m_gl.glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_BORDER);
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer.get());
-    m_gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, surface.texture.get(), 0);
+    m_gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, surface.texture.get(),
+                                0);
     m_gl.glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
     m_gl.glClear(GL_COLOR_BUFFER_BIT);
 }
@@ -93,8 +99,8 @@ void TreeShadows::render(const Box3& bounds, const Vec3& sun, float groundRadius
 
     const Matrix4 fromSun = parallelProjection(bounds, sun);
     m_shadowFromWorld = textureFromClip() * fromSun;
-    m_texelEdge = 2.0F / (static_cast<float>(kMapEdge) * std::min(fromSun.row(0).head<3>().norm(),
-                                                                  fromSun.row(1).head<3>().norm()));
+    m_texelEdge = 2.0F / (static_cast<float>(kMapEdge) *
+                          std::min(fromSun.row(0).head<3>().norm(), fromSun.row(1).head<3>().norm()));
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_mapFramebuffer.get());
     m_gl.glViewport(0, 0, kMapEdge, kMapEdge);
     m_gl.glEnable(GL_DEPTH_TEST);
@@ -105,7 +111,8 @@ void TreeShadows::render(const Box3& bounds, const Vec3& sun, float groundRadius
     draw(fromSun);
     m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
 
-    // What stands above the ground hides the sky from it, the more the lower it is; a view from straight above tells where.
+    // What stands above the ground hides the sky from it, the more the lower it is; a view from straight
+    // above tells where.
     const Matrix4 fromAbove = parallelProjection(bounds, up());
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_coverage.framebuffer.get());
     m_gl.glViewport(0, 0, kCoverageEdge, kCoverageEdge);
@@ -133,8 +140,8 @@ void TreeShadows::shadeGround(const Matrix4& coverageFromWorld, float groundRadi
     m_groundProgram->setUniformValue("radius", groundRadius);
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
 
-    // The sun's disc blurs a shadow by about a hundredth of the way it has come; a crown hides the sky for as far around as it is
-    // high.
+    // The sun's disc blurs a shadow by about a hundredth of the way it has come; a crown hides the sky for
+    // as far around as it is high.
     const float texels = static_cast<float>(kGroundEdge) / (2.0F * groundRadius);
     const QVector2D sigma(std::max(0.018F * height * texels, 1.0F), std::max(0.16F * height * texels, 2.0F));
     m_blurProgram->bind();
@@ -145,7 +152,8 @@ void TreeShadows::shadeGround(const Matrix4& coverageFromWorld, float groundRadi
         m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_ground[1 - from].framebuffer.get());
         m_gl.glBindTexture(GL_TEXTURE_2D, m_ground[from].texture.get());
         constexpr float texel = 1.0F / kGroundEdge;
-        m_blurProgram->setUniformValue("direction", from == 0 ? QVector2D(texel, 0.0F) : QVector2D(0.0F, texel));
+        m_blurProgram->setUniformValue("direction",
+                                       from == 0 ? QVector2D(texel, 0.0F) : QVector2D(0.0F, texel));
         m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     }
     m_blurProgram->release();

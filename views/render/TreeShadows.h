@@ -7,12 +7,14 @@
 
 namespace espalier {
 
-/// The matrix of a camera infinitely far away in the direction @p toward (unit), whose picture holds just @p box: world to clip space.
+/// The matrix of a camera infinitely far away in the direction @p toward (unit), whose picture holds just
+/// @p box: world to clip space.
 Matrix4 parallelProjection(const Box3& box, const Vec3& toward);
 /// Clip space (−1...1) to texture coordinates and depth (0...1).
 Matrix4 textureFromClip();
 
-/// What the sun sees of the tree (hard shadows within it), and how they and the crown above darken the ground (blurred).
+/// What the sun sees of the tree (hard shadows within it), and how they and the crown above darken the
+/// ground (blurred).
 class TreeShadows {
 public:
     static constexpr int kMapEdge = 2048;
@@ -23,9 +25,10 @@ public:
 
     /// Draws what casts shadows with a matrix from the world to clip space.
     using Draw = std::function<void(const Matrix4& clipFromWorld)>;
-    /// @p bounds: of the tree, m; @p sun: toward it; @p groundRadius: half the edge of what the ground's texture covers, m;
-    /// @p drawRoughly: draws about where something is, for what is blurred anyway.
-    void render(const Box3& bounds, const Vec3& sun, float groundRadius, const Draw& draw, const Draw& drawRoughly);
+    /// @p bounds: of the tree, m; @p sun: toward it; @p groundRadius: half the edge of what the ground's
+    /// texture covers, m; @p drawRoughly: draws about where something is, for what is blurred anyway.
+    void render(const Box3& bounds, const Vec3& sun, float groundRadius, const Draw& draw,
+                const Draw& drawRoughly);
 
     const Matrix4& shadowFromWorld() const { return m_shadowFromWorld; }
     /// Edge of a texel, m.

@@ -9,14 +9,17 @@ namespace espalier {
 
 namespace {
 
-/// A stroke's clock goes on by at most this much at a time, s: where growth cannot keep up, the stroke slows down rather than
-/// the program.
+/// A stroke's clock goes on by at most this much at a time, s: where growth cannot keep up, the stroke
+/// slows down rather than the program.
 constexpr double kLongestStep = 0.1;
 /// And by at least this much: samples ascend.
 constexpr double kShortestStep = 1e-4;
 
 /// Below this sine of the angle between them, plane and ground meet too far away to be shown.
 constexpr float kGrazing = 0.1F;
+
+/// Radius of the ring around the node that a stroke would begin at, px.
+constexpr float kRing = 9.0F;
 
 const QColor kBrushColour(232, 168, 100);
 const QColor kMarkerColour(255, 214, 120);
@@ -120,7 +123,8 @@ BrushSample BrushTool::sampleAt(double time) const
 {
     const ViewValues& view = context().viewSettings().values();
     const double share = m_isPen && view.pressureScales ? radiusShare(m_pressure) : 1.0;
-    return {time, context().camera().onPlane(m_pointer, m_anchor), static_cast<float>(view.brushRadius * share)};
+    return {time, context().camera().onPlane(m_pointer, m_anchor),
+            static_cast<float>(view.brushRadius * share)};
 }
 
 void BrushTool::continueTo(double time)
@@ -149,7 +153,7 @@ void BrushTool::paint(Overlay& overlay) const
     if (view.planeShown) {
         const float reach = std::max(3.0F * brush.radius, 0.12F * camera.distance());
         QColor faint = kHintColour;
-        faint.setAlphaF(0.22F);
+        faint.setAlphaF(0.15F);
         overlay.addGrid({.centre = centre,
                          .right = camera.right(),
                          .up = camera.up(),
@@ -157,16 +161,18 @@ void BrushTool::paint(Overlay& overlay) const
                          .spacing = std::exp2(std::round(std::log2(reach / 4.0F))),
                          .origin = m_anchor,
                          .colour = faint});
-        // A plumb line and its foot tell where over the ground the brush is; the plane meets the ground in a level line.
+        // A plumb line and its foot tell where over the ground the brush is; the plane meets the ground in
+        // a level line.
         const Vec3 foot(centre.x(), 0.0F, centre.z());
         faint.setAlphaF(0.5F);
         overlay.addLine(std::array{centre, foot}, faint, 1.0F, 4.0F);
-        overlay.addCircle(foot, Vec3::UnitX(), Vec3::UnitZ(), std::max(brush.radius, 0.01F * camera.distance()), faint,
-                          1.0F);
+        overlay.addCircle(foot, Vec3::UnitX(), Vec3::UnitZ(),
+                          std::max(brush.radius, 0.01F * camera.distance()), faint, 1.0F);
         if (camera.up().y() > kGrazing) {
             const Vec3 meets = centre - centre.y() / camera.up().y() * camera.up();
-            overlay.addLine(std::array{Vec3(meets - reach * camera.right()), Vec3(meets + reach * camera.right())}, faint,
-                            1.0F);
+            overlay.addLine(
+                std::array{Vec3(meets - reach * camera.right()), Vec3(meets + reach * camera.right())}, faint,
+                1.0F);
         }
     }
     if (m_trail.size() > 1) {
@@ -176,7 +182,11 @@ void BrushTool::paint(Overlay& overlay) const
     }
     if (brush.radius > 0.0F)
         overlay.addSphere({centre, brush.radius, kBrushColour, m_gesture ? 0.16F : 0.09F});
-    overlay.addDots(std::array{m_picked && !m_gesture ? m_picked->position : centre}, kPickedColour, m_picked ? 10.0F : 6.0F);
+    overlay.addDots(std::array{centre}, kPickedColour, 5.0F);
+    if (m_picked && !m_gesture) {
+        const float radius = kRing / camera.pixelsPerMetre(camera.depth(m_picked->position));
+        overlay.addCircle(m_picked->position, camera.right(), camera.up(), radius, kPickedColour, 2.0F);
+    }
 }
 
 QString BrushTool::tip() const

@@ -12,9 +12,10 @@
 
 namespace espalier {
 
-/// The brush (TreeSketch §3.2): fills a ball with markers of free space, which the tree grows into. It moves in the plane that is
-/// parallel to the screen and goes through the base of the tree, or through the node that the stroke begins at. The plane
-/// turns with the camera, so that a hand at rest draws a helix while the view rotates.
+/// The brush (TreeSketch §3.2): fills a ball with markers of free space, which the tree grows into. It
+/// moves in the plane that is parallel to the screen and goes through the base of the tree, or through the
+/// node that the stroke begins at. The plane turns with the camera, so that a hand at rest draws a helix
+/// while the view rotates.
 class BrushTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 
@@ -38,7 +39,8 @@ public:
     void paint(Overlay& overlay) const override;
     QString tip() const override;
 
-    /// Share of the brush's radius that a pen's pressure (0...1) leaves: a light touch draws fine, a firm one at full size.
+    /// Share of the brush's radius that a pen's pressure (0...1) leaves: a light touch draws fine, a firm
+    /// one at full size.
     static double radiusShare(double pressure);
 
 private:
@@ -53,8 +55,8 @@ private:
     bool m_isPen = false;
     bool m_hovers = false;
     std::optional<PickedNode> m_picked; ///< Under the hovering pointer
-    double m_lastTime = 0.0;   ///< s, of the samples' clock
-    double m_strokeTime = 0.0; ///< s since the stroke began
+    double m_lastTime = 0.0;            ///< s, of the samples' clock
+    double m_strokeTime = 0.0;          ///< s since the stroke began
     std::vector<Vec3> m_trail;
 };
 

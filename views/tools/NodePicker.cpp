@@ -27,7 +27,8 @@ std::optional<PickedNode> pickNode(const Tree& tree, const TreeIndex& index, con
         const float depth = offset.dot(forward);
         if (depth < Camera::kMinDistance / 2.0F)
             return;
-        const float distance = std::hypot(offset.dot(right) * scale / depth - x, offset.dot(up) * scale / depth - y);
+        const float distance =
+            std::hypot(offset.dot(right) * scale / depth - x, offset.dot(up) * scale / depth - y);
         if (distance > farthest)
             return;
         const float rank = std::floor(distance / kNoDifference);

@@ -8,8 +8,8 @@
 
 namespace espalier {
 
-/// The living node that appears nearest to @p screen, at most @p reach px away; of those as near as makes no difference, the one
-/// nearest to the camera. The base of the seedling counts as a node of internode 0.
+/// The living node that appears nearest to @p screen, at most @p reach px away; of those as near as makes
+/// no difference, the one nearest to the camera. The base of the seedling counts as a node of internode 0.
 struct PickedNode {
     InternodeId id = 0;
     Vec3 position = Vec3::Zero(); ///< m

@@ -10,8 +10,9 @@
 
 namespace espalier {
 
-/// What a tool shows over the tree: shapes in the world, with line widths and point sizes in device-independent pixels. What
-/// lies behind the tree is shown fainter, so that one sees where in the depth it is.
+/// What a tool shows over the tree: shapes in the world, with line widths and point sizes in
+/// device-independent pixels. What lies behind the tree is shown fainter, so that one sees where in the
+/// depth it is.
 class Overlay {
 public:
     /// A translucent ball with an outline.
@@ -52,7 +53,8 @@ public:
     void addDots(std::span<const Vec3> points, const QColor& colour, float size, float glow = 0.0F);
     void addGrid(const Grid& grid) { m_grids.push_back(grid); }
     /// A circle as a line; @p u and @p v are perpendicular unit vectors.
-    void addCircle(const Vec3& centre, const Vec3& u, const Vec3& v, float radius, const QColor& colour, float width);
+    void addCircle(const Vec3& centre, const Vec3& u, const Vec3& v, float radius, const QColor& colour,
+                   float width);
 
     const std::vector<Sphere>& spheres() const { return m_spheres; }
     const std::vector<Line>& lines() const { return m_lines; }

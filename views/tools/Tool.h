@@ -10,8 +10,9 @@
 
 namespace espalier {
 
-/// Turns what a hand does into commands. Gestures are read before: a tool gets begin, any number of move and tick, and then
-/// either end or cancel; hover and leave come between gestures. The camera may move at any time, during a gesture as well.
+/// Turns what a hand does into commands. Gestures are read before: a tool gets begin, any number of move
+/// and tick, and then either end or cancel; hover and leave come between gestures. The camera may move at
+/// any time, during a gesture as well.
 class Tool {
 public:
     explicit Tool(ToolContext& context) : m_context(context) {}
@@ -29,7 +30,8 @@ public:
     virtual void hover(const PointerSample& sample) { Q_UNUSED(sample) }
     /// The pointer is over the view no longer.
     virtual void leave() {}
-    /// Time goes on while the hand rests; called about 60 times a second while wantsTicks(). @p now: s, of the samples' clock.
+    /// Time goes on while the hand rests; called about 60 times a second while wantsTicks(). @p now: s, of
+    /// the samples' clock.
     virtual void tick(double now) { Q_UNUSED(now) }
     /// The wheel with Ctrl held, in notches; a gesture may be under way.
     virtual void wheel(double notches) { Q_UNUSED(notches) }

@@ -6,6 +6,7 @@
 #include "model/io/ParametersJson.h"
 #include "tests/support/TestClasses.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonDocument>
 #include <QRegularExpression>
@@ -91,6 +92,7 @@ private Q_SLOTS:
     void schemaAndLimits_agree();
     void documentation_hasEveryParameterWithItsLimits();
     void documentation_examplesAreRecipes();
+    void sampleRecipes_areRecipes();
 };
 
 void RecipeTest::everyOperation_isRead()
@@ -504,6 +506,18 @@ void RecipeTest::documentation_examplesAreRecipes()
     }
     QVERIFY(count >= 5);
     QCOMPARE(seen.size(), static_cast<qsizetype>(std::variant_size_v<RecipeOperation>));
+}
+
+void RecipeTest::sampleRecipes_areRecipes()
+{
+    const QDir folder(QStringLiteral(SOURCE_DIR "/resources/recipes"));
+    const QStringList names = folder.entryList({QStringLiteral("*.json")});
+    QVERIFY(!names.isEmpty());
+    for (const QString& name : names) {
+        const Result<Recipe> result = readRecipe(folder.filePath(name));
+        QVERIFY2(result, result ? "" : qPrintable(result.error().message));
+        QVERIFY(!result->name.isEmpty());
+    }
 }
 
 static const TestClass<RecipeTest> entered;

@@ -225,11 +225,13 @@ void MeshPoolTest::pool_followsGrowthPruningAndReversal_data()
     QTest::addColumn<int>("seed");
     QTest::addColumn<double>("baseDiameter");
     QTest::addColumn<int>("laterals");
-    QTest::newRow("usual") << 1 << 0.0 << 1;
-    QTest::newRow("three buds a node") << 2 << 0.0 << 3;
+    QTest::addColumn<int>("maxTips");
+    QTest::newRow("usual") << 1 << 0.0 << 1 << 3;
+    QTest::newRow("three buds a node") << 2 << 0.0 << 3 << 3;
     // Then every tip changes all widths a little.
-    QTest::newRow("base diameter set") << 3 << 0.3 << 2;
-    QTest::newRow("another") << 4 << 0.0 << 2;
+    QTest::newRow("base diameter set") << 3 << 0.3 << 2 << 3;
+    // Then a branch may lose or regain its leaves while its width is within the tolerance.
+    QTest::newRow("leaves on thick branches") << 4 << 0.0 << 2 << 60;
 }
 
 void MeshPoolTest::pool_followsGrowthPruningAndReversal()
@@ -237,9 +239,11 @@ void MeshPoolTest::pool_followsGrowthPruningAndReversal()
     QFETCH(int, seed);
     QFETCH(double, baseDiameter);
     QFETCH(int, laterals);
+    QFETCH(int, maxTips);
     TreeParameters parameters;
     parameters.widths.baseDiameter = baseDiameter;
     parameters.growth.lateralsPerNode = laterals;
+    parameters.leaves.maxTips = maxTips;
     Follower follower(250, static_cast<std::uint64_t>(seed), parameters);
     for (int step = 0; step < 150; ++step) {
         follower.actAtRandom();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/TubeMesher.h"
 
+#include "model/mesh/RingFrame.h"
 #include "model/mesh/Tubes.h"
 #include "tests/support/MeshTopology.h"
 #include "tests/support/TestClasses.h"
@@ -466,7 +467,7 @@ void TubeMesherTest::sides_followTheThickness()
     forEachTube(builder, [&](const MeshedTube& tube) {
         int below = tube.rings.front().sides;
         for (const TubeMesher::Ring& ring : tube.rings) {
-            QVERIFY(std::ranges::count(TubeMesher::kSideCounts, ring.sides) == 1);
+            QVERIFY(std::ranges::count(kSideCounts, ring.sides) == 1);
             QVERIFY(ring.sides == below || 2 * ring.sides == below);
             below = ring.sides;
         }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/JournalColumns.h"
+
+#include <numeric>
+
+namespace espalier {
+
+JournalCounts JournalCounts::of(const Journal& journal)
+{
+    JournalCounts counts{static_cast<std::uint32_t>(journal.size()), 0, 0};
+    for (const auto& delta : journal) {
+        counts.died += static_cast<std::uint32_t>(delta->died.size());
+        counts.budChanges += static_cast<std::uint32_t>(delta->buds.size());
+    }
+    return counts;
+}
+
+JournalColumns JournalColumns::of(const Journal& journal)
+{
+    JournalColumns columns;
+    for (const auto& delta : journal) {
+        columns.stepBefore.append(delta->stepBefore);
+        columns.stepAfter.append(delta->stepAfter);
+        columns.parametersBefore.append(delta->parametersBefore);
+        columns.parametersAfter.append(delta->parametersAfter);
+        columns.bornFirst.append(delta->born.first);
+        columns.bornCount.append(delta->born.count);
+        columns.diedCount.append(static_cast<std::uint32_t>(delta->died.size()));
+        columns.budCount.append(static_cast<std::uint32_t>(delta->buds.size()));
+        for (const InternodeId id : delta->died)
+            columns.died.append(id);
+        for (const TreeDelta::BudChange& change : delta->buds) {
+            columns.budId.append(change.id);
+            columns.budBefore.append(change.before);
+            columns.budAfter.append(change.after);
+        }
+    }
+    return columns;
+}
+
+std::optional<Journal> JournalColumns::toJournal(const JournalCounts& counts) const
+{
+    const auto sum = [](const QList<std::uint32_t>& column) {
+        return std::accumulate(column.begin(), column.end(), std::uint64_t{0});
+    };
+    if (sum(diedCount) != counts.died || sum(budCount) != counts.budChanges)
+        return {};
+    Journal journal;
+    journal.reserve(counts.deltas);
+    auto death = died.begin();
+    qsizetype bud = 0;
+    for (qsizetype i = 0; i < stepBefore.size(); ++i) {
+        auto delta = std::make_shared<TreeDelta>();
+        delta->stepBefore = stepBefore[i];
+        delta->stepAfter = stepAfter[i];
+        delta->parametersBefore = parametersBefore[i];
+        delta->parametersAfter = parametersAfter[i];
+        delta->born = {bornFirst[i], bornCount[i]};
+        delta->died.assign(death, death + diedCount[i]);
+        death += diedCount[i];
+        delta->buds.reserve(budCount[i]);
+        for (const qsizetype end = bud + budCount[i]; bud < end; ++bud)
+            delta->buds.push_back({budId[bud], budBefore[bud], budAfter[bud]});
+        journal.push_back(std::move(delta));
+    }
+    return journal;
+}
+
+} // namespace espalier

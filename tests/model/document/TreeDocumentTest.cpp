@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/document/TreeDocument.h"
+
+#include "commands/SetParameters.h"
+#include "tests/support/Documents.h"
+#include "tests/support/Growing.h"
+#include "tests/support/TestClasses.h"
+
+#include <QtTest>
+
+namespace espalier::test {
+
+class TreeDocumentTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void newDocument_isASeedling();
+    void change_isSignalledOnceAfterAllHasFollowed();
+    void afterAnyEdits_theIndicesAreAsIfFreshlyMade();
+    void allUndone_isTheBeginning_allRedoneIsTheEnd();
+    void reset_startsAnew();
+    void resetToAJournal_revertsThroughIt();
+    void revertAndApplyOfEachDelta_passesThroughTheSameTrees();
+};
+
+void TreeDocumentTest::newDocument_isASeedling()
+{
+    const TreeDocument document;
+    QCOMPARE(document.tree().size(), 1U);
+    QCOMPARE(document.index().livingCount(), 1U);
+    QVERIFY(document.journal().empty());
+    QCOMPARE(document.undoStack().count(), 0);
+    QCOMPARE(indexFault(document), QString());
+}
+
+void TreeDocumentTest::change_isSignalledOnceAfterAllHasFollowed()
+{
+    TreeDocument document;
+    int applied = 0;
+    int reverted = 0;
+    connect(&document, &TreeDocument::changed, this, [&](const TreeChange& change) {
+        QVERIFY((change.kind == TreeChange::Kind::Reset) == (change.delta == nullptr));
+        applied += change.kind == TreeChange::Kind::Applied ? 1 : 0;
+        reverted += change.kind == TreeChange::Kind::Reverted ? 1 : 0;
+        QCOMPARE(document.index().size(), document.tree().size());
+        QCOMPARE(document.tree().step(),
+                 change.kind == TreeChange::Kind::Applied ? change.delta->stepAfter : change.delta->stepBefore);
+    });
+    const int steps = grow(document, 5);
+    QVERIFY(steps > 0);
+    QCOMPARE(applied, steps);
+    document.undoStack().undo();
+    QCOMPARE(applied, steps);
+    QCOMPARE(reverted, steps);
+}
+
+void TreeDocumentTest::afterAnyEdits_theIndicesAreAsIfFreshlyMade()
+{
+    for (std::uint64_t seed = 1; seed <= 14; ++seed) {
+        TreeDocument document;
+        growAtRandom(document, seed, 20, 120);
+        Random random(seed, 2, 0, Purpose::ShootLength);
+        int checks = 0;
+        for (int edit = 0; edit < 40; ++edit) {
+            switch (random.bits() % 6) {
+            case 0:
+                if (document.index().livingCount() < 700)
+                    brush(document, randomStroke(random, document.parameters().growth, 0.6));
+                break;
+            case 1:
+                if (document.index().livingCount() < 700)
+                    grow(document, 2);
+                break;
+            case 2: {
+                TreeParameters parameters = randomParameters(random);
+                // The paces of a walk, else nothing old and new would ever meet.
+                parameters.growth.internodeLength = document.parameters().growth.internodeLength;
+                setParameters(document, parameters);
+                break;
+            }
+            case 3:
+                document.undoStack().undo();
+                break;
+            case 4:
+                document.undoStack().redo();
+                break;
+            default: { // a stroke that is taken back
+                BrushGesture gesture(document, {0.0, Vec3(0.0F, 0.5F, 0.0F), 0.4F});
+                gesture.add({0.3, Vec3(0.3F, 0.8F, 0.1F), 0.4F});
+                gesture.cancel();
+            }
+            }
+            if (edit % 4 == 3) {
+                QCOMPARE(indexFault(document), QString());
+                ++checks;
+            }
+        }
+        QCOMPARE(checks, 10);
+    }
+}
+
+void TreeDocumentTest::allUndone_isTheBeginning_allRedoneIsTheEnd()
+{
+    for (std::uint64_t seed = 30; seed < 40; ++seed) {
+        TreeDocument document;
+        growAtRandom(document, seed, 60, 300);
+        QVERIFY(document.undoStack().count() > 1);
+        const Tree done = document.tree();
+        const std::size_t journal = document.journal().size();
+        while (document.undoStack().canUndo())
+            document.undoStack().undo();
+        QCOMPARE(document.journal().size(), std::size_t{0});
+        QCOMPARE(document.index().livingCount(), 1U);
+        QCOMPARE(document.tree().step(), 0U);
+        QCOMPARE(document.tree().buds(0), kTerminalBud);
+        QCOMPARE(indexFault(document), QString());
+        const Tree undone = document.tree();
+        while (document.undoStack().canRedo())
+            document.undoStack().redo();
+        QVERIFY(document.tree() == done);
+        QCOMPARE(document.journal().size(), journal);
+        QCOMPARE(indexFault(document), QString());
+        while (document.undoStack().canUndo())
+            document.undoStack().undo();
+        QVERIFY(document.tree() == undone);
+    }
+}
+
+void TreeDocumentTest::reset_startsAnew()
+{
+    TreeDocument document;
+    growAtRandom(document, 50);
+    int resets = 0;
+    connect(&document, &TreeDocument::changed, this,
+            [&](const TreeChange& change) { resets += change.kind == TreeChange::Kind::Reset ? 1 : 0; });
+    document.reset(9);
+    QCOMPARE(resets, 1);
+    QVERIFY(document.tree() == Tree(9));
+    QVERIFY(document.journal().empty());
+    QCOMPARE(document.undoStack().count(), 0);
+    QCOMPARE(indexFault(document), QString());
+}
+
+void TreeDocumentTest::resetToAJournal_revertsThroughIt()
+{
+    TreeDocument document;
+    growAtRandom(document, 51);
+    TreeDocument other;
+    other.reset(document.tree(), document.journal());
+    QVERIFY(other.tree() == document.tree());
+    QCOMPARE(indexFault(other), QString());
+    while (!other.journal().empty())
+        other.revertLast();
+    QCOMPARE(other.index().livingCount(), 1U);
+    QCOMPARE(indexFault(other), QString());
+}
+
+void TreeDocumentTest::revertAndApplyOfEachDelta_passesThroughTheSameTrees()
+{
+    TreeDocument document;
+    growAtRandom(document, 52, 100, 300);
+    std::vector<Tree> trees{document.tree()};
+    std::vector<std::shared_ptr<TreeDelta>> deltas;
+    while (!document.journal().empty()) {
+        deltas.push_back(document.journal().back());
+        document.revertLast();
+        trees.push_back(document.tree());
+    }
+    QVERIFY(deltas.size() > 5);
+    while (!deltas.empty()) {
+        trees.pop_back();
+        document.apply(deltas.back());
+        deltas.pop_back();
+        QVERIFY(document.tree() == trees.back());
+        QCOMPARE(indexFault(document), QString());
+    }
+}
+
+const TestClass<TreeDocumentTest> entered;
+
+} // namespace espalier::test
+
+#include "TreeDocumentTest.moc"

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Viewport that listens to the hand.
+#include "views/Viewport.h"
+
+#include <QKeyEvent>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+constexpr double kOrbitPerPixel = 0.0065; ///< rad
+constexpr double kZoomPerNotch = 0.88;
+/// A key that is only tapped moves the camera as much as one held for this long, s.
+constexpr double kTap = 0.04;
+
+} // namespace
+
+bool Viewport::event(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        if (event->type() == QEvent::TouchBegin)
+            setFocus(Qt::MouseFocusReason);
+        [[fallthrough]];
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+        m_gestures.read(m_pointers.read(*event));
+        event->accept();
+        return true;
+    case QEvent::ShortcutOverride: {
+        // Keys that are held to move the camera, and Escape during a gesture, are not for shortcuts.
+        const auto* key = static_cast<QKeyEvent*>(event);
+        HeldKeys probe;
+        if (probe.press(key->key(), key->modifiers()) ||
+            (key->key() == Qt::Key_Escape && m_gestures.isBusy())) {
+            event->accept();
+            return true;
+        }
+        break;
+    }
+    default:
+        break;
+    }
+    return QOpenGLWidget::event(event);
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::TabletEnterProximity || event->type() == QEvent::TabletLeaveProximity)
+        m_gestures.setPenInReach(event->type() == QEvent::TabletEnterProximity, m_pointers.now());
+    return QOpenGLWidget::eventFilter(watched, event);
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    const QPoint turned = event->angleDelta();
+    // With Alt, some systems turn the wheel sideways.
+    const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+    if (event->modifiers().testFlag(Qt::ControlModifier))
+        m_tool->wheel(notches);
+    else
+        magnify(std::pow(kZoomPerNotch, -notches), event->position());
+    event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat())
+        return;
+    if (m_keys.press(event->key(), event->modifiers())) {
+        m_flight.stop();
+        moveByKeys(kTap);
+        startTicking();
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Space:
+        m_gestures.setPanKey(true);
+        break;
+    case Qt::Key_Escape:
+        if (m_gestures.isBusy())
+            cancelGesture();
+        else
+            event->ignore();
+        break;
+    case Qt::Key_F:
+    case Qt::Key_Home:
+        frameAll();
+        break;
+    default:
+        QOpenGLWidget::keyPressEvent(event);
+        break;
+    }
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat() || m_keys.release(event->key()))
+        return;
+    if (event->key() == Qt::Key_Space)
+        m_gestures.setPanKey(false);
+    else
+        QOpenGLWidget::keyReleaseEvent(event);
+}
+
+void Viewport::focusOutEvent(QFocusEvent* event)
+{
+    // Their release will be told to somebody else.
+    m_keys.clear();
+    m_gestures.setPanKey(false);
+    QOpenGLWidget::focusOutEvent(event);
+}
+
+void Viewport::leaveEvent(QEvent* event)
+{
+    if (!m_tool->isActive())
+        m_tool->leave();
+    QOpenGLWidget::leaveEvent(event);
+}
+
+void Viewport::resizeEvent(QResizeEvent* event)
+{
+    const bool wasFramed = m_isFramed;
+    moveCamera(wasFramed ? framed(m_camera) : m_camera);
+    m_isFramed = wasFramed;
+    QOpenGLWidget::resizeEvent(event);
+}
+
+void Viewport::toolBegins(const PointerSample& sample)
+{
+    m_tool->begin(sample);
+    startTicking();
+    Q_EMIT gestureActiveChanged(true);
+}
+
+void Viewport::toolMoves(const PointerSample& sample)
+{
+    m_tool->move(sample);
+}
+
+void Viewport::toolEnds(const PointerSample& sample)
+{
+    m_tool->end(sample);
+    Q_EMIT gestureActiveChanged(false);
+}
+
+void Viewport::toolIsCancelled()
+{
+    m_tool->cancel();
+    Q_EMIT gestureActiveChanged(false);
+}
+
+void Viewport::toolHovers(const PointerSample& sample)
+{
+    m_tool->hover(sample);
+}
+
+void Viewport::orbitBy(const QPointF& distance)
+{
+    m_flight.stop();
+    Camera camera = m_camera;
+    camera.orbit(static_cast<float>(-kOrbitPerPixel * distance.x()),
+                 static_cast<float>(kOrbitPerPixel * distance.y()));
+    moveCamera(camera);
+}
+
+void Viewport::panBy(const QPointF& distance)
+{
+    m_flight.stop();
+    Camera camera = m_camera;
+    camera.pan(distance);
+    moveCamera(camera);
+}
+
+void Viewport::magnify(double factor, const QPointF& about)
+{
+    m_flight.stop();
+    Camera camera = m_camera;
+    camera.zoom(static_cast<float>(1.0 / factor), about);
+    moveCamera(camera);
+}
+
+void Viewport::moveByKeys(double seconds)
+{
+    const HeldKeys::Motion motion = m_keys.motion();
+    Camera camera = m_camera;
+    camera.orbit(static_cast<float>(seconds * motion.orbit.x()),
+                 static_cast<float>(seconds * motion.orbit.y()));
+    camera.pan(seconds * motion.pan);
+    camera.zoom(static_cast<float>(std::exp(-seconds * motion.zoom)), QRectF(rect()).center());
+    moveCamera(camera);
+}
+
+} // namespace espalier
