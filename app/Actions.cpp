@@ -68,6 +68,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions", "What the leaves look like."), "Ctrl+2", "", true},
         {BranchSheet, Group::Window, "branchSheet", QT_TRANSLATE_NOOP("Actions", "Branches"),
          QT_TRANSLATE_NOOP("Actions", "How thick branches are, and their bark."), "Ctrl+3", "", true},
+        {NextPane, Group::Window, "nextPane", QT_TRANSLATE_NOOP("Actions", "To the Panels and Back"),
+         QT_TRANSLATE_NOOP("Actions", "Give the keys to the panels, or back to the tree."), "F6", ""},
         {HideInterface, Group::Window, "hideInterface", QT_TRANSLATE_NOOP("Actions", "Only the Tree"),
          QT_TRANSLATE_NOOP("Actions", "Hide everything but the tree; the same key brings it back."), "Tab",
          "eye", true},

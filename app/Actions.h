@@ -36,6 +36,7 @@ enum class ActionId {
     Architecture,
     LeafSheet,
     BranchSheet,
+    NextPane,
     HideInterface,
     FullScreen,
     Help,

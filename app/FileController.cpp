@@ -12,6 +12,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTimer>
 
 namespace espalier {
 
@@ -19,6 +20,22 @@ namespace {
 
 const QString kProjectSuffix = QStringLiteral("espalier");
 const QString kRecipeSuffix = QStringLiteral("json");
+/// ms; saving that takes longer is shown while it lasts.
+constexpr int kSlowSaving = 400;
+
+/// What a person calls an export format; the suffix for those without a name of their own.
+QString formatName(const QString& suffix)
+{
+    if (suffix == QStringLiteral("glb"))
+        return FileController::tr("Binary glTF");
+    if (suffix == QStringLiteral("fbx"))
+        return FileController::tr("FBX");
+    if (suffix == QStringLiteral("obj"))
+        return FileController::tr("Wavefront OBJ");
+    if (suffix == QStringLiteral("csv"))
+        return FileController::tr("Skeleton as a table");
+    return suffix;
+}
 
 QString suffixOf(const QString& fileName)
 {
@@ -124,8 +141,17 @@ void FileController::save()
         saveAs();
         return;
     }
+    saveTo(m_file.fileName());
+}
+
+void FileController::saveTo(const QString& fileName)
+{
     m_file.waitForSaving();
-    m_file.save(m_file.fileName(), m_thumbnail());
+    m_file.save(fileName, m_thumbnail());
+    QTimer::singleShot(kSlowSaving, this, [this] {
+        if (m_file.isSaving())
+            m_notice.showProgress(tr("Saving %1").arg(m_file.displayName()), -1.0);
+    });
 }
 
 void FileController::saveAs()
@@ -139,8 +165,7 @@ void FileController::saveAs()
     dialog.selectFile(QFileInfo(start).completeBaseName());
     if (dialog.exec() != QDialog::Accepted)
         return;
-    m_file.waitForSaving();
-    m_file.save(dialog.selectedFiles().constFirst(), m_thumbnail());
+    saveTo(dialog.selectedFiles().constFirst());
 }
 
 void FileController::exportTree()
@@ -150,7 +175,7 @@ void FileController::exportTree()
     const QStringList suffixes = exportSuffixes();
     QStringList filters;
     for (const QString& suffix : suffixes)
-        filters.append(QStringLiteral("%1 (*.%1)").arg(suffix));
+        filters.append(QStringLiteral("%1 (*.%2)").arg(formatName(suffix), suffix));
     QFileDialog dialog(&m_window, tr("Export"), QFileInfo(start).path());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters(filters);

@@ -63,6 +63,7 @@ private:
     void openProject(const QString& fileName);
     void openRecipe(const QString& fileName);
     void recover(const Leftover& leftover);
+    void saveTo(const QString& fileName);
     void showSaved(const QString& fileName);
     void rememberFolder(const QString& fileName);
 

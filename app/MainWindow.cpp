@@ -63,7 +63,7 @@ Box3 strokeBounds(const Recipe& recipe)
 /// The same camera, moved back until it shows all of the box and some room for it to grow.
 Camera withHeadroom(const Camera& camera, const Box3& bounds)
 {
-    const Vec3 room = 0.15F * bounds.sizes();
+    const Vec3 room = 0.06F * bounds.sizes();
     return camera.framing(Box3(bounds.min() - room, bounds.max() + room));
 }
 
@@ -196,6 +196,7 @@ void MainWindow::connectView()
 
     connect(m_actions[ActionId::HideInterface], &QAction::toggled, m_workspace.get(),
             &Workspace::setInterfaceHidden);
+    connect(m_actions[ActionId::NextPane], &QAction::triggered, m_workspace.get(), &Workspace::focusNextPane);
     connect(m_actions[ActionId::FullScreen], &QAction::triggered, this, [this](bool on) {
         setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     });

@@ -75,6 +75,23 @@ void Workspace::setInterfaceHidden(bool hidden)
     arrange();
 }
 
+void Workspace::focusNextPane()
+{
+    QWidget* pane = m_sideBar;
+    if (m_sheet >= 0 && m_sheet < kSheetCount)
+        pane = &sheet(m_sheet);
+    if (!m_viewport->hasFocus() || !pane->isVisible()) {
+        m_viewport->setFocus();
+        return;
+    }
+    for (QWidget* widget : pane->findChildren<QWidget*>()) {
+        if (widget->isEnabled() && widget->focusPolicy() & Qt::TabFocus) {
+            widget->setFocus(Qt::ShortcutFocusReason);
+            return;
+        }
+    }
+}
+
 void Workspace::setTip(const QString& tip)
 {
     m_tip->setText(tip);

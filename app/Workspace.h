@@ -43,6 +43,8 @@ public:
     void showSheet(int index);
     /// Hides everything but the tree and notices.
     void setInterfaceHidden(bool hidden);
+    /// Gives the keyboard to the open sheet or else to the tools; or back to the tree.
+    void focusNextPane();
     /// A tool's advice, in place of the counts; empty for none.
     void setTip(const QString& tip);
 

@@ -9,9 +9,9 @@
 
 namespace espalier {
 
-/// A brush stroke while it is made: the tree grows as samples come in, at a fixed number of growth steps a second of the
-/// stroke's own time, so that the same samples give the same tree, live or replayed. finish() makes it one undo step, cancel()
-/// takes it back; a gesture that is destroyed unfinished is cancelled.
+/// A brush stroke while it is made: the tree grows as samples come in, at a fixed number of growth steps a
+/// second of the stroke's own time, so that the same samples give the same tree, live or replayed. finish()
+/// makes it one undo step, cancel() takes it back; a gesture that is destroyed unfinished is cancelled.
 class BrushGesture {
 public:
     BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors = {});
@@ -19,8 +19,8 @@ public:
     BrushGesture(const BrushGesture&) = delete;
     BrushGesture& operator=(const BrushGesture&) = delete;
 
-    /// Grows up to the sample's time. While the hand rests, send samples of the resting place (a timer does): growth goes on.
-    /// Samples earlier than the last one are ignored.
+    /// Grows up to the sample's time. While the hand rests, send samples of the resting place (a timer does):
+    /// growth goes on. Samples earlier than the last one are ignored.
     void add(const BrushSample& sample);
     /// Grows up to @p time on the way to @p next, a sample yet to be added: the same growth in pieces.
     void moveToward(const BrushSample& next, double time);

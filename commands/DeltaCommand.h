@@ -7,8 +7,9 @@
 
 namespace espalier {
 
-/// A command that was computed once and is kept as deltas: undo reverts them, redo applies them, nothing is computed again.
-/// Its deltas stand applied when it is pushed (a gesture previews by applying them), so its first redo does nothing.
+/// A command that was computed once and is kept as deltas: undo reverts them, redo applies them, nothing is
+/// computed again. Its deltas stand applied when it is pushed (a gesture previews by applying them), so its
+/// first redo does nothing.
 class DeltaCommand : public QUndoCommand {
 public:
     DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas);

@@ -23,7 +23,8 @@ bool GrowGesture::step()
         return false;
     GrowthStepOptions options = GrowthStepOptions::of(m_document.parameters().growth);
     options.competitors = m_competitors;
-    TreeDelta delta = autonomousStep(m_document.tree(), m_document.index(), m_document.growthIndex(), options, m_workspace);
+    TreeDelta delta =
+        autonomousStep(m_document.tree(), m_document.index(), m_document.growthIndex(), options, m_workspace);
     if (delta.isEmpty())
         return false;
     m_deltas.push_back(std::make_shared<TreeDelta>(std::move(delta)));

@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// Growth without a hand, as long as somebody lets it go on: each step shows at once; finish() makes all of them one undo step,
-/// cancel() takes them back, and so does destroying the gesture unfinished.
+/// Growth without a hand, as long as somebody lets it go on: each step shows at once; finish() makes all of
+/// them one undo step, cancel() takes them back, and so does destroying the gesture unfinished.
 class GrowGesture {
 public:
     explicit GrowGesture(TreeDocument& document, Competitors competitors = {});

@@ -24,7 +24,8 @@ private:
     bool m_isTakenBack = false;
 };
 
-void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& text) {
+void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& text)
+{
     if (parameters == m_document.parameters())
         return;
     takeBack();
@@ -41,7 +42,8 @@ void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& t
     m_document.undoStack().push(command);
 }
 
-void ParameterGesture::takeBack() {
+void ParameterGesture::takeBack()
+{
     const auto command = m_command.lock();
     m_command.reset();
     QUndoStack& stack = m_document.undoStack();

@@ -10,13 +10,13 @@
 
 namespace espalier {
 
-/// Does to a document what a recipe says, by the same commands that a hand uses; at once or, for a demonstration, in the time
-/// that a hand would take.
+/// Does to a document what a recipe says, by the same commands that a hand uses; at once or, for a
+/// demonstration, in the time that a hand would take.
 class RecipePlayer {
 public:
     enum class Start {
-        Anew,   ///< From a seedling with the recipe's seed and parameters
-        GoOn,   ///< On the tree that stands, putting the recipe's parameters in force
+        Anew, ///< From a seedling with the recipe's seed and parameters
+        GoOn, ///< On the tree that stands, putting the recipe's parameters in force
     };
     RecipePlayer(TreeDocument& document, Recipe recipe, Start start = Start::Anew);
     ~RecipePlayer();
@@ -25,8 +25,8 @@ public:
     void playAll();
     /// Does the next operation, or what is left of the one at hand.
     void playOperation();
-    /// Goes on by @p seconds of a demonstration: brush strokes take their own time, growth goes twelve steps a second, other
-    /// operations happen at once, one a call.
+    /// Goes on by @p seconds of a demonstration: brush strokes take their own time, growth goes twelve steps
+    /// a second, other operations happen at once, one a call.
     void advance(double seconds);
     /// Where the brush is, while a stroke is made.
     std::optional<BrushSample> brush() const;

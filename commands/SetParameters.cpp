@@ -14,8 +14,8 @@ void setParameters(TreeDocument& document, const TreeParameters& parameters)
     auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(document.tree()));
     delta->parametersAfter = document.rememberParameters(parameters);
     document.apply(delta);
-    document.undoStack().push(
-        new DeltaCommand(document, QCoreApplication::translate("Commands", "Change Parameters"), {std::move(delta)}));
+    document.undoStack().push(new DeltaCommand(
+        document, QCoreApplication::translate("Commands", "Change Parameters"), {std::move(delta)}));
 }
 
 } // namespace espalier

@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QFrame>
+#include <QKeyEvent>
 #include <QPainter>
 
 namespace espalier {
@@ -19,6 +20,19 @@ void Bar::setFlat(bool flat)
 {
     m_flat = flat;
     update();
+}
+
+bool Bar::event(QEvent* event)
+{
+    // Within a bar the Tab key goes from one thing to the next, whatever it means elsewhere.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Tab || key == Qt::Key_Backtab) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
 }
 
 void Bar::paintEvent(QPaintEvent*)

@@ -20,6 +20,7 @@ public:
     void setFlat(bool flat);
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

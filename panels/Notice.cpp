@@ -16,6 +16,7 @@ namespace {
 // Widths of the sentence, px; a longer one takes several lines.
 constexpr int kLeastText = 160;
 constexpr int kMostText = 520;
+constexpr int kProgressSteps = 1000;
 
 } // namespace
 
@@ -29,7 +30,6 @@ Notice::Notice(QWidget* parent)
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_progress->setRange(0, 1000);
     m_progress->setFixedWidth(180);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(8);
@@ -81,7 +81,8 @@ void Notice::showProgress(const QString& text, double progress, std::function<vo
         if (cancel)
             cancel();
     };
-    m_progress->setValue(static_cast<int>(progress * m_progress->maximum()));
+    m_progress->setRange(0, progress < 0.0 ? 0 : kProgressSteps);
+    m_progress->setValue(static_cast<int>(progress * kProgressSteps));
     present(text, false, {}, cancellable ? tr("Cancel") : QString());
     m_progress->show();
     Q_EMIT resized();

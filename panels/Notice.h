@@ -25,7 +25,8 @@ public:
     void showInformation(const QString& text);
     /// Stays until it is closed.
     void showWarning(const QString& text);
-    /// Shows progress of 0...1, and a way to cancel if @p cancel is given; until another notice or finish().
+    /// Shows progress of 0...1, or that it takes an unknown time (below 0), and a way to cancel if @p cancel
+    /// is given; until another notice or finish().
     void showProgress(const QString& text, double progress, std::function<void()> cancel = {});
     /// Asks; either answer closes it.
     void ask(const QString& text, const QString& yes, const QString& no, std::function<void(bool)> answer);

@@ -25,26 +25,13 @@ namespace {
 constexpr int kSliderSteps = 1000;
 constexpr int kRowHeight = 42;
 
-/// Takes the wheel and the Tab key only while it has the focus: a panel is scrolled past it, and Tab
-/// elsewhere hides the panels.
+/// Takes the wheel only while it has the focus: a panel is scrolled past it.
 template <class Base>
 class Patient : public Base {
 public:
     using Base::Base;
 
 protected:
-    bool event(QEvent* event) override
-    {
-        if (event->type() == QEvent::ShortcutOverride) {
-            const int key = static_cast<QKeyEvent*>(event)->key();
-            if (key == Qt::Key_Tab || key == Qt::Key_Backtab) {
-                event->accept();
-                return true;
-            }
-        }
-        return Base::event(event);
-    }
-
     void wheelEvent(QWheelEvent* event) override
     {
         if (this->hasFocus())

@@ -26,9 +26,9 @@ struct ParameterText {
     const char* tip;    ///< Untranslated
     Scale scale = Scale::Linear;
     int decimals = 2;
-    const char* unit = ""; ///< As it is shown
-    double factor = 1.0;   ///< From the parameter's surface unit to the one that is shown
-    const char* least = "";  ///< What its smallest value is called instead of the number; untranslated
+    const char* unit = "";  ///< As it is shown
+    double factor = 1.0;    ///< From the parameter's surface unit to the one that is shown
+    const char* least = ""; ///< What its smallest value is called instead of the number; untranslated
 };
 
 /// Parameters that belong together, under a heading.

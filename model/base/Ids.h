@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// An internode's identity and its row in every column; given out in order of birth, never reused in a document's life.
-/// A parent's id is always smaller than its children's.
+/// An internode's identity and its row in every column; given out in order of birth, never reused in a
+/// document's life. A parent's id is always smaller than its children's.
 using InternodeId = std::uint32_t;
 inline constexpr InternodeId kNoInternode = std::numeric_limits<InternodeId>::max();
 

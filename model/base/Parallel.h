@@ -8,8 +8,9 @@
 
 namespace espalier {
 
-/// Calls @p body(begin, end) on disjoint ranges that cover [0, count), on all threads that the program may use. The body must
-/// write only what belongs to its own indices: then the result is the same on one thread or many.
+/// Calls @p body(begin, end) on disjoint ranges that cover [0, count), on all threads that the program may
+/// use. The body must write only what belongs to its own indices: then the result is the same on one thread
+/// or many.
 template <class Body>
 void parallelFor(std::size_t count, std::size_t grain, Body&& body)
 {
@@ -18,8 +19,9 @@ void parallelFor(std::size_t count, std::size_t grain, Body&& body)
             body(std::size_t{0}, count);
         return;
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                      [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, count, grain),
+        [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
 }
 
 } // namespace espalier

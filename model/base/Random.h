@@ -8,8 +8,8 @@
 
 namespace espalier {
 
-/// What a random number is for. Part of its key, so that two uses never share a value; append only, since the values of
-/// the enumerators are part of "same recipe, same tree".
+/// What a random number is for. Part of its key, so that two uses never share a value; append only, since the
+/// values of the enumerators are part of "same recipe, same tree".
 enum class Purpose : std::uint32_t {
     BrushMarker,
     BudMarker,
@@ -25,12 +25,14 @@ enum class Purpose : std::uint32_t {
     Texture,
 };
 
-/// Counter-based random numbers: a pure function of (seed, step, id, purpose, counter), never of the order of calls, so that
-/// one thread or many give the same tree. The mixing is SplitMix64's finaliser, applied to each part of the key in turn.
+/// Counter-based random numbers: a pure function of (seed, step, id, purpose, counter), never of the order of
+/// calls, so that one thread or many give the same tree. The mixing is SplitMix64's finaliser, applied to
+/// each part of the key in turn.
 class Random {
 public:
     Random(std::uint64_t seed, std::uint32_t step, std::uint32_t id, Purpose purpose)
-        : m_key(mix(mix(mix(seed) ^ ((std::uint64_t{step} << 32) | id)) ^ static_cast<std::uint64_t>(purpose)))
+        : m_key(
+              mix(mix(mix(seed) ^ ((std::uint64_t{step} << 32) | id)) ^ static_cast<std::uint64_t>(purpose)))
     {
     }
 
@@ -40,7 +42,8 @@ public:
     double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
     /// Uniform in [from, to).
     double uniform(double from, double to) { return from + (to - from) * uniform(); }
-    /// Bell-shaped: mean 0, standard deviation 1, within ±3.5 (the sum of four uniforms: Box-Muller costs ten times as much).
+    /// Bell-shaped: mean 0, standard deviation 1, within ±3.5 (the sum of four uniforms: Box-Muller costs ten
+    /// times as much).
     double normal()
     {
         const double sum = uniform() + uniform() + uniform() + uniform();

@@ -27,8 +27,8 @@ struct TreeChange {
     const TreeDelta* delta = nullptr;
 };
 
-/// A tree, its journal and its undo stack. Whoever changes the tree does so by deltas through this class; whoever shows it
-/// listens to changed().
+/// A tree, its journal and its undo stack. Whoever changes the tree does so by deltas through this class;
+/// whoever shows it listens to changed().
 class TreeDocument : public QObject {
     Q_OBJECT
 

@@ -15,7 +15,11 @@ VigourShares shareVigour(double vigour, double lambda, double mainQ, double late
 
 VigourFlow::VigourFlow(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth,
                        StampedColumn<double>& known)
-    : m_tree(tree), m_index(index), m_growth(growth), m_lambda(tree.parameters().growth.apicalDominance), m_known(known)
+    : m_tree(tree),
+      m_index(index),
+      m_growth(growth),
+      m_lambda(tree.parameters().growth.apicalDominance),
+      m_known(known)
 {
     m_known.clear(tree.size());
     m_known.set(0, static_cast<double>(growth.basipetal(0)));
@@ -65,7 +69,8 @@ VigourShares VigourFlow::atNode(InternodeId id, double vigour) const
 double VigourFlow::mainQ(InternodeId id) const
 {
     const InternodeId main = m_index.mainChild(id);
-    return static_cast<double>(main == kNoInternode ? m_growth.terminalQ(m_tree, id) : m_growth.basipetal(main));
+    return static_cast<double>(main == kNoInternode ? m_growth.terminalQ(m_tree, id)
+                                                    : m_growth.basipetal(main));
 }
 
 double VigourFlow::ofChild(InternodeId parent, InternodeId child, double vigour) const

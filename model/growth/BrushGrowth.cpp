@@ -39,7 +39,8 @@ GrowthStepOptions optionsFor(const GrowthParameters& p, float radius)
     return options;
 }
 
-/// Where @p path first is @p distance away from @p centre, going along it; the path up to there is taken out. Nothing if it stays nearer.
+/// Where @p path first is @p distance away from @p centre, going along it; the path up to there is taken out.
+/// Nothing if it stays nearer.
 std::optional<Vec3> advanceAlong(std::vector<Vec3>& path, const Vec3& centre, float distance)
 {
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -70,7 +71,8 @@ BudRef nearestBud(const Tree& tree, const TreeIndex& index, const Vec3& point)
         const float squared = (index.nodePosition(id) - point).squaredNorm();
         if (squared < nearest) {
             nearest = squared;
-            best = {id, (tree.buds(id) & kTerminalBud) != 0 ? kTerminalSlot : std::countr_zero(unsigned{tree.buds(id)})};
+            best = {id, (tree.buds(id) & kTerminalBud) != 0 ? kTerminalSlot
+                                                            : std::countr_zero(unsigned{tree.buds(id)})};
         }
     }
     return best;
@@ -154,7 +156,8 @@ TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, const Brus
         if (!next)
             break;
         const Vec3 direction = (*next - base).normalized();
-        const InternodeId grown = growing.grow(m_drawnBud->node, m_drawnBud->slot, direction, p.phyllotaxis, length, 1.0);
+        const InternodeId grown =
+            growing.grow(m_drawnBud->node, m_drawnBud->slot, direction, p.phyllotaxis, length, 1.0);
         m_drawnBud = BudRef{grown, kTerminalSlot};
     }
     return growing.takeDelta();

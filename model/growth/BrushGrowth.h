@@ -12,24 +12,25 @@ namespace espalier {
 /// Growth steps a second of a stroke's own time.
 inline constexpr double kBrushStepsPerSecond = 20.0;
 
-/// Growth under a brush (TreeSketch §3.2): keeps the stroke's markers of free space and grows the tree toward them. As the radius
-/// goes from the occupancy radius toward zero, growth turns into drawing: fewer side shoots, more obedience to the markers; below half an
-/// internode a single axis follows the stroke exactly.
+/// Growth under a brush (TreeSketch §3.2): keeps the stroke's markers of free space and grows the tree toward
+/// them. As the radius goes from the occupancy radius toward zero, growth turns into drawing: fewer side
+/// shoots, more obedience to the markers; below half an internode a single axis follows the stroke exactly.
 class BrushGrowth {
 public:
     /// Only the buds that @p competitors names may grow.
     explicit BrushGrowth(Competitors competitors = {}) : m_competitors(competitors) {}
 
     /// One growth step with the brush at @p brush, having come from @p previous. Empty if nothing grew.
-    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth, const BrushSample& previous,
-                   const BrushSample& brush);
+    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth,
+                   const BrushSample& previous, const BrushSample& brush);
 
     /// World positions of the living markers.
     std::span<const Vec3> markers() const { return m_markers.positions; }
 
 private:
     void layMarkers(const Tree& tree, const BrushSample& previous, const BrushSample& brush);
-    TreeDelta draw(const Tree& tree, const TreeIndex& index, const BrushSample& previous, const BrushSample& brush);
+    TreeDelta draw(const Tree& tree, const TreeIndex& index, const BrushSample& previous,
+                   const BrushSample& brush);
 
     Competitors m_competitors;
     MarkerSet m_markers;

@@ -5,12 +5,12 @@
 
 namespace espalier {
 
-/// Where the brush was at a moment of a stroke. A stroke is a list of these by ascending time; between two, brush and radius
-/// move evenly.
+/// Where the brush was at a moment of a stroke. A stroke is a list of these by ascending time; between two,
+/// brush and radius move evenly.
 struct BrushSample {
-    double time = 0.0; ///< s since the stroke began
+    double time = 0.0;            ///< s since the stroke began
     Vec3 position = Vec3::Zero(); ///< m, in the tree's world
-    float radius = 0.5F; ///< m, 0 draws a single axis
+    float radius = 0.5F;          ///< m, 0 draws a single axis
 
     bool operator==(const BrushSample&) const = default;
 };

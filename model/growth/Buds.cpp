@@ -12,7 +12,8 @@ constexpr double kBranchingSpread = radians(18);
 constexpr double kAzimuthSpread = radians(25);
 constexpr double kWidestBranching = radians(170);
 
-/// Sine and cosine of an angle of at most π/2 either way, to 3e-6: Taylor's series, a tenth of the library's cost.
+/// Sine and cosine of an angle of at most π/2 either way, to 3e-6: Taylor's series, a tenth of the library's
+/// cost.
 double smallSine(double x)
 {
     const double y = x * x;
@@ -57,7 +58,8 @@ Vec3 BudAngles::direction(std::uint64_t seed, InternodeId id, int slot) const
             static_cast<float>(branching.sine * azimuth.sine)};
 }
 
-Vec3 budDirection(std::uint64_t seed, InternodeId id, int slot, const Rotation& rotation, const GrowthParameters& grown)
+Vec3 budDirection(std::uint64_t seed, InternodeId id, int slot, const Rotation& rotation,
+                  const GrowthParameters& grown)
 {
     return rotation * BudAngles(grown).direction(seed, id, slot);
 }

@@ -17,13 +17,15 @@ constexpr int kBlock = 1 << kBlockBits;
 
 constexpr BudRef kNobody{kNoInternode, 0};
 
-/// The nodes with living buds around the markers of one block, as columns; and their distances from the marker at hand.
+/// The nodes with living buds around the markers of one block, as columns; and their distances from the
+/// marker at hand.
 struct Neighbours {
     std::vector<float> x;
     std::vector<float> y;
     std::vector<float> z;
     std::vector<InternodeId> ids;
-    std::vector<std::int32_t> squaredDistances; ///< Bits of the floats: as integers, which compare alike, they make faster loops
+    std::vector<std::int32_t>
+        squaredDistances; ///< Bits of the floats: as integers, which compare alike, they make faster loops
 
     void clear()
     {
@@ -72,7 +74,10 @@ public:
     {
     }
 
-    bool isOccupied(const Vec3& marker) const { return isOccupied(m_space, 0, marker) || isOccupiedAnew(marker); }
+    bool isOccupied(const Vec3& marker) const
+    {
+        return isOccupied(m_space, 0, marker) || isOccupiedAnew(marker);
+    }
     bool isOccupiedAnew(const Vec3& marker) const
     {
         return isOccupied(m_tree.newNodes(), m_tree.tree().size(), marker);
@@ -81,7 +86,8 @@ public:
     {
         const Vec3 toMarker = marker - m_tree.nodePosition(bud.node);
         const float distance = toMarker.norm();
-        return distance <= m_perception.reach && m_tree.budDirection(bud.node, bud.slot).dot(toMarker) >= m_perception.cosHalfAngle * distance;
+        return distance <= m_perception.reach &&
+               m_tree.budDirection(bud.node, bud.slot).dot(toMarker) >= m_perception.cosHalfAngle * distance;
     }
 
     /// The block of kBlock³ voxels that a marker lies in.
@@ -120,7 +126,8 @@ public:
     }
 
 private:
-    /// Makes a bud of the node the marker's owner if one perceives it and points at it better than the owner so far.
+    /// Makes a bud of the node the marker's owner if one perceives it and points at it better than the owner
+    /// so far.
     void contend(InternodeId id, const Vec3& marker, BudRef& owner, float& alignment) const
     {
         const Vec3 toMarker = marker - m_tree.nodePosition(id);
@@ -141,14 +148,15 @@ private:
     {
         const float squaredRadius = m_perception.occupancy * m_perception.occupancy;
         const Vec3 reach = Vec3::Constant(m_perception.occupancy);
-        return space.anyOccupied(space.cellAt(marker - reach), space.cellAt(marker + reach), [&](InternodeId first) {
-            for (InternodeId node = first; node != kNoInternode; node = space.nextInCell(node)) {
-                if ((m_tree.nodePosition(node + offset) - marker).squaredNorm() < squaredRadius &&
-                    m_tree.buds(node + offset) != 0)
-                    return true;
-            }
-            return false;
-        });
+        return space.anyOccupied(
+            space.cellAt(marker - reach), space.cellAt(marker + reach), [&](InternodeId first) {
+                for (InternodeId node = first; node != kNoInternode; node = space.nextInCell(node)) {
+                    if ((m_tree.nodePosition(node + offset) - marker).squaredNorm() < squaredRadius &&
+                        m_tree.buds(node + offset) != 0)
+                        return true;
+                }
+                return false;
+            });
     }
 
     void gather(const VoxelSpace& space, InternodeId offset, const Cell& block, Neighbours& neighbours) const
@@ -250,8 +258,9 @@ bool competes(const GrowingTree& tree, const Competitors& competitors, BudRef bu
     return false;
 }
 
-std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
-                                        const Competitors& competitors, MarkerSet& markers)
+std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpace& space,
+                                        const Perception& perception, const Competitors& competitors,
+                                        MarkerSet& markers)
 {
     const Contest contest(tree, space, perception, competitors);
     removeMarkers(markers, [&](const Vec3& marker) { return contest.isOccupied(marker); });
@@ -260,8 +269,9 @@ std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpac
     return distribute(contest, tree, markers, all);
 }
 
-std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
-                                     const Competitors& competitors, const std::vector<BudRef>& tips, MarkerSet& markers)
+std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space,
+                                     const Perception& perception, const Competitors& competitors,
+                                     const std::vector<BudRef>& tips, MarkerSet& markers)
 {
     const Contest contest(tree, space, perception, competitors);
     removeMarkers(markers, [&](const Vec3& marker) { return contest.isOccupiedAnew(marker); });

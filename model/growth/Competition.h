@@ -31,8 +31,8 @@ struct MarkerSet {
     }
 };
 
-/// Which buds compete for markers and may grow; all of them still clear the space around themselves (selective growth,
-/// TreeSketch figure 9).
+/// Which buds compete for markers and may grow; all of them still clear the space around themselves
+/// (selective growth, TreeSketch figure 9).
 struct Competitors {
     /// Only this bud and what grows from it; kNoInternode lets all buds compete.
     InternodeId node = kNoInternode;
@@ -60,17 +60,20 @@ struct EnabledBud {
     Vec3 space; ///< E: the normalised sum of the unit vectors toward its markers
 };
 
-/// One round of competition for space: takes out of @p markers what lies within the occupancy radius of a living bud, gives each of
-/// the others to the nearest competing bud whose volume of perception contains it (at equal distance to the bud that points
-/// at it best), and returns the buds that own some, by ascending node and slot. The result does not depend on the number
-/// of threads nor on the order in which nodes came into their voxels.
-std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
-                                        const Competitors& competitors, MarkerSet& markers);
+/// One round of competition for space: takes out of @p markers what lies within the occupancy radius of a
+/// living bud, gives each of the others to the nearest competing bud whose volume of perception contains it
+/// (at equal distance to the bud that points at it best), and returns the buds that own some, by ascending
+/// node and slot. The result does not depend on the number of threads nor on the order in which nodes came
+/// into their voxels.
+std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpace& space,
+                                        const Perception& perception, const Competitors& competitors,
+                                        MarkerSet& markers);
 
-/// A further round in the same growth step, which asks for the shoots' tips @p tips only: the same answer for them at the cost of
-/// what is new. Of the other buds none is returned.
-std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
-                                     const Competitors& competitors, const std::vector<BudRef>& tips, MarkerSet& markers);
+/// A further round in the same growth step, which asks for the shoots' tips @p tips only: the same answer for
+/// them at the cost of what is new. Of the other buds none is returned.
+std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space,
+                                     const Perception& perception, const Competitors& competitors,
+                                     const std::vector<BudRef>& tips, MarkerSet& markers);
 
 /// Whether @p bud is, or grows from, what @p competitors names.
 bool competes(const GrowingTree& tree, const Competitors& competitors, BudRef bud);

@@ -4,9 +4,13 @@
 namespace espalier {
 
 GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspace& workspace)
-    : m_tree(tree), m_index(index), m_workspace(workspace), m_delta(TreeDelta::startingAt(tree)),
+    : m_tree(tree),
+      m_index(index),
+      m_workspace(workspace),
+      m_delta(TreeDelta::startingAt(tree)),
       m_rows(std::make_unique<InternodeColumns>()),
-      m_space(static_cast<float>(tree.parameters().growth.occupancyRadius * tree.parameters().growth.internodeLength),
+      m_space(static_cast<float>(tree.parameters().growth.occupancyRadius *
+                                 tree.parameters().growth.internodeLength),
               {})
 {
     m_workspace.buds.clear(tree.size());
@@ -46,7 +50,8 @@ InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& directio
     m_rows->present.append(1);
     m_rows->parameterSet.append(static_cast<std::uint16_t>(m_tree.currentParameterSet()));
 
-    const Placement placement = placeOn(nodePosition(parent), parentRotation, local, static_cast<float>(length));
+    const Placement placement =
+        placeOn(nodePosition(parent), parentRotation, local, static_cast<float>(length));
     m_axes.push_back(slot == kTerminalSlot ? axis(parent) : id);
     m_positions.push_back(placement.node);
     m_rotations.push_back(placement.rotation);

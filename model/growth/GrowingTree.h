@@ -16,8 +16,8 @@ struct GrowthWorkspace {
     StampedColumn<std::uint8_t> marks;
 };
 
-/// A tree with what the growth step at hand adds to it, as the delta it will become: the tree itself is not touched. Ids from
-/// tree.size() on are the new internodes'.
+/// A tree with what the growth step at hand adds to it, as the delta it will become: the tree itself is not
+/// touched. Ids from tree.size() on are the new internodes'.
 class GrowingTree {
 public:
     GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspace& workspace);
@@ -50,7 +50,10 @@ public:
             return rows().buds[id - m_tree.size()];
         return m_workspace.buds.has(id) ? m_workspace.buds[id] : m_tree.buds(id);
     }
-    InternodeId axis(InternodeId id) const { return isNew(id) ? m_axes[id - m_tree.size()] : m_index.axis(id); }
+    InternodeId axis(InternodeId id) const
+    {
+        return isNew(id) ? m_axes[id - m_tree.size()] : m_index.axis(id);
+    }
     const GrowthParameters& grownWith(InternodeId id) const
     {
         return isNew(id) ? m_tree.parameters().growth : m_tree.parametersOf(id).growth;
@@ -68,9 +71,12 @@ public:
     /// The voxels, each once, that new nodes lie in.
     std::vector<Cell> newCells() const;
 
-    /// Lets the bud @p slot at @p parent become an internode along the unit vector @p direction and returns its id.
-    /// @param roll rad, of the new frame about the direction, against the parent's frame brought over the shortest way
-    InternodeId grow(InternodeId parent, int slot, const Vec3& direction, double roll, double length, double vigour);
+    /// Lets the bud @p slot at @p parent become an internode along the unit vector @p direction and returns
+    /// its id.
+    /// @param roll rad, of the new frame about the direction, against the parent's frame brought over the
+    /// shortest way
+    InternodeId grow(InternodeId parent, int slot, const Vec3& direction, double roll, double length,
+                     double vigour);
     void kill(InternodeId id) { m_delta.died.push_back(id); }
 
     /// The delta of it all, one growth step long, or an empty one if nothing has changed.

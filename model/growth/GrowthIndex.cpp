@@ -18,7 +18,8 @@ GrowthIndex::Settings GrowthIndex::settingsOf(const GrowthParameters& p)
 void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
 {
     m_settings = settingsOf(tree.parameters().growth);
-    // A tree that was grown in other proportions than those in force now may be too sparse for voxels of the size that they ask for.
+    // A tree that was grown in other proportions than those in force now may be too sparse for voxels of the
+    // size that they ask for.
     float edge = m_settings.edge;
     while (!fill(tree, index, edge))
         edge *= 2.0F;
@@ -47,7 +48,8 @@ bool GrowthIndex::fill(const Tree& tree, const TreeIndex& index, float edge)
 
 void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
-    if (delta.parametersBefore != delta.parametersAfter && settingsOf(tree.parameters().growth) != m_settings) {
+    if (delta.parametersBefore != delta.parametersAfter &&
+        settingsOf(tree.parameters().growth) != m_settings) {
         rebuild(tree, index);
         return;
     }
@@ -66,7 +68,8 @@ void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDel
         else
             m_space.remove(id, index.nodePosition(id));
     });
-    // Light follows with the shadows cast below; buds that came or went change their node's sum where the light does not.
+    // Light follows with the shadows cast below; buds that came or went change their node's sum where the
+    // light does not.
     delta.forEachTouched([&](InternodeId id) {
         m_sensed[id] = sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id))));
         refresh(tree, index, id);

@@ -11,9 +11,9 @@
 
 namespace espalier {
 
-/// What growth asks of a tree: which buds are near a point, how much light falls there, and how much of it all that an
-/// internode carries receives. Follows the tree's deltas, forwards and backwards; all sums are of integers, so that equal trees
-/// have equal indices, however they came about.
+/// What growth asks of a tree: which buds are near a point, how much light falls there, and how much of it
+/// all that an internode carries receives. Follows the tree's deltas, forwards and backwards; all sums are of
+/// integers, so that equal trees have equal indices, however they came about.
 class GrowthIndex {
 public:
     /// Q = 1 in the integer unit of the sums.
@@ -31,8 +31,8 @@ public:
     /// Light L at a point, 0...1: trilinear between voxels.
     float light(const Vec3& position) const { return m_space.lightAt(position); }
 
-    /// Q = b L^κ (TreeSketch §3.2), in units of 1 / kUnit, of all living buds at the node of @p id and above: what flows down through
-    /// the internode; 0 for the dead.
+    /// Q = b L^κ (TreeSketch §3.2), in units of 1 / kUnit, of all living buds at the node of @p id and above:
+    /// what flows down through the internode; 0 for the dead.
     std::int64_t basipetal(InternodeId id) const { return m_basipetal[id]; }
     /// The part of it that comes from the node's own terminal bud; 0 if there is none.
     std::int64_t terminalQ(const Tree& tree, InternodeId id) const
@@ -65,8 +65,8 @@ private:
     Settings m_settings;
     VoxelSpace m_space;
     std::vector<std::uint8_t> m_inSpace;
-    std::vector<std::int32_t> m_sensed;    ///< L^κ at the node
-    std::vector<std::int32_t> m_own;       ///< Sum over the node's own buds
+    std::vector<std::int32_t> m_sensed; ///< L^κ at the node
+    std::vector<std::int32_t> m_own;    ///< Sum over the node's own buds
     std::vector<std::int64_t> m_basipetal;
     std::vector<std::int64_t> m_pending; ///< Differences on their way down
     AncestorSweep m_sweep;

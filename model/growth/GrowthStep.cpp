@@ -14,15 +14,15 @@ namespace {
 
 /// Standard deviations at full irregularity.
 constexpr double kRollSpread = radians(30);
-constexpr double kLengthSpread = 0.25;
+constexpr double kLengthSpread = 0.5;
 constexpr double kDirectionSpread = 0.12;
 
 /// A bud that is becoming a shoot.
 struct Shoot {
-    BudRef bud;      ///< That grows next: moves up with the shoot's tip
-    Vec3 space;      ///< E
-    float vigour;    ///< 0...1 of the step's greatest
-    int remaining;   ///< internodes
+    BudRef bud;    ///< That grows next: moves up with the shoot's tip
+    Vec3 space;    ///< E
+    float vigour;  ///< 0...1 of the step's greatest
+    int remaining; ///< internodes
     int grown = 0;
 };
 
@@ -49,24 +49,29 @@ public:
 
         const Vec3 direction =
             growthDirection(m_options.weights, heading, tropismVector(heading, theta, level), shoot.space);
-        const auto spread = static_cast<float>(m_parameters.irregularity * kDirectionSpread * m_options.weights.axis);
+        const auto spread =
+            static_cast<float>(m_parameters.irregularity * kDirectionSpread * m_options.weights.axis);
         Random wander(m_tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::Direction);
         return (direction + spread * wander.direction()).normalized();
     }
 
 private:
-    /// The main axis turns by δ away from each lateral that has started at its node, in the plane of the two (TreeSketch §3.2).
+    /// The main axis turns by δ away from each lateral that has started at its node, in the plane of the two
+    /// (TreeSketch §3.2).
     Vec3 deflected(InternodeId node, const Vec3& heading) const
     {
         Vec3 result = heading;
         if (node == 0)
             return result; // the seedling bears no lateral
-        const auto started = static_cast<unsigned>(newBuds(m_tree.grownWith(node)) & ~m_tree.buds(node) & ~kTerminalBud);
+        const auto started =
+            static_cast<unsigned>(newBuds(m_tree.grownWith(node)) & ~m_tree.buds(node) & ~kTerminalBud);
         for (unsigned rest = started; rest != 0; rest &= rest - 1) {
             const Vec3 lateral = m_tree.budDirection(node, std::countr_zero(rest));
             const Vec3 axis = heading.cross(lateral);
             if (axis.norm() > 1e-4F)
-                result = Eigen::AngleAxisf(-static_cast<float>(m_parameters.deflectionAngle), axis.normalized()) * result;
+                result =
+                    Eigen::AngleAxisf(-static_cast<float>(m_parameters.deflectionAngle), axis.normalized()) *
+                    result;
         }
         return result;
     }
@@ -84,12 +89,12 @@ InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction
     // A new branch starts at a roll of its own; along an axis the phyllotactic angle counts.
     const double roll = slot == kTerminalSlot ? p.phyllotaxis + p.irregularity * kRollSpread * random.normal()
                                               : random.uniform(0.0, 2.0 * std::numbers::pi);
-    const double stretch = std::clamp(1.0 + p.irregularity * kLengthSpread * random.normal(), 0.4, 1.6);
+    const double stretch = std::clamp(1.0 + p.irregularity * kLengthSpread * random.normal(), 0.35, 1.9);
     return tree.grow(node, slot, direction, roll, p.internodeLength * stretch, shoot.vigour);
 }
 
-std::vector<Shoot> startShoots(const std::vector<EnabledBud>& enabled, VigourFlow& flow, const GrowthStepOptions& options,
-                               int longest)
+std::vector<Shoot> startShoots(const std::vector<EnabledBud>& enabled, VigourFlow& flow,
+                               const GrowthStepOptions& options, int longest)
 {
     std::vector<double> vigours;
     vigours.reserve(enabled.size());
@@ -102,14 +107,16 @@ std::vector<Shoot> startShoots(const std::vector<EnabledBud>& enabled, VigourFlo
     for (std::size_t i = 0; i < enabled.size(); ++i) {
         const int length = shootLength(vigours[i], greatest, longest);
         if (length > 0 && vigours[i] >= options.leastVigour * greatest)
-            shoots.push_back({enabled[i].bud, enabled[i].space, static_cast<float>(vigours[i] / greatest), length});
+            shoots.push_back(
+                {enabled[i].bud, enabled[i].space, static_cast<float>(vigours[i] / greatest), length});
     }
     return shoots;
 }
 
 /// Lets the enabled buds become shoots, in lockstep, and sheds what they put in the dark.
-void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flow, const std::vector<EnabledBud>& enabled,
-                MarkerSet& markers, const GrowthStepOptions& options, GrowthWorkspace& workspace)
+void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flow,
+                const std::vector<EnabledBud>& enabled, MarkerSet& markers, const GrowthStepOptions& options,
+                GrowthWorkspace& workspace)
 {
     const Orientation orientation(growing, options);
     std::vector<Shoot> shoots =
@@ -119,7 +126,8 @@ void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flo
         growingAt.push_back(shoot.bud.node);
 
     while (!shoots.empty()) {
-        // By ascending node and slot: laterals that start at a node have turned its axis away before that goes on.
+        // By ascending node and slot: laterals that start at a node have turned its axis away before that
+        // goes on.
         for (Shoot& shoot : shoots) {
             const InternodeId id = growOne(growing, shoot, orientation.of(shoot));
             shoot.bud = {id, kTerminalSlot};
@@ -132,7 +140,8 @@ void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flo
         std::vector<BudRef> tips;
         for (const Shoot& shoot : shoots)
             tips.push_back(shoot.bud);
-        const auto stillFree = competeAgain(growing, growth.space(), options.perception, options.competitors, tips, markers);
+        const auto stillFree =
+            competeAgain(growing, growth.space(), options.perception, options.competitors, tips, markers);
         std::erase_if(shoots, [&](Shoot& shoot) {
             const auto found = std::ranges::lower_bound(stillFree, shoot.bud, {}, &EnabledBud::bud);
             if (found == stillFree.end() || found->bud != shoot.bud)
@@ -151,7 +160,8 @@ struct VigorousBud {
 };
 
 /// All competing buds, the most vigorous first.
-std::vector<VigorousBud> budsByVigour(const GrowingTree& growing, VigourFlow& flow, const Competitors& competitors)
+std::vector<VigorousBud> budsByVigour(const GrowingTree& growing, VigourFlow& flow,
+                                      const Competitors& competitors)
 {
     std::vector<VigorousBud> buds;
     const Tree& tree = growing.tree();
@@ -171,7 +181,8 @@ std::vector<VigorousBud> budsByVigour(const GrowingTree& growing, VigourFlow& fl
 }
 
 /// Markers uniform in the bud's volume of perception: the cone of angle ζ between the radii r and r + d.
-void layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Perception& perception, MarkerSet& markers)
+void layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Perception& perception,
+                   MarkerSet& markers)
 {
     const Tree& tree = growing.tree();
     const Vec3 heading = growing.budDirection(bud.node, bud.slot);
@@ -179,7 +190,8 @@ void layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Percepti
     const Vec3 other = heading.cross(side);
     const double inner = std::pow(perception.occupancy, 3);
     const double outer = std::pow(perception.reach, 3);
-    Random random(tree.seed(), tree.step(), bud.node * 8 + static_cast<std::uint32_t>(bud.slot), Purpose::BudMarker);
+    Random random(tree.seed(), tree.step(), bud.node * 8 + static_cast<std::uint32_t>(bud.slot),
+                  Purpose::BudMarker);
     for (int i = 0; i < tree.parameters().growth.markersPerBud; ++i) {
         const double radius = std::cbrt(random.uniform(inner, outer));
         const double cosine = random.uniform(static_cast<double>(perception.cosHalfAngle), 1.0);
@@ -217,7 +229,8 @@ TreeDelta growthStep(const Tree& tree, const TreeIndex& index, const GrowthIndex
 {
     GrowingTree growing(tree, index, workspace);
     VigourFlow flow(tree, index, growth, workspace.vigour);
-    const auto enabled = competeForSpace(growing, growth.space(), options.perception, options.competitors, markers);
+    const auto enabled =
+        competeForSpace(growing, growth.space(), options.perception, options.competitors, markers);
     growShoots(growing, growth, flow, enabled, markers, options, workspace);
     return growing.takeDelta();
 }
@@ -229,8 +242,9 @@ TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthI
     VigourFlow flow(tree, index, growth, workspace.vigour);
     std::vector<VigorousBud> buds = budsByVigour(growing, flow, options.competitors);
 
-    // A bud grows if v >= v_max / n_max, v_max being that of the strongest bud which is enabled; that is known once enough of the strong
-    // ones have competed. So markers appear for ever weaker buds until those that follow could not grow.
+    // A bud grows if v >= v_max / n_max, v_max being that of the strongest bud which is enabled; that is
+    // known once enough of the strong ones have competed. So markers appear for ever weaker buds until those
+    // that follow could not grow.
     const int longest = tree.parameters().growth.maxShootLength;
     MarkerSet markers;
     std::vector<EnabledBud> enabled;

@@ -13,7 +13,8 @@ struct GrowthStepOptions {
     DirectionWeights weights;
     Perception perception;
     double setPointAngle = 0.0; ///< θ, rad
-    /// Buds with less than this share of the greatest vigour stay dormant, 0...1: at 1 only the most vigorous bud grows.
+    /// Buds with less than this share of the greatest vigour stay dormant, 0...1: at 1 only the most vigorous
+    /// bud grows.
     double leastVigour = 0.0;
     /// Whether shedding is part of the step.
     bool sheds = true;
@@ -21,21 +22,22 @@ struct GrowthStepOptions {
     static GrowthStepOptions of(const GrowthParameters& parameters);
 };
 
-/// One step of growth toward @p markers (TreeSketch §3.2): buds compete for them; vigour decides how many internodes
-/// n = ⌊v / v_max · n_max⌋ each enabled bud may add; shoots add theirs in lockstep, competing anew for each, and stop where they
-/// find no free space; branches that the new growth puts in shadow are shed if their vigour per internode is below Th. Occupied
-/// markers leave @p markers. The delta is empty if nothing grew.
+/// One step of growth toward @p markers (TreeSketch §3.2): buds compete for them; vigour decides how many
+/// internodes n = ⌊v / v_max · n_max⌋ each enabled bud may add; shoots add theirs in lockstep, competing anew
+/// for each, and stop where they find no free space; branches that the new growth puts in shadow are shed if
+/// their vigour per internode is below Th. Occupied markers leave @p markers. The delta is empty if nothing
+/// grew.
 TreeDelta growthStep(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth, MarkerSet& markers,
                      const GrowthStepOptions& options, GrowthWorkspace& workspace);
 
-/// One step of growth without a hand: markers appear in the volume of perception of each bud that is vigorous enough to grow
-/// (others could not use them), and go with the step.
+/// One step of growth without a hand: markers appear in the volume of perception of each bud that is vigorous
+/// enough to grow (others could not use them), and go with the step.
 TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth,
                          const GrowthStepOptions& options, GrowthWorkspace& workspace);
 
-/// n = ⌊v / v_max · n_max⌋ each enabled bud may add; shoots add theirs in lockstep, competing anew for each, and stop where they
-/// find no free space; branches that the new growth puts in shadow are shed if their vigour per internode is below Th. Occupied
-/// markers leave @p markers. The delta is empty if nothing grew.
+/// n = ⌊v / v_max · n_max⌋ each enabled bud may add; shoots add theirs in lockstep, competing anew for each,
+/// and stop where they find no free space; branches that the new growth puts in shadow are shed if their
+/// vigour per internode is below Th. Occupied markers leave @p markers. The delta is empty if nothing grew.
 TreeDelta growthStep(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth, MarkerSet& markers,
                      const GrowthStepOptions& options, GrowthWorkspace& workspace);
 
@@ -45,8 +47,8 @@ int shootLength(double vigour, double greatestVigour, int longest);
 /// The trunk's last living internode.
 InternodeId trunkTip(const TreeIndex& index);
 
-/// Lets the trunk grow toward @p target, @p count internodes at most, until the target is within @p distance (m): the leader of a
-/// seedling that a distant brush calls. It stays bare of branches.
+/// Lets the trunk grow toward @p target, @p count internodes at most, until the target is within @p distance
+/// (m): the leader of a seedling that a distant brush calls. It stays bare of branches.
 TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const Vec3& target, float distance, int count,
                      GrowthWorkspace& workspace);
 

@@ -7,7 +7,8 @@ namespace espalier {
 
 namespace {
 
-/// A new branch lies in the dark of its elders for some steps before its own leaves count; without this it would die at birth.
+/// A new branch lies in the dark of its elders for some steps before its own leaves count; without this it
+/// would die at birth.
 constexpr Step kSparedSteps = 4;
 
 constexpr std::uint8_t kSpared = 1;
@@ -29,13 +30,15 @@ void shedBranches(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& f
     marks.clear(tree.size());
     marks.set(0, kSpared);
     for (InternodeId node : growingAt) {
-        for (InternodeId axis = index.axis(node); marks.setOnce(axis, kSpared); axis = index.axis(tree.parent(axis))) {
+        for (InternodeId axis = index.axis(node); marks.setOnce(axis, kSpared);
+             axis = index.axis(tree.parent(axis))) {
         }
     }
     std::vector<InternodeId> candidates;
     growth.space().forEachShaded(growing.newCells(), [&](InternodeId first) {
         for (InternodeId node = first; node != kNoInternode; node = growth.space().nextInCell(node)) {
-            for (InternodeId axis = index.axis(node); marks.setOnce(axis, kCandidate); axis = index.axis(tree.parent(axis)))
+            for (InternodeId axis = index.axis(node); marks.setOnce(axis, kCandidate);
+                 axis = index.axis(tree.parent(axis)))
                 candidates.push_back(axis);
         }
     });
@@ -56,7 +59,8 @@ void shedBranches(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& f
             branch.pop_back();
             growing.kill(id);
             marks.set(index.axis(id), kShed);
-            for (InternodeId child = index.firstChild(id); child != kNoInternode; child = index.nextSibling(child))
+            for (InternodeId child = index.firstChild(id); child != kNoInternode;
+                 child = index.nextSibling(child))
                 branch.push_back(child);
         }
     }

@@ -5,8 +5,10 @@
 
 namespace espalier {
 
-/// The tropism vector T: up, turned by the gravitropic set-point angle @p theta (rad) in the vertical plane of the unit vector
-/// @p heading; where that is vertical, in the plane of the level unit vector @p levelDirection (TreeSketch §3.2).
+/// The tropism vector T: up, turned by the gravitropic set-point angle @p theta (rad) in the vertical plane
+/// of the unit vector
+/// @p heading; where that is vertical, in the plane of the level unit vector @p levelDirection (TreeSketch
+/// §3.2).
 Vec3 tropismVector(const Vec3& heading, double theta, const Vec3& levelDirection);
 
 /// Weights of eq. 2; each ≥ 0.
@@ -16,8 +18,9 @@ struct DirectionWeights {
     double space = 0.3;   ///< γ
 };
 
-/// The new growth direction H' = normalize(αH + βT + γE). Without free space (E = 0) the other two weights share γ's part.
-/// Where the sum vanishes the heading stays.
-Vec3 growthDirection(const DirectionWeights& weights, const Vec3& heading, const Vec3& tropism, const Vec3& space);
+/// The new growth direction H' = normalize(αH + βT + γE). Without free space (E = 0) the other two weights
+/// share γ's part. Where the sum vanishes the heading stays.
+Vec3 growthDirection(const DirectionWeights& weights, const Vec3& heading, const Vec3& tropism,
+                     const Vec3& space);
 
 } // namespace espalier

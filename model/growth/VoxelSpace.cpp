@@ -8,7 +8,8 @@ namespace espalier {
 
 namespace {
 
-/// Voxels further out than this are treated as lying at the border: far beyond any tree, and within 21 bits a coordinate.
+/// Voxels further out than this are treated as lying at the border: far beyond any tree, and within 21 bits a
+/// coordinate.
 constexpr int kFarthest = 1 << 20;
 
 int coordinate(float value)
@@ -30,7 +31,8 @@ VoxelSpace::VoxelSpace(float edge, const ShadowPyramid& pyramid) : m_edge(edge),
 
 Cell VoxelSpace::cellAt(const Vec3& position) const
 {
-    return {coordinate(position.x() / m_edge), coordinate(position.y() / m_edge), coordinate(position.z() / m_edge)};
+    return {coordinate(position.x() / m_edge), coordinate(position.y() / m_edge),
+            coordinate(position.z() / m_edge)};
 }
 
 Vec3 VoxelSpace::centreOf(const Cell& cell) const
@@ -42,7 +44,8 @@ Vec3 VoxelSpace::centreOf(const Cell& cell) const
 void VoxelSpace::insert(InternodeId id, const Vec3& position)
 {
     if (id >= m_next.size())
-        m_next.resize(std::max<std::size_t>(id + std::size_t{1}, m_next.size() + m_next.size() / 2), kNoInternode);
+        m_next.resize(std::max<std::size_t>(id + std::size_t{1}, m_next.size() + m_next.size() / 2),
+                      kNoInternode);
     const Cell cell = cellAt(position);
     Brick& brick = *m_bricks[makeBrick(cell.x >> 3, cell.y >> 3, cell.z >> 3)];
     InternodeId& first = brick.first[voxelOf(cell)];
@@ -83,8 +86,10 @@ void VoxelSpace::castPending()
         forEachPyramidRow(cell, [&](std::uint32_t index, std::size_t row, int from, int to, int layer) {
             Brick& brick = *m_bricks[index];
             // Modulo 2^32, so that lifting a shadow is adding its complement.
-            const std::uint32_t shadow = static_cast<std::uint32_t>(count) * m_layerShadow[static_cast<std::size_t>(layer)];
-            for (std::size_t voxel = row * 8 + static_cast<std::size_t>(from); voxel <= row * 8 + static_cast<std::size_t>(to); ++voxel)
+            const std::uint32_t shadow =
+                static_cast<std::uint32_t>(count) * m_layerShadow[static_cast<std::size_t>(layer)];
+            for (std::size_t voxel = row * 8 + static_cast<std::size_t>(from);
+                 voxel <= row * 8 + static_cast<std::size_t>(to); ++voxel)
                 brick.shadow[voxel] += shadow;
             brick.dirty[row / 8] |= rowBits(row, from, to);
             if (!std::exchange(brick.listed, true))
@@ -117,7 +122,8 @@ std::uint64_t VoxelSpace::keyOf(int bx, int by, int bz)
 
 std::uint32_t VoxelSpace::makeBrick(int bx, int by, int bz)
 {
-    const auto [place, isNew] = m_index.try_emplace(keyOf(bx, by, bz), static_cast<std::uint32_t>(m_bricks.size()));
+    const auto [place, isNew] =
+        m_index.try_emplace(keyOf(bx, by, bz), static_cast<std::uint32_t>(m_bricks.size()));
     if (isNew) {
         m_bricks.push_back(std::make_unique<Brick>());
         m_bricks.back()->first.fill(kNoInternode);
@@ -142,7 +148,8 @@ float VoxelSpace::lightAt(const Vec3& position) const
 {
     const Vec3 scaled = position / m_edge - Vec3::Constant(0.5F);
     const Cell cell{coordinate(scaled.x()), coordinate(scaled.y()), coordinate(scaled.z())};
-    const Vec3 t = scaled - Vec3(static_cast<float>(cell.x), static_cast<float>(cell.y), static_cast<float>(cell.z));
+    const Vec3 t =
+        scaled - Vec3(static_cast<float>(cell.x), static_cast<float>(cell.y), static_cast<float>(cell.z));
     float sum = 0.0F;
     for (int corner = 0; corner < 8; ++corner) {
         const int dx = corner & 1;
@@ -166,15 +173,18 @@ VoxelSpace::Bounds VoxelSpace::bounds() const
             bounds = {lower, upper};
             continue;
         }
-        bounds.lower = {std::min(bounds.lower.x, lower.x), std::min(bounds.lower.y, lower.y), std::min(bounds.lower.z, lower.z)};
-        bounds.upper = {std::max(bounds.upper.x, upper.x), std::max(bounds.upper.y, upper.y), std::max(bounds.upper.z, upper.z)};
+        bounds.lower = {std::min(bounds.lower.x, lower.x), std::min(bounds.lower.y, lower.y),
+                        std::min(bounds.lower.z, lower.z)};
+        bounds.upper = {std::max(bounds.upper.x, upper.x), std::max(bounds.upper.y, upper.y),
+                        std::max(bounds.upper.z, upper.z)};
     }
     return bounds;
 }
 
 std::size_t VoxelSpace::bytes() const
 {
-    return m_bricks.size() * (sizeof(Brick) + sizeof(void*) + sizeof(Cell) + 48) + m_next.capacity() * sizeof(InternodeId);
+    return m_bricks.size() * (sizeof(Brick) + sizeof(void*) + sizeof(Cell) + 48) +
+           m_next.capacity() * sizeof(InternodeId);
 }
 
 } // namespace espalier

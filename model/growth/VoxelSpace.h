@@ -22,8 +22,8 @@ struct Cell {
     auto operator<=>(const Cell&) const = default;
 };
 
-/// How one shadow caster darkens what lies below it (Pałubicki 2009; TreeSketch §3.2): in layer q below it a square of
-/// (2q+1)² voxels, each by a b^-q.
+/// How one shadow caster darkens what lies below it (Pałubicki 2009; TreeSketch §3.2): in layer q below it a
+/// square of (2q+1)² voxels, each by a b^-q.
 struct ShadowPyramid {
     double intensity = 0.02; ///< a
     double falloff = 1.8;    ///< b
@@ -31,15 +31,16 @@ struct ShadowPyramid {
     bool operator==(const ShadowPyramid&) const = default;
 };
 
-/// The voxel space that growth happens in: which nodes are in a voxel, and how deep in shadow it lies. Voxels are kept in bricks
-/// of 8³ that exist only where something is or was. Shadow is a sum of integers, so that taking a caster out restores it exactly.
+/// The voxel space that growth happens in: which nodes are in a voxel, and how deep in shadow it lies. Voxels
+/// are kept in bricks of 8³ that exist only where something is or was. Shadow is a sum of integers, so that
+/// taking a caster out restores it exactly.
 class VoxelSpace {
 public:
     /// Shadow 1.0 in the integer unit of the sums.
     static constexpr double kShadowUnit = 1 << 18;
     static constexpr int kBrickEdge = 8;
-    /// More bricks than this (half a gigabyte) are not made: the space is then overfull, and its contents are of no use. That takes a
-    /// tree that is very large, or very sparse, for its voxels.
+    /// More bricks than this (half a gigabyte) are not made: the space is then overfull, and its contents are
+    /// of no use. That takes a tree that is very large, or very sparse, for its voxels.
     static constexpr std::size_t kMostBricks = std::size_t{1} << 17;
 
     VoxelSpace() = default;
@@ -55,8 +56,8 @@ public:
     /// Puts a node in, or takes it out. Its shadow is cast or lifted by the next castShadows().
     void insert(InternodeId id, const Vec3& position);
     void remove(InternodeId id, const Vec3& position);
-    /// Casts and lifts the shadows that are due, then calls @p visit(firstNode, shadow) once for each voxel that holds a node and
-    /// whose shadow changed, in an order that depends on the set of changes alone.
+    /// Casts and lifts the shadows that are due, then calls @p visit(firstNode, shadow) once for each voxel
+    /// that holds a node and whose shadow changed, in an order that depends on the set of changes alone.
     template <class Visit>
     void castShadows(Visit&& visit)
     {
@@ -72,7 +73,8 @@ public:
         m_dirtyBricks.clear();
     }
 
-    /// Calls @p visit(firstNode) for each voxel with a node that shadows of casters in @p cells fall on, once each.
+    /// Calls @p visit(firstNode) for each voxel with a node that shadows of casters in @p cells fall on, once
+    /// each.
     template <class Visit>
     void forEachShaded(const std::vector<Cell>& cells, Visit&& visit) const
     {
@@ -90,8 +92,8 @@ public:
         }
     }
 
-    /// Calls @p visit(firstNode) for each voxel with a node among those of the box @p lower … @p upper, inclusive, until it says true;
-    /// whether it did.
+    /// Calls @p visit(firstNode) for each voxel with a node among those of the box @p lower … @p upper,
+    /// inclusive, until it says true; whether it did.
     template <class Visit>
     bool anyOccupied(const Cell& lower, const Cell& upper, Visit&& visit) const
     {
@@ -99,7 +101,8 @@ public:
             for (int bz = lower.z >> 3; bz <= upper.z >> 3; ++bz) {
                 for (int bx = lower.x >> 3; bx <= upper.x >> 3; ++bx) {
                     const Brick* brick = findBrick(bx, by, bz);
-                    if (brick != nullptr && brick->nodes > 0 && anyInBox(*brick, {bx, by, bz}, lower, upper, visit))
+                    if (brick != nullptr && brick->nodes > 0 &&
+                        anyInBox(*brick, {bx, by, bz}, lower, upper, visit))
                         return true;
                 }
             }
@@ -111,7 +114,8 @@ public:
 
     /// Shadow of a voxel, in units of 1 / kShadowUnit.
     std::uint32_t shadow(const Cell& cell) const;
-    /// The light that the casters in such a voxel see: 1 − s + a, clamped to 0...1 (Pałubicki 2009: C − s + a with C = 1).
+    /// The light that the casters in such a voxel see: 1 − s + a, clamped to 0...1 (Pałubicki 2009: C − s + a
+    /// with C = 1).
     float lightOfShadow(std::uint32_t shadow) const;
     float light(const Cell& cell) const { return lightOfShadow(shadow(cell)); }
     /// Trilinear between the voxels' centres.
@@ -151,7 +155,8 @@ private:
     }
     static std::uint64_t rowBits(std::size_t row, int from, int to)
     {
-        return ((std::uint64_t{1} << (to - from + 1)) - 1) << ((row % 8) * 8 + static_cast<std::size_t>(from));
+        return ((std::uint64_t{1} << (to - from + 1)) - 1)
+               << ((row % 8) * 8 + static_cast<std::size_t>(from));
     }
     template <class Visit>
     static void forEachBit(const BitSet& bits, Visit&& visit)
@@ -171,8 +176,8 @@ private:
     void castPending();
     void makeBricksBelow(const Cell& cell);
 
-    /// Calls @p visit(brick, row, from, to, layer) for each run of voxels along x that a caster in @p cell shades; row is y·8 + z within
-    /// the brick. Bricks that do not exist are passed over.
+    /// Calls @p visit(brick, row, from, to, layer) for each run of voxels along x that a caster in @p cell
+    /// shades; row is y·8 + z within the brick. Bricks that do not exist are passed over.
     template <class Visit>
     void forEachPyramidRow(const Cell& cell, Visit&& visit) const
     {
@@ -195,10 +200,15 @@ private:
     }
 
     template <class Visit>
-    static bool anyInBox(const Brick& brick, const Cell& b, const Cell& lower, const Cell& upper, Visit&& visit)
+    static bool anyInBox(const Brick& brick, const Cell& b, const Cell& lower, const Cell& upper,
+                         Visit&& visit)
     {
-        const auto low = [](int brickCoordinate, int limit) { return std::max(limit, brickCoordinate * 8) & 7; };
-        const auto high = [](int brickCoordinate, int limit) { return std::min(limit, brickCoordinate * 8 + 7) & 7; };
+        const auto low = [](int brickCoordinate, int limit) {
+            return std::max(limit, brickCoordinate * 8) & 7;
+        };
+        const auto high = [](int brickCoordinate, int limit) {
+            return std::min(limit, brickCoordinate * 8 + 7) & 7;
+        };
         const int xFrom = low(b.x, lower.x);
         const int xTo = high(b.x, upper.x);
         const int zFrom = low(b.z, lower.z);
@@ -207,7 +217,8 @@ private:
         for (int y = low(b.y, lower.y); y <= yTo; ++y) {
             for (int z = zFrom; z <= zTo; ++z) {
                 const auto row = static_cast<std::size_t>(y * 8 + z);
-                for (std::uint64_t rest = brick.occupied[row / 8] & rowBits(row, xFrom, xTo); rest != 0; rest &= rest - 1) {
+                for (std::uint64_t rest = brick.occupied[row / 8] & rowBits(row, xFrom, xTo); rest != 0;
+                     rest &= rest - 1) {
                     if (visit(brick.first[row / 8 * 64 + static_cast<std::size_t>(std::countr_zero(rest))]))
                         return true;
                 }

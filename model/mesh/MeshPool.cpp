@@ -15,6 +15,10 @@ constexpr std::size_t kTubesPerTask = 64;
 /// Room that is set aside for growth, in elements; memory that is not written to costs nothing.
 constexpr std::size_t kLeastReserve = 1U << 20U;
 constexpr std::size_t kReserveFactor = 4;
+/// In how many steps all radii are looked at, where they all change.
+constexpr std::uint32_t kRoundSteps = 4;
+/// Share of the tolerance that is kept for what drifts between two looks.
+constexpr float kDriftShare = 0.25F;
 /// Ranges this near to each other (elements) are reported as one.
 constexpr std::uint32_t kJoinGap = 256;
 
@@ -63,15 +67,11 @@ struct MeshPool::Needs {
 void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
 {
     *this = MeshPool(m_options);
+    m_allIsDirty = false;
     m_parameters = tree.parameters();
     m_widths.emplace(tree, index);
-    m_scannedExponent = m_widths->exponent();
-    m_tubes.resize(tree.size());
-    m_continuation.resize(tree.size(), kNoInternode);
-    m_radius.resize(tree.size(), 0.0F);
-    m_bears.resize(tree.size(), 0);
-    m_inspected.resize(tree.size(), 0);
-    m_visited.resize(tree.size(), 0);
+    startRound();
+    resize(tree.size());
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (tree.isAlive(id))
             m_continuation[id] = tubeContinuation(index, id);
@@ -79,42 +79,45 @@ void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
     meshTubes(tree, index, tubesOf(tree, index), true);
 }
 
-void MeshPool::update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
+void MeshPool::follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
     const TreeParameters& now = tree.parameters();
-    if (!m_widths || m_parameters.widths != now.widths || m_parameters.bark.scale != now.bark.scale) {
+    m_allIsDirty =
+        m_allIsDirty || m_parameters.widths != now.widths || m_parameters.bark.scale != now.bark.scale;
+    if (m_allIsDirty)
+        return;
+    m_leavesAreDirty = m_leavesAreDirty || m_parameters.leaves != now.leaves ||
+                       m_parameters.growth.irregularity != now.growth.irregularity;
+    m_parameters = now;
+    // Without a base diameter, widths do not depend on the tree.
+    if (now.widths.baseDiameter > 0.0)
+        m_widths.emplace(tree, index);
+    resize(tree.size());
+    ++m_update;
+    collectTouched(tree, index, delta);
+    collectChanged(tree, index);
+}
+
+void MeshPool::finish(const Tree& tree, const TreeIndex& index)
+{
+    if (m_allIsDirty) {
         rebuild(tree, index);
         return;
     }
-
-    const std::uint32_t size = tree.size();
-    m_tubes.resize(size);
-    m_continuation.resize(size, kNoInternode);
-    m_radius.resize(size, 0.0F);
-    m_bears.resize(size, 0);
-    m_inspected.resize(size, 0);
-    m_visited.resize(size, 0);
-    ++m_update;
-    const bool otherLeaves =
-        m_parameters.leaves != now.leaves || m_parameters.growth.irregularity != now.growth.irregularity;
-    m_parameters = now;
-    m_widths.emplace(tree, index);
-
-    collectTouched(tree, index, delta);
-    collectChanged(tree, index);
     followWidths(tree, index);
     meshDirty(tree, index);
-    if (otherLeaves)
+    if (std::exchange(m_leavesAreDirty, false))
         meshTubes(tree, index, tubesOf(tree, index), false);
 }
 
 bool MeshPool::settle(const Tree& tree, const TreeIndex& index)
 {
+    finish(tree, index);
     ++m_update;
-    collectAll(tree, index, 0.0F);
+    collectRange(tree, index, {0, tree.size()}, 0.0F);
     const bool found = !m_dirty.empty();
     meshDirty(tree, index);
-    m_scannedExponent = m_widths->exponent();
+    startRound();
     return found;
 }
 
@@ -137,6 +140,16 @@ std::size_t MeshPool::bytes() const
         sizeof(Tube) + sizeof(InternodeId) + sizeof(float) + 1 + 2 * sizeof(std::uint32_t);
     return m_vertices.size() * sizeof(MeshVertex) + m_indices.size() * sizeof(VertexIndex) +
            m_leaves.size() * sizeof(LeafInstance) + m_tubes.size() * row;
+}
+
+void MeshPool::resize(std::uint32_t size)
+{
+    m_tubes.resize(size);
+    m_continuation.resize(size, kNoInternode);
+    m_radius.resize(size, 0.0F);
+    m_bears.resize(size, 0);
+    m_inspected.resize(size, 0);
+    m_visited.resize(size, 0);
 }
 
 /// Born, dead or back to life: their tubes and those of their parents.
@@ -175,9 +188,9 @@ void MeshPool::collectChanged(const Tree& tree, const TreeIndex& index)
     }
 }
 
-void MeshPool::collectAll(const Tree& tree, const TreeIndex& index, float tolerance)
+void MeshPool::collectRange(const Tree& tree, const TreeIndex& index, IdRange range, float tolerance)
 {
-    for (InternodeId id = 0; id < tree.size(); ++id) {
+    for (InternodeId id = range.first; id != range.end(); ++id) {
         if (!tree.isAlive(id))
             continue;
         checkRadius(index, id, tolerance);
@@ -185,17 +198,35 @@ void MeshPool::collectAll(const Tree& tree, const TreeIndex& index, float tolera
     }
 }
 
-/// With a base diameter set, every tip changes the exponent of all widths a little. Half of the tolerance is
-/// for that drift.
+void MeshPool::startRound()
+{
+    m_roundExponent = m_checkedExponent = m_widths->exponent();
+    m_nextCheck = 0;
+}
+
+/// With a base diameter set, every tip changes the exponent of all widths a little. So that no step pays for
+/// all, each looks at some internodes, unless the drift becomes too great for that.
 void MeshPool::followWidths(const Tree& tree, const TreeIndex& index)
 {
-    const double drift =
-        std::pow(std::max(1U, index.tipCount(0)), 1.0 / m_widths->exponent() - 1.0 / m_scannedExponent);
-    if (std::abs(drift - 1.0) <= 0.5 * kTolerance)
+    const double exponent = m_widths->exponent();
+    if (exponent == m_roundExponent && exponent == m_checkedExponent)
         return;
-    m_scannedExponent = m_widths->exponent();
+    constexpr float tolerance = (1.0F - kDriftShare) * kTolerance;
     ++m_update;
-    collectAll(tree, index, 0.5F * kTolerance);
+    const double drift = std::pow(std::max(1U, index.tipCount(0)), 1.0 / exponent - 1.0 / m_checkedExponent);
+    if (std::abs(drift - 1.0) > kDriftShare * kTolerance) {
+        collectRange(tree, index, {0, tree.size()}, tolerance);
+        startRound();
+        return;
+    }
+    const std::uint32_t rest = tree.size() - m_nextCheck;
+    const IdRange range{m_nextCheck, std::min(rest, tree.size() / kRoundSteps + 1)};
+    collectRange(tree, index, range, tolerance);
+    m_nextCheck = range.end();
+    if (m_nextCheck == tree.size()) {
+        m_checkedExponent = std::exchange(m_roundExponent, exponent);
+        m_nextCheck = 0;
+    }
 }
 
 void MeshPool::checkRadius(const TreeIndex& index, InternodeId id, float tolerance)
@@ -236,7 +267,10 @@ void MeshPool::forget(InternodeId id)
 void MeshPool::meshDirty(const Tree& tree, const TreeIndex& index)
 {
     std::vector<InternodeId> bases;
+    ++m_update;
     for (const InternodeId id : m_dirty) {
+        if (!tree.isAlive(id))
+            continue; // died since it was noted
         const InternodeId parent = tree.parent(id);
         if (parent != kNoInternode && m_continuation[parent] == id)
             release(m_tubes[id]);

@@ -16,7 +16,7 @@ namespace espalier {
 /// run of each, with some slack; unused places of the index array are degenerate triangles (0, 0, 0), those
 /// of the leaf array hidden leaves, so that both may be drawn as a whole.
 ///
-/// An update costs in proportion to the tubes that changed, not to the tree. A tube whose branches have only
+/// Changes cost in proportion to the tubes that they touch, not to the tree. A tube whose branches have only
 /// thickened is left as it is until one of its radii is off by more than kTolerance; settle() brings
 /// everything up to date, when there is time. Given that, the contents are a function of the tree alone,
 /// however it came about; where they lie is not.
@@ -28,9 +28,12 @@ public:
 
     /// Starts anew.
     void rebuild(const Tree& tree, const TreeIndex& index);
-    /// Follows @p delta, which @p tree and @p index have just applied or reverted, and changes of the
-    /// parameters in force.
-    void update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
+    /// Notes what @p delta, which @p tree and @p index have just applied or reverted, and other parameters in
+    /// force will change. To be called for each delta, and finish() before the next look at the mesh: what
+    /// many deltas change is meshed once.
+    void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
+    /// Meshes what follow() has noted.
+    void finish(const Tree& tree, const TreeIndex& index);
     /// Meshes anew what is within the tolerance but not exact; returns whether there was any.
     bool settle(const Tree& tree, const TreeIndex& index);
 
@@ -75,9 +78,11 @@ private:
 
     void collectTouched(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
     void collectChanged(const Tree& tree, const TreeIndex& index);
-    void collectAll(const Tree& tree, const TreeIndex& index, float tolerance);
+    void collectRange(const Tree& tree, const TreeIndex& index, IdRange range, float tolerance);
     void inspect(const Tree& tree, const TreeIndex& index, InternodeId id, float tolerance);
     void checkRadius(const TreeIndex& index, InternodeId id, float tolerance);
+    void resize(std::uint32_t size);
+    void startRound();
     void followWidths(const Tree& tree, const TreeIndex& index);
     void forget(InternodeId id);
     void meshDirty(const Tree& tree, const TreeIndex& index);
@@ -91,7 +96,11 @@ private:
     BranchMeshOptions m_options;
     TreeParameters m_parameters;
     std::optional<Widths> m_widths;
-    double m_scannedExponent = 0.0; ///< Exponent of the widths at which all radii were last looked at
+    // Exponent of the widths when this round of checks began, and the one before: every radius has been
+    // looked at since that one.
+    double m_roundExponent = 0.0;
+    double m_checkedExponent = 0.0;
+    InternodeId m_nextCheck = 0;
 
     MeshBuffer<MeshVertex> m_vertices;
     MeshBuffer<VertexIndex> m_indices;
@@ -109,7 +118,10 @@ private:
     std::vector<std::uint32_t> m_inspected;  ///< Number of the update in which it was
     std::vector<std::uint32_t> m_visited;
     std::uint32_t m_update = 0;
+    // Until finish()
     std::vector<InternodeId> m_dirty; ///< Internodes whose tubes must be meshed
+    bool m_allIsDirty = true;
+    bool m_leavesAreDirty = false;
 };
 
 } // namespace espalier

@@ -17,19 +17,18 @@ struct BranchMeshOptions {
 };
 
 /// Meshes one tube at a time (see Tubes.h): tapered, along a centripetal Catmull-Rom curve through its nodes,
-/// closed at both ends (frames: parallel transport by double reflection, Wang et al. 2008; texture:
-/// generalised cylinders with a whole number of repeats, Bloomenthal 1985).
+/// closed at both ends. Frames: parallel transport by double reflection (Wang et al. 2008). Texture:
+/// generalised cylinders with a whole number of repeats (Bloomenthal 1985).
 ///
-/// - It starts at the node of its parent, inside it, in the parent's direction, never thicker than 90 % of
-/// it. A collar widens it
-///   toward the parent, and the trunk toward the ground.
-/// - A ring has m sides, one of kSideCounts by how much thicker than a twig the tube is there; m + 1
-/// vertices, since the seam
-///   is doubled. Where a tube has become thin, m halves.
-/// - A ring stands at each node; at every second, fourth, ... where internodes are short for their thickness
-/// (a trunk grows
-///   straight over the kinks of its youth); and between nodes where the curve bends.
-/// - u runs from 0 to a whole number k around the tube, v so that texels are square: dv = k ds / 2πr.
+/// It starts at the node of its parent, inside it, in the parent's direction, never thicker than 90 % of it.
+/// A collar widens it toward the parent, and the trunk toward the ground.
+///
+/// A ring has m sides, one of kSideCounts by how much thicker than a twig the tube is there, and m + 1
+/// vertices, since the seam is doubled; where a tube has become thin, m halves. Rings stand at each node; at
+/// every second, fourth and so on where internodes are short for their thickness (a trunk grows straight over
+/// the kinks of its youth); and between nodes where the curve bends.
+///
+/// u runs from 0 to a whole number k around the tube, v so that texels are square: dv = k ds / 2πr.
 ///
 /// The buffers inside are reused: keep one mesher per thread for many tubes.
 class TubeMesher {

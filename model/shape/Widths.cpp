@@ -18,12 +18,14 @@ double widthExponent(std::uint32_t tips, double tipDiameter, double baseDiameter
 {
     if (tips < 2 || baseDiameter <= tipDiameter)
         return fallback;
-    const double exponent = std::log(static_cast<double>(tips)) / (std::log(baseDiameter) - std::log(tipDiameter));
+    const double exponent =
+        std::log(static_cast<double>(tips)) / (std::log(baseDiameter) - std::log(tipDiameter));
     return std::clamp(exponent, kSmallestExponent, kLargestExponent);
 }
 
 Widths::Widths(const WidthParameters& parameters, std::uint32_t treeTips)
-    : m_exponent(widthExponent(treeTips, parameters.tipDiameter, parameters.baseDiameter, parameters.exponent)),
+    : m_exponent(
+          widthExponent(treeTips, parameters.tipDiameter, parameters.baseDiameter, parameters.exponent)),
       m_tipRadius(parameters.tipDiameter / 2.0)
 {
     m_table.reserve(kTableSize);

@@ -10,8 +10,9 @@
 
 namespace espalier {
 
-/// Visits marked internodes and all their ancestors, each once, children before parents. Because a parent's id is smaller than
-/// its children's, that is one pass down a bit set: its cost is the number of ancestors plus a 64th of the ids.
+/// Visits marked internodes and all their ancestors, each once, children before parents. Because a parent's
+/// id is smaller than its children's, that is one pass down a bit set: its cost is the number of ancestors
+/// plus a 64th of the ids.
 class AncestorSweep {
 public:
     void mark(InternodeId id)
@@ -23,7 +24,8 @@ public:
         m_end = std::max(m_end, word + 1);
     }
 
-    /// Calls @p visit(id, parent) from the highest id down, then forgets the marks; parent is kNoInternode at the base.
+    /// Calls @p visit(id, parent) from the highest id down, then forgets the marks; parent is kNoInternode at
+    /// the base.
     template <class Visit>
     void run(std::span<const InternodeId> parents, Visit&& visit)
     {

@@ -7,30 +7,31 @@
 
 namespace espalier {
 
-/// How a tree grows (TreeSketch 2012 §3.2; symbols in the comments are the paper's). Lengths that say "in internodes" are
-/// multiples of internodeLength. Any field may change at any step; what has grown stays as it grew.
+/// How a tree grows (TreeSketch 2012 §3.2; symbols in the comments are the paper's). Lengths that say "in
+/// internodes" are multiples of internodeLength. Any field may change at any step; what has grown stays as it
+/// grew.
 struct GrowthParameters {
     // Form of a shoot
-    double internodeLength = 0.1;       ///< l, m
+    double internodeLength = 0.1;        ///< l, m
     double phyllotaxis = radians(137.5); ///< φ, rad, roll between successive nodes
-    int lateralsPerNode = 1;            ///< lateral buds at a node, 1...6, evenly around it
-    double branchingAngle = radians(52); ///< ψ, rad, between the axis and a lateral bud
+    int lateralsPerNode = 1;             ///< lateral buds at a node, 1...6, evenly around it
+    double branchingAngle = radians(60); ///< ψ, rad, between the axis and a lateral bud
     double deflectionAngle = radians(8); ///< δ, rad, the axis turns away from a lateral that starts to grow
-    double irregularity = 0.5;          ///< 0...1, spread of angles and lengths, as in real trees (0 = a diagram)
-    int maxShootLength = 5;             ///< n_max, internodes of the strongest shoot of a step
+    double irregularity = 0.6; ///< 0...1, spread of angles and lengths, as in real trees (0 = a diagram)
+    int maxShootLength = 5;    ///< n_max, internodes of the strongest shoot of a step
 
     // Competition for space
-    double occupancyRadius = 2.0;       ///< r, in internodes
-    double perceptionDepth = 3.5;       ///< d, in internodes; a bud perceives from r to r + d
+    double occupancyRadius = 2.0;         ///< r, in internodes
+    double perceptionDepth = 3.5;         ///< d, in internodes; a bud perceives from r to r + d
     double perceptionAngle = radians(90); ///< ζ, rad, full apex angle of the cone of perception
 
     // Competition for light and flow of vigour
-    double apicalDominance = 0.52;      ///< λ, 0...1; above 0.5 favours the main axis
-    double lightSensitivity = 1.0;      ///< κ > 0 in Q = b L^κ
-    double shedding = 0.1;              ///< Th, 0...1; vigour per internode of a branch, relative to the tree's
-    double shadowIntensity = 0.02;      ///< a, shadow of one internode in its own voxel (voxel edge = r)
-    double shadowFalloff = 1.8;         ///< b > 1, a layer's shadow is a b^-q
-    int shadowDepth = 6;                ///< q_max, layers of the pyramid of shadow below an internode
+    double apicalDominance = 0.52; ///< λ, 0...1; above 0.5 favours the main axis
+    double lightSensitivity = 1.0; ///< κ > 0 in Q = b L^κ
+    double shedding = 0.1;         ///< Th, 0...1; vigour per internode of a branch, relative to the tree's
+    double shadowIntensity = 0.02; ///< a, shadow of one internode in its own voxel (voxel edge = r)
+    double shadowFalloff = 1.8;    ///< b > 1, a layer's shadow is a b^-q
+    int shadowDepth = 6;           ///< q_max, layers of the pyramid of shadow below an internode
 
     // Direction of growth
     double axisWeight = 0.5;            ///< α, weight of the current direction H
@@ -41,14 +42,14 @@ struct GrowthParameters {
     bool uprightTrunk = false;          ///< the trunk keeps θ = 0, whatever the branches do
 
     // Gravimorphism (eq. 1 and figure 10)
-    double ellipseVertical = 1.0;       ///< s_v
-    double ellipseParallel = 1.0;       ///< s_p
-    double ellipseOffset = 0.0;         ///< e_v, |e_v| < s_v; > 0 favours buds above the axis (epitony), < 0 below
+    double ellipseVertical = 1.0; ///< s_v
+    double ellipseParallel = 1.0; ///< s_p
+    double ellipseOffset = 0.0;   ///< e_v, |e_v| < s_v; > 0 favours buds above the axis (epitony), < 0 below
 
     // Markers of free space
-    double markerDensity = 0.15;        ///< brush: living markers per cubic internode length
-    int markerAge = 5;                  ///< brush: growth steps that a marker lives
-    int markersPerBud = 3;              ///< autonomous growth: markers per bud and step
+    double markerDensity = 0.15; ///< brush: living markers per cubic internode length
+    int markerAge = 5;           ///< brush: growth steps that a marker lives
+    int markersPerBud = 3;       ///< autonomous growth: markers per bud and step
 
     bool operator==(const GrowthParameters&) const = default;
 };
@@ -69,17 +70,17 @@ inline constexpr int kLeafShapeCount = 4;
 struct LeafParameters {
     bool visible = true;
     LeafShape shape = LeafShape::Ovate;
-    double length = 0.09;         ///< m, petiole to tip
-    double aspect = 0.6;          ///< width / length
-    int perNode = 2;              ///< leaves at a node, 0...8
-    int maxTips = 3;              ///< an internode bears leaves while it carries at most this many twig tips
-    double angle = radians(50);   ///< rad, between the shoot and the petiole
-    double droop = 0.25;          ///< 0...1, how far gravity turns a leaf down
-    double upward = 0.6;          ///< 0...1, how far the blade turns its face to the sky
-    double sizeVariation = 0.25;  ///< 0...1
-    double hue = radians(98);     ///< rad on the colour wheel (0 red, 120° green)
+    double length = 0.09;        ///< m, petiole to tip
+    double aspect = 0.6;         ///< width / length
+    int perNode = 2;             ///< leaves at a node, 0...8
+    int maxTips = 3;             ///< an internode bears leaves while it carries at most this many twig tips
+    double angle = radians(50);  ///< rad, between the shoot and the petiole
+    double droop = 0.25;         ///< 0...1, how far gravity turns a leaf down
+    double upward = 0.6;         ///< 0...1, how far the blade turns its face to the sky
+    double sizeVariation = 0.25; ///< 0...1
+    double hue = radians(98);    ///< rad on the colour wheel (0 red, 120° green)
     double hueVariation = radians(8); ///< rad
-    double vigourHue = 0.25;      ///< 0...1, shift of weak shoots' leaves toward yellow and red
+    double vigourHue = 0.25;          ///< 0...1, shift of weak shoots' leaves toward yellow and red
 
     bool operator==(const LeafParameters&) const = default;
 };
@@ -107,17 +108,18 @@ struct TreeParameters {
 /// A parameter's quantity: how it is written at the surface.
 enum class Quantity { Number, Metres, Angle, Count, Switch, Choice };
 
-/// What the file, the recipe, the help and the panels need to know of one parameter. Limits are in surface units: degrees
-/// for angles, the number of the choice for choices.
+/// What the file, the recipe, the help and the panels need to know of one parameter. Limits are in surface
+/// units: degrees for angles, the number of the choice for choices.
 struct ParameterInfo {
-    const char* key;    ///< "group.name", stable: it is in files
+    const char* key; ///< "group.name", stable: it is in files
     Quantity quantity;
     double minimum;
     double maximum;
     const char* choices = nullptr; ///< names of a Choice, in order, separated by spaces
 };
 
-/// Calls @p visit(info, field) for each field; the one list of parameters that there is. Works on const and mutable parameters.
+/// Calls @p visit(info, field) for each field; the one list of parameters that there is. Works on const and
+/// mutable parameters.
 template <class Parameters, class Visit>
 void visitParameters(Parameters& p, Visit&& visit)
 {
@@ -159,7 +161,8 @@ void visitParameters(Parameters& p, Visit&& visit)
 
     auto& f = p.leaves;
     visit(ParameterInfo{"leaves.visible", Switch, 0, 1}, f.visible);
-    visit(ParameterInfo{"leaves.shape", Choice, 0, kLeafShapeCount - 1, "ovate lanceolate lobed needles"}, f.shape);
+    visit(ParameterInfo{"leaves.shape", Choice, 0, kLeafShapeCount - 1, "ovate lanceolate lobed needles"},
+          f.shape);
     visit(ParameterInfo{"leaves.length", Metres, 0.005, 2}, f.length);
     visit(ParameterInfo{"leaves.aspect", Number, 0.02, 3}, f.aspect);
     visit(ParameterInfo{"leaves.perNode", Count, 0, 8}, f.perNode);

@@ -89,14 +89,17 @@ Result<Tree> Tree::fromColumns(std::uint64_t seed, Step step, InternodeColumns c
 {
     const std::uint32_t count = columns.size();
     bool equalSizes = true;
-    InternodeColumns::visit(columns, [&](const char*, const auto& column) { equalSizes &= column.size() == count; });
+    InternodeColumns::visit(columns,
+                            [&](const char*, const auto& column) { equalSizes &= column.size() == count; });
     if (!equalSizes)
         return Error{Error::Kind::Input, tr("the columns of the tree have different lengths")};
     if (count == 0 || parameterSets.isEmpty() || currentParameters >= parameterSets.size())
         return Error{Error::Kind::Input, tr("the tree is empty or lacks its parameters")};
 
     const auto setCount = static_cast<std::uint32_t>(parameterSets.size());
-    const auto alive = [&](InternodeId id) { return columns.present[id] != 0 && columns.death[id] == kNever; };
+    const auto alive = [&](InternodeId id) {
+        return columns.present[id] != 0 && columns.death[id] == kNever;
+    };
     std::vector<bool> continued(count, false);
     for (InternodeId id = 0; id < count; ++id) {
         QString fault = faultOf(std::as_const(columns), id, setCount, step);
@@ -174,11 +177,12 @@ bool Tree::operator==(const Tree& other) const
     const InternodeColumns& a = m_columns;
     const InternodeColumns& b = other.m_columns;
     const auto sameRotation = [](const Rotation& r, const Rotation& s) { return r.coeffs() == s.coeffs(); };
-    return m_seed == other.m_seed && m_step == other.m_step && m_currentParameters == other.m_currentParameters &&
-           m_parameterSets == other.m_parameterSets && a.parent == b.parent &&
-           std::ranges::equal(a.rotation, b.rotation, sameRotation) && a.length == b.length && a.vigour == b.vigour &&
-           a.slot == b.slot && a.buds == b.buds && a.birth == b.birth && a.death == b.death &&
-           a.present == b.present && a.parameterSet == b.parameterSet;
+    return m_seed == other.m_seed && m_step == other.m_step &&
+           m_currentParameters == other.m_currentParameters && m_parameterSets == other.m_parameterSets &&
+           a.parent == b.parent && std::ranges::equal(a.rotation, b.rotation, sameRotation) &&
+           a.length == b.length && a.vigour == b.vigour && a.slot == b.slot && a.buds == b.buds &&
+           a.birth == b.birth && a.death == b.death && a.present == b.present &&
+           a.parameterSet == b.parameterSet;
 }
 
 std::size_t Tree::bytes() const
@@ -201,8 +205,8 @@ TreeDelta TreeDelta::startingAt(const Tree& tree)
 
 bool TreeDelta::isEmpty() const
 {
-    return stepBefore == stepAfter && parametersBefore == parametersAfter && born.count == 0 && died.empty() &&
-           buds.empty();
+    return stepBefore == stepAfter && parametersBefore == parametersAfter && born.count == 0 &&
+           died.empty() && buds.empty();
 }
 
 std::size_t TreeDelta::bytes() const

@@ -8,9 +8,10 @@
 
 namespace espalier {
 
-/// The plant graph. An internode is a row of the columns; its upper end is a node, which carries buds; an axis is a chain of
-/// internodes that each continue the one before (slot kTerminalSlot). Nothing is erased: what is shed or pruned gets a death
-/// step, and what is undone is marked absent. Internode 0 is the seedling: it stands at the origin, upright, and never dies.
+/// The plant graph. An internode is a row of the columns; its upper end is a node, which carries buds; an
+/// axis is a chain of internodes that each continue the one before (slot kTerminalSlot). Nothing is erased:
+/// what is shed or pruned gets a death step, and what is undone is marked absent. Internode 0 is the
+/// seedling: it stands at the origin, upright, and never dies.
 ///
 /// A Tree is a value: copies share their columns until one of them changes.
 class Tree {
@@ -18,8 +19,9 @@ public:
     /// A seedling.
     explicit Tree(std::uint64_t seed = 1, const TreeParameters& parameters = {});
 
-    /// A tree read from elsewhere. Fails unless the columns agree with each other: equal sizes, parents before children, at
-    /// most one living continuation a node, living parents of living internodes, finite numbers, known parameter sets.
+    /// A tree read from elsewhere. Fails unless the columns agree with each other: equal sizes, parents
+    /// before children, at most one living continuation a node, living parents of living internodes, finite
+    /// numbers, known parameter sets.
     static Result<Tree> fromColumns(std::uint64_t seed, Step step, InternodeColumns columns,
                                     QList<TreeParameters> parameterSets, std::uint32_t currentParameters);
 
@@ -42,12 +44,16 @@ public:
     /// The parameters in force now.
     const TreeParameters& parameters() const { return m_parameterSets[m_currentParameters]; }
     /// The parameters that an internode was grown with.
-    const TreeParameters& parametersOf(InternodeId id) const { return m_parameterSets[m_columns.parameterSet[id]]; }
+    const TreeParameters& parametersOf(InternodeId id) const
+    {
+        return m_parameterSets[m_columns.parameterSet[id]];
+    }
 
-    /// Keeps @p parameters, unless they are known already, and returns their index. Changes nothing else: a delta puts them in force.
-    /// Precondition: less than 65,536 different sets.
+    /// Keeps @p parameters, unless they are known already, and returns their index. Changes nothing else: a
+    /// delta puts them in force. Precondition: less than 65,536 different sets.
     std::uint32_t rememberParameters(const TreeParameters& parameters);
-    /// Drops the set that was remembered last. Precondition: neither an internode nor a delta refers to it, and it is not in force.
+    /// Drops the set that was remembered last. Precondition: neither an internode nor a delta refers to it,
+    /// and it is not in force.
     void forgetLastParameters();
 
     void apply(TreeDelta& delta);

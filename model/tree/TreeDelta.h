@@ -24,9 +24,10 @@ struct TreeDelta {
     std::uint32_t parametersBefore = 0; ///< Index of the parameter set in force
     std::uint32_t parametersAfter = 0;
     IdRange born;
-    std::vector<InternodeId> died;  ///< At stepAfter; the whole of each shed or pruned branch
-    std::vector<BudChange> buds;    ///< Of internodes that lived before; each id at most once
-    /// The new internodes' rows on their way into the tree: the first apply takes them, and they stay in its columns from then on.
+    std::vector<InternodeId> died; ///< At stepAfter; the whole of each shed or pruned branch
+    std::vector<BudChange> buds;   ///< Of internodes that lived before; each id at most once
+    /// The new internodes' rows on their way into the tree: the first apply takes them, and they stay in its
+    /// columns from then on.
     std::unique_ptr<InternodeColumns> rows;
 
     /// A delta that changes nothing, to be filled in, at the moment that @p tree is in.

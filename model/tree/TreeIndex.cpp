@@ -79,7 +79,8 @@ void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
 
 std::size_t TreeIndex::bytes() const
 {
-    constexpr std::size_t row = 4 * sizeof(InternodeId) + sizeof(Vec3) + sizeof(Rotation) + 2 * sizeof(Sums) + 1;
+    constexpr std::size_t row =
+        4 * sizeof(InternodeId) + sizeof(Vec3) + sizeof(Rotation) + 2 * sizeof(Sums) + 1;
     return m_sums.capacity() * row;
 }
 
@@ -103,9 +104,9 @@ void TreeIndex::appendRows(const Tree& tree)
         const InternodeId parent = c.parent[id];
         const bool isBase = parent == kNoInternode;
         m_axis[id] = isBase || c.slot[id] != kTerminalSlot ? id : m_axis[parent];
-        const Placement placement =
-            placeOn(isBase ? Vec3(Vec3::Zero()) : m_position[parent],
-                    isBase ? Rotation(Rotation::Identity()) : m_rotation[parent], c.rotation[id], c.length[id]);
+        const Placement placement = placeOn(isBase ? Vec3(Vec3::Zero()) : m_position[parent],
+                                            isBase ? Rotation(Rotation::Identity()) : m_rotation[parent],
+                                            c.rotation[id], c.length[id]);
         m_position[id] = placement.node;
         m_rotation[id] = placement.rotation;
     }

@@ -9,9 +9,9 @@
 
 namespace espalier {
 
-/// What follows from a tree and is asked for all the time: who hangs on whom, where everything stands, how much each internode
-/// carries. Updated by the same deltas as the tree, forwards and backwards, in proportion to what they touch and its ancestors.
-/// Equal trees have equal indices, however they came about.
+/// What follows from a tree and is asked for all the time: who hangs on whom, where everything stands, how
+/// much each internode carries. Updated by the same deltas as the tree, forwards and backwards, in proportion
+/// to what they touch and its ancestors. Equal trees have equal indices, however they came about.
 class TreeIndex {
 public:
     TreeIndex() = default;
@@ -72,8 +72,8 @@ private:
     std::vector<Vec3> m_position;
     std::vector<Rotation> m_rotation;
     std::vector<Sums> m_sums;
-    std::vector<std::uint8_t> m_own;      ///< Bit 0: counted as living, bit 1: as a tip
-    std::vector<Sums> m_pending;          ///< Differences on their way down, modulo 2^32
+    std::vector<std::uint8_t> m_own; ///< Bit 0: counted as living, bit 1: as a tip
+    std::vector<Sums> m_pending;     ///< Differences on their way down, modulo 2^32
     AncestorSweep m_sweep;
     std::vector<InternodeId> m_changed;
 };

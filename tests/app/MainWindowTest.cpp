@@ -40,6 +40,7 @@ private Q_SLOTS:
     void keys_changeTheBrushAndWhatIsShown();
     void tab_hidesEverythingButTheTree();
     void sheets_opensOneAtATime();
+    void f6_leadsTheKeysToThePanelsAndBack();
     void recipe_isPlayedAndHandedOver();
     void droppedFile_isOpened();
     void recentFiles_listWhatWasSaved();
@@ -420,6 +421,22 @@ void MainWindowTest::sheets_opensOneAtATime()
     QTRY_VERIFY(!workspace.sheet(1).isVisible());
 }
 
+void MainWindowTest::f6_leadsTheKeysToThePanelsAndBack()
+{
+    action(ActionId::LeafSheet)->trigger();
+    QTest::keyClick(handle(), Qt::Key_F6);
+    ParameterPanel& sheet = m_window->workspace().sheet(1);
+    QTRY_VERIFY(sheet.isAncestorOf(QApplication::focusWidget()));
+    QWidget* const first = QApplication::focusWidget();
+    QTest::keyClick(handle(), Qt::Key_Tab);
+    QTRY_VERIFY(QApplication::focusWidget() != first);
+    QVERIFY(sheet.isVisible() && sheet.isAncestorOf(QApplication::focusWidget()));
+    QTest::keyClick(handle(), Qt::Key_F6);
+    QTRY_COMPARE(QApplication::focusWidget(), &viewport());
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QTRY_VERIFY(!sheet.isVisible());
+}
+
 void MainWindowTest::recipe_isPlayedAndHandedOver()
 {
     QFile file(m_folder->filePath(QStringLiteral("small.json")));
@@ -573,8 +590,8 @@ void MainWindowTest::window_looksLikeThis()
     m_window->workspace().notice().showProgress(QStringLiteral("Writing old-oak.fbx"), 0.4, [] {});
     const QPoint from = at(1.4F, 2.4F);
     QTest::mousePress(handle(), Qt::LeftButton, {}, from);
-    for (int i = 1; i <= 30; ++i) {
-        QTest::mouseMove(handle(), from + QPoint(3 * i, -2 * i));
+    for (int i = 1; i <= 12; ++i) {
+        QTest::mouseMove(handle(), from + QPoint(7 * i, -5 * i));
         QTest::qWait(20);
     }
     const QPixmap picture = m_window->screen()->grabWindow(m_window->winId());

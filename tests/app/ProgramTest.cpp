@@ -251,8 +251,9 @@ void ProgramTest::failures_areOneLineAndACode()
     QFETCH(int, code);
     QFETCH(QString, mentions);
     write("broken.json", "{\"espalier-recipe\": 1,\n oops}");
-    write("fault.json",
-          R"({"espalier-recipe": 1, "operations": [{"op": "grow", "steps": 1}, {"op": "grow", "steps": -3}]})");
+    write(
+        "fault.json",
+        R"({"espalier-recipe": 1, "operations": [{"op": "grow", "steps": 1}, {"op": "grow", "steps": -3}]})");
     write("empty.espalier", "");
     QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("folder")));
 

@@ -128,7 +128,8 @@ void meshPool_brushStep(benchmark::State& state)
         const TreeDelta& delta = grown.step();
         born += delta.born.count;
         state.ResumeTiming();
-        pool.update(grown.tree(), grown.index(), delta);
+        pool.follow(grown.tree(), grown.index(), delta);
+        pool.finish(grown.tree(), grown.index());
         const MeshPool::Changes changes = pool.takeChanges();
         state.PauseTiming();
         for (const MeshPool::Range& range : changes.vertices)

@@ -336,12 +336,14 @@ void BrushGestureTest::drawnStroke_startsFromTheBudNearest()
     double nearest = std::numeric_limits<double>::infinity();
     for (InternodeId id = 0; id < size; ++id) {
         if (document.tree().isAlive(id) && document.tree().buds(id) != 0)
-            nearest = std::min(nearest, static_cast<double>((document.index().nodePosition(id) - place).norm()));
+            nearest =
+                std::min(nearest, static_cast<double>((document.index().nodePosition(id) - place).norm()));
     }
     brush(document, strokeAlong(std::vector{place, Vec3(1.5F, 1.8F, 0.2F)}, 0.0F, 0.5));
     const auto born = bornSince(document, size);
     QVERIFY(born.size() > 5);
-    QVERIFY(std::abs((document.index().basePosition(document.tree(), born.front()) - place).norm() - nearest) < 1e-5);
+    QVERIFY(std::abs((document.index().basePosition(document.tree(), born.front()) - place).norm() -
+                     nearest) < 1e-5);
 }
 
 void BrushGestureTest::drawnStroke_fromASelectedBud_startsThere()
@@ -354,7 +356,8 @@ void BrushGestureTest::drawnStroke_fromASelectedBud_startsThere()
     while (!document.tree().isAlive(node) || (document.tree().buds(node) & budBit(0)) == 0)
         ++node;
     const Vec3 from = document.index().nodePosition(node);
-    brush(document, strokeAlong(std::vector{from, Vec3(from + Vec3(1.0F, 0.5F, 0.0F))}, 0.0F, 0.5), {node, 0});
+    brush(document, strokeAlong(std::vector{from, Vec3(from + Vec3(1.0F, 0.5F, 0.0F))}, 0.0F, 0.5),
+          {node, 0});
     const auto born = bornSince(document, size);
     QVERIFY(born.size() > 5);
     QCOMPARE(document.tree().parent(born.front()), node);
@@ -380,7 +383,8 @@ void BrushGestureTest::drawnStroke_turningBackOnItself_staysOnTheLine()
 
 void BrushGestureTest::thinnerBrush_growsFewerShoots()
 {
-    // Tips that the same stroke adds, on average over some trees, as the brush goes from the occupancy radius to nothing.
+    // Tips that the same stroke adds, on average over some trees, as the brush goes from the occupancy radius
+    // to nothing.
     std::vector<double> tips;
     for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
         double sum = 0.0;
@@ -390,7 +394,8 @@ void BrushGestureTest::thinnerBrush_growsFewerShoots()
             const GrowthParameters& p = document.parameters().growth;
             const auto radius = static_cast<float>(share * p.occupancyRadius * p.internodeLength);
             const std::uint32_t size = document.tree().size();
-            brush(document, strokeAlong(std::vector{Vec3(0.2F, 1.8F, 0.0F), Vec3(1.8F, 2.2F, 0.0F)}, radius, 2.0));
+            brush(document,
+                  strokeAlong(std::vector{Vec3(0.2F, 1.8F, 0.0F), Vec3(1.8F, 2.2F, 0.0F)}, radius, 2.0));
             int count = 0;
             for (const InternodeId id : bornSince(document, size))
                 count += document.index().firstChild(id) == kNoInternode ? 1 : 0;
@@ -400,7 +405,8 @@ void BrushGestureTest::thinnerBrush_growsFewerShoots()
         }
         tips.push_back(sum / 12.0);
     }
-    const QString found = QStringLiteral("%1 %2 %3 %4 %5").arg(tips[0]).arg(tips[1]).arg(tips[2]).arg(tips[3]).arg(tips[4]);
+    const QString found =
+        QStringLiteral("%1 %2 %3 %4 %5").arg(tips[0]).arg(tips[1]).arg(tips[2]).arg(tips[3]).arg(tips[4]);
     QVERIFY2(tips.front() > 3.0, qPrintable(found));
     for (std::size_t i = 1; i < tips.size(); ++i)
         QVERIFY2(tips[i] < 1.1 * tips[i - 1], qPrintable(found));
@@ -438,7 +444,8 @@ void BrushGestureTest::tropismFromStroke_bendsGrowthAlongTheStroke()
             with.growth.tropismFromStroke = fromStroke;
             setParameters(document, with);
             const std::uint32_t size = document.tree().size();
-            brush(document, strokeAlong(std::vector{Vec3(0.0F, 1.6F, 0.0F), Vec3(1.5F, 1.6F, 0.0F)}, 0.4F, 2.0));
+            brush(document,
+                  strokeAlong(std::vector{Vec3(0.0F, 1.6F, 0.0F), Vec3(1.5F, 1.6F, 0.0F)}, 0.4F, 2.0));
             const auto born = bornSince(document, size);
             double sum = 0.0;
             for (const InternodeId id : born)
@@ -497,7 +504,8 @@ void BrushGestureTest::selectedBranch_growsAlone()
         }
         const std::uint32_t size = tree.size();
         const Vec3 from = index.nodePosition(node);
-        brush(document, strokeAlong(std::vector{from, Vec3(from + Vec3(1.2F, 0.2F, 0.0F))}, 0.4F, 2.0), {node, 0});
+        brush(document, strokeAlong(std::vector{from, Vec3(from + Vec3(1.2F, 0.2F, 0.0F))}, 0.4F, 2.0),
+              {node, 0});
         const auto born = bornSince(document, size);
         strokes += born.empty() ? 0 : 1;
         for (const InternodeId id : born)

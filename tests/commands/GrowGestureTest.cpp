@@ -98,7 +98,7 @@ void GrowGestureTest::afterItsEnd_theGestureDoesNothing()
 
 void GrowGestureTest::seedling_becomesATree()
 {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         TreeDocument document;
         document.reset(seed);
         QCOMPARE(grow(document, 25), 25);

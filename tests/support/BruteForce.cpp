@@ -23,7 +23,8 @@ bool hasBuds(const GrowingTree& tree, InternodeId id)
 
 Vec3d directionOf(const GrowingTree& tree, const BudRef& bud)
 {
-    return budDirection(tree.tree().seed(), bud.node, bud.slot, tree.rotation(bud.node), tree.grownWith(bud.node))
+    return budDirection(tree.tree().seed(), bud.node, bud.slot, tree.rotation(bud.node),
+                        tree.grownWith(bud.node))
         .cast<double>();
 }
 
@@ -45,8 +46,8 @@ struct Claim {
     double alignment; ///< cosine
 };
 
-std::vector<Claim> claims(const GrowingTree& tree, const Perception& perception, const Competitors& competitors,
-                          const Vec3& marker)
+std::vector<Claim> claims(const GrowingTree& tree, const Perception& perception,
+                          const Competitors& competitors, const Vec3& marker)
 {
     std::vector<Claim> found;
     for (InternodeId id = 0; id < tree.size(); ++id) {
@@ -71,7 +72,8 @@ std::vector<Claim> claims(const GrowingTree& tree, const Perception& perception,
 bool isOccupied(const GrowingTree& tree, const Perception& perception, const Vec3& marker)
 {
     for (InternodeId id = 0; id < tree.size(); ++id) {
-        if (hasBuds(tree, id) && (marker - tree.nodePosition(id)).cast<double>().norm() < perception.occupancy)
+        if (hasBuds(tree, id) &&
+            (marker - tree.nodePosition(id)).cast<double>().norm() < perception.occupancy)
             return true;
     }
     return false;
@@ -80,18 +82,22 @@ bool isOccupied(const GrowingTree& tree, const Perception& perception, const Vec
 std::array<int, 3> voxelOf(const Vec3& position, const GrowthParameters& p)
 {
     const auto edge = static_cast<float>(p.occupancyRadius * p.internodeLength);
-    return {static_cast<int>(std::floor(position.x() / edge)), static_cast<int>(std::floor(position.y() / edge)),
+    return {static_cast<int>(std::floor(position.x() / edge)),
+            static_cast<int>(std::floor(position.y() / edge)),
             static_cast<int>(std::floor(position.z() / edge))};
 }
 
-/// Layers of the pyramid of shadow below @p caster in which @p shaded lies, or a negative number if it lies outside.
+/// Layers of the pyramid of shadow below @p caster in which @p shaded lies, or a negative number if it lies
+/// outside.
 int layersBelow(const std::array<int, 3>& caster, const std::array<int, 3>& shaded, int depth)
 {
     const int q = caster[1] - shaded[1];
-    return q <= depth && std::abs(caster[0] - shaded[0]) <= q && std::abs(caster[2] - shaded[2]) <= q ? q : -1;
+    return q <= depth && std::abs(caster[0] - shaded[0]) <= q && std::abs(caster[2] - shaded[2]) <= q ? q
+                                                                                                      : -1;
 }
 
-/// Length of the ray from the axis in the direction χ inside the ellipse, with the ellipse squeezed to a unit circle.
+/// Length of the ray from the axis in the direction χ inside the ellipse, with the ellipse squeezed to a unit
+/// circle.
 double distanceToEllipse(const GrowthParameters& p, double chi)
 {
     const Eigen::Vector2d centre(p.ellipseOffset / p.ellipseVertical, 0.0);
@@ -113,22 +119,23 @@ double bias(const Tree& tree, const TreeIndex& index, const BudRef& bud)
         return 1.0;
     const Vec3d y = Vec3d::UnitY();
     const Vec3d h = index.heading(bud.node).cast<double>();
-    const Vec3d direction =
-        budDirection(tree.seed(), bud.node, bud.slot, index.rotation(bud.node), tree.parametersOf(bud.node).growth)
-            .cast<double>();
+    const Vec3d direction = budDirection(tree.seed(), bud.node, bud.slot, index.rotation(bud.node),
+                                         tree.parametersOf(bud.node).growth)
+                                .cast<double>();
     const double tau = std::acos(std::clamp(h.dot(y), -1.0, 1.0));
     const Vec3d across = direction - direction.dot(h) * h;
     if (std::sin(tau) < 1e-6 || across.norm() < 1e-6)
         return 1.0;
     const Vec3d top = (y - y.dot(h) * h).normalized();
-    const double chi = std::acos(std::clamp(across.normalized().dot(top), -1.0, 1.0)); // the ellipse is symmetric
+    const double chi =
+        std::acos(std::clamp(across.normalized().dot(top), -1.0, 1.0)); // the ellipse is symmetric
     return std::pow(std::cos(tau), 2) + distanceToEllipse(p, chi) * std::pow(std::sin(tau), 2);
 }
 
 } // namespace
 
-BruteCompetition bruteCompetition(const GrowingTree& tree, const Perception& perception, const Competitors& competitors,
-                                  const MarkerSet& markers)
+BruteCompetition bruteCompetition(const GrowingTree& tree, const Perception& perception,
+                                  const Competitors& competitors, const MarkerSet& markers)
 {
     BruteCompetition result;
     std::map<BudRef, Vec3d> sums;
@@ -157,7 +164,8 @@ MarkerSet clearCut(const GrowingTree& tree, const Perception& perception, const 
                 continue;
             const Vec3d toMarker = (markers.positions[i] - tree.nodePosition(id)).cast<double>();
             const double distance = toMarker.norm();
-            if (std::abs(distance - perception.occupancy) < kLeast || std::abs(distance - perception.reach) < kLeast)
+            if (std::abs(distance - perception.occupancy) < kLeast ||
+                std::abs(distance - perception.reach) < kLeast)
                 return false;
             if (distance > perception.reach)
                 continue;
@@ -211,7 +219,8 @@ BruteVigour::BruteVigour(const Tree& tree, const TreeIndex& index)
 double BruteVigour::gather(const Tree& tree, const TreeIndex& index, InternodeId id)
 {
     const GrowthParameters& p = tree.parameters().growth;
-    const double shadow = static_cast<double>(bruteShadow(tree, index, index.nodePosition(id))) / VoxelSpace::kShadowUnit;
+    const double shadow =
+        static_cast<double>(bruteShadow(tree, index, index.nodePosition(id))) / VoxelSpace::kShadowUnit;
     const double light = std::clamp(1.0 - shadow + p.shadowIntensity, 0.0, 1.0);
     double sum = 0.0;
     for (int slot = 0; slot < 8; ++slot) {
@@ -283,7 +292,8 @@ std::vector<InternodeId> bruteShedding(const Tree& tree, const TreeIndex& index,
     };
     std::set<InternodeId> shed;
     for (InternodeId id = 1; id < tree.size(); ++id) {
-        if (!tree.isAlive(id) || tree.columns().slot[id] == kTerminalSlot || tree.step() + 1 < tree.birth(id) + kSpared ||
+        if (!tree.isAlive(id) || tree.columns().slot[id] == kTerminalSlot ||
+            tree.step() + 1 < tree.birth(id) + kSpared ||
             std::ranges::any_of(growingAt, [&](InternodeId node) { return carries(id, node); }))
             continue;
         const std::vector<InternodeId> branch = bruteSubtree(tree, id);

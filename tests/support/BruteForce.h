@@ -7,8 +7,9 @@
 #include <map>
 #include <vector>
 
-/// The same answers as model/growth gives, by the shortest way from the papers' formulas to a number: all pairs of markers and buds, all
-/// pairs of casters and buds, plain recursion. In double precision where that does not change what is meant.
+/// The same answers as model/growth gives, by the shortest way from the papers' formulas to a number: all
+/// pairs of markers and buds, all pairs of casters and buds, plain recursion. In double precision where that
+/// does not change what is meant.
 namespace espalier::test {
 
 /// One round of competition for space.
@@ -16,14 +17,15 @@ struct BruteCompetition {
     std::vector<Vec3> freeMarkers;
     std::vector<EnabledBud> enabled; ///< By ascending node and slot
 };
-BruteCompetition bruteCompetition(const GrowingTree& tree, const Perception& perception, const Competitors& competitors,
-                                  const MarkerSet& markers);
+BruteCompetition bruteCompetition(const GrowingTree& tree, const Perception& perception,
+                                  const Competitors& competitors, const MarkerSet& markers);
 
-/// @p markers without those whose fate hangs on the last bits of a float: on the border of a bud's zone or as near to one bud as
-/// to another.
+/// @p markers without those whose fate hangs on the last bits of a float: on the border of a bud's zone or as
+/// near to one bud as to another.
 MarkerSet clearCut(const GrowingTree& tree, const Perception& perception, const MarkerSet& markers);
 
-/// Shadow of the voxel that @p position lies in, summed over all living internodes, in units of 1 / VoxelSpace::kShadowUnit.
+/// Shadow of the voxel that @p position lies in, summed over all living internodes, in units of 1 /
+/// VoxelSpace::kShadowUnit.
 std::int64_t bruteShadow(const Tree& tree, const TreeIndex& index, const Vec3& position);
 
 /// Q and vigour of all living buds and internodes.
@@ -45,7 +47,8 @@ private:
 /// Living internodes that @p root carries, itself included.
 std::vector<InternodeId> bruteSubtree(const Tree& tree, InternodeId root);
 
-/// Internodes that a step with the births @p born should shed, having grown from the nodes @p growingAt: by ascending id.
+/// Internodes that a step with the births @p born should shed, having grown from the nodes @p growingAt: by
+/// ascending id.
 std::vector<InternodeId> bruteShedding(const Tree& tree, const TreeIndex& index, std::span<const Vec3> born,
                                        std::span<const InternodeId> growingAt);
 

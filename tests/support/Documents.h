@@ -5,7 +5,8 @@
 
 namespace espalier::test {
 
-/// What of the document's indices differs from freshly made ones, in all that can be asked of them; empty if nothing.
+/// What of the document's indices differs from freshly made ones, in all that can be asked of them; empty if
+/// nothing.
 QString indexFault(const TreeDocument& document);
 
 /// All of a document that undo and redo bring back.
@@ -22,8 +23,8 @@ struct DocumentState {
     int undoIndex;
 };
 
-/// In what @p document shows something else than @p before, empty if in nothing. Rows and parameters that came since may be there
-/// but must neither live nor be in force.
+/// In what @p document shows something else than @p before, empty if in nothing. Rows and parameters that
+/// came since may be there but must neither live nor be in force.
 QString visibleDifference(const DocumentState& before, const TreeDocument& document);
 
 } // namespace espalier::test

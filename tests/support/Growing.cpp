@@ -73,8 +73,9 @@ std::vector<BrushSample> randomStroke(Random& random, const GrowthParameters& gr
 {
     const auto l = static_cast<float>(growth.internodeLength);
     std::vector<Vec3> points;
-    Vec3 point = l * Vec3(static_cast<float>(random.uniform(-5, 5)), static_cast<float>(random.uniform(2, 12)),
-                          static_cast<float>(random.uniform(-5, 5)));
+    Vec3 point =
+        l * Vec3(static_cast<float>(random.uniform(-5, 5)), static_cast<float>(random.uniform(2, 12)),
+                 static_cast<float>(random.uniform(-5, 5)));
     for (int i = 0; i < 4; ++i) {
         points.push_back(point);
         point += 4.0F * l * random.direction();
@@ -82,7 +83,9 @@ std::vector<BrushSample> randomStroke(Random& random, const GrowthParameters& gr
     }
     // Some strokes draw, some are thin, most are brushes.
     const int kind = whole(random, 0, 5);
-    const double inInternodes = kind == 0 ? 0.0 : kind == 1 ? random.uniform(0.5, 2.0) : random.uniform(2.0, 6.0);
+    const double inInternodes = kind == 0   ? 0.0
+                                : kind == 1 ? random.uniform(0.5, 2.0)
+                                            : random.uniform(2.0, 6.0);
     return strokeAlong(points, l * static_cast<float>(inInternodes), random.uniform(0.3, seconds));
 }
 

@@ -20,11 +20,13 @@ std::vector<BrushSample> randomStroke(Random& random, const GrowthParameters& gr
 
 /// Makes a whole stroke, one undo step if anything grew.
 void brush(TreeDocument& document, std::span<const BrushSample> samples, Competitors competitors = {});
-/// Grows @p steps steps without a hand, one undo step if anything grew; returns how many of them grew something.
+/// Grows @p steps steps without a hand, one undo step if anything grew; returns how many of them grew
+/// something.
 int grow(TreeDocument& document, int steps, Competitors competitors = {});
 
-/// Resets @p document to a seedling with random parameters and grows it, with brush and without, to at least @p least
-/// internodes where its parameters allow that, and hardly more than @p most.
-void growAtRandom(TreeDocument& document, std::uint64_t seed, std::uint32_t least = 60, std::uint32_t most = 500);
+/// Resets @p document to a seedling with random parameters and grows it, with brush and without, to at least
+/// @p least internodes where its parameters allow that, and hardly more than @p most.
+void growAtRandom(TreeDocument& document, std::uint64_t seed, std::uint32_t least = 60,
+                  std::uint32_t most = 500);
 
 } // namespace espalier::test

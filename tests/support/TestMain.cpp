@@ -4,14 +4,16 @@
 #include <QCoreApplication>
 #include <QtTest>
 
-/// Runs every test class; with the name of one as the first argument that one alone, and what follows goes to it.
+/// Runs every test class; with the name of one as the first argument that one alone, and what follows goes to
+/// it.
 int main(int argc, char** argv)
 {
     const QCoreApplication application(argc, argv);
     QStringList arguments = QCoreApplication::arguments();
     QString wanted;
     for (const auto make : espalier::test::TestClasses::all()) {
-        const QString name = QString::fromLatin1(make()->metaObject()->className()).section(QLatin1String("::"), -1);
+        const QString name =
+            QString::fromLatin1(make()->metaObject()->className()).section(QLatin1String("::"), -1);
         if (arguments.size() > 1 && arguments[1] == name)
             wanted = arguments.takeAt(1);
     }
@@ -19,7 +21,8 @@ int main(int argc, char** argv)
     int failures = 0;
     for (const auto make : espalier::test::TestClasses::all()) {
         const std::unique_ptr<QObject> test = make();
-        const QString name = QString::fromLatin1(test->metaObject()->className()).section(QLatin1String("::"), -1);
+        const QString name =
+            QString::fromLatin1(test->metaObject()->className()).section(QLatin1String("::"), -1);
         if (wanted.isEmpty() || wanted == name)
             failures += QTest::qExec(test.get(), arguments);
     }

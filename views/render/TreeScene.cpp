@@ -33,7 +33,7 @@ void TreeScene::follow(const TreeChange& change)
         return;
     }
     const TreeDelta& delta = *change.delta;
-    m_mesh.update(m_document.tree(), m_document.index(), delta);
+    m_mesh.follow(m_document.tree(), m_document.index(), delta);
     const auto relight = [&](InternodeId id) { m_relit.extend(m_document.index().nodePosition(id)); };
     for (InternodeId id = delta.born.first; id != delta.born.end(); ++id)
         relight(id);
@@ -63,6 +63,7 @@ std::vector<Vec3> TreeScene::outline() const
 
 void TreeScene::prepare()
 {
+    m_mesh.finish(m_document.tree(), m_document.index());
     const VoxelSpace& space = m_document.growthIndex().space();
     if (m_lightIsOld)
         m_light.rebuild(space);

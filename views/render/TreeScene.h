@@ -18,7 +18,8 @@ public:
     void follow(const TreeChange& change);
     /// Brings everything to its exact form, when there is time; returns whether that changed anything.
     bool settle();
-    /// Brings up to date what several changes need only once; before light() and bounds().
+    /// Brings up to date what several changes need only once; before mesh(), light() and
+    /// bounds().
     void prepare();
 
     /// Tells scenes apart, also those that lived at the same place.

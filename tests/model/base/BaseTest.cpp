@@ -37,7 +37,8 @@ void BaseTest::random_isAFunctionOfItsKey()
     Random b(1, 2, 3, Purpose::Leaf);
     for (int i = 0; i < 100; ++i)
         QCOMPARE(a.bits(), b.bits());
-    // Part of "same recipe, same tree": it must never change. Worked out by hand from the definition of SplitMix64.
+    // Part of "same recipe, same tree": it must never change. Worked out by hand from the definition of
+    // SplitMix64.
     Random known(1, 2, 3, Purpose::Leaf);
     const std::uint64_t first = known.bits();
     QCOMPARE(first, 0x28d1312bb8ed9dc9U);
@@ -101,7 +102,8 @@ void BaseTest::direction_isUniformOnTheSphere()
         const Vec3 direction = random.direction();
         QVERIFY(std::abs(direction.norm() - 1.0F) < 1e-5F);
         sum += direction;
-        ++octants[(direction.x() > 0 ? 1U : 0U) + (direction.y() > 0 ? 2U : 0U) + (direction.z() > 0 ? 4U : 0U)];
+        ++octants[(direction.x() > 0 ? 1U : 0U) + (direction.y() > 0 ? 2U : 0U) +
+                  (direction.z() > 0 ? 4U : 0U)];
     }
     QVERIFY(sum.norm() / count < 0.015F);
     for (const int n : octants)

@@ -43,8 +43,8 @@ void TreeDocumentTest::change_isSignalledOnceAfterAllHasFollowed()
         applied += change.kind == TreeChange::Kind::Applied ? 1 : 0;
         reverted += change.kind == TreeChange::Kind::Reverted ? 1 : 0;
         QCOMPARE(document.index().size(), document.tree().size());
-        QCOMPARE(document.tree().step(),
-                 change.kind == TreeChange::Kind::Applied ? change.delta->stepAfter : change.delta->stepBefore);
+        QCOMPARE(document.tree().step(), change.kind == TreeChange::Kind::Applied ? change.delta->stepAfter
+                                                                                  : change.delta->stepBefore);
     });
     const int steps = grow(document, 5);
     QVERIFY(steps > 0);

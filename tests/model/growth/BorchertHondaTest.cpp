@@ -92,7 +92,8 @@ void BorchertHondaTest::share_isConservedAndGrowsWithLambda()
 
 void BorchertHondaTest::share_whereNothingCanUseVigour_isNothing()
 {
-    for (const auto& [lambda, main, lateral] : {std::tuple(0.5, 0.0, 0.0), {1.0, 0.0, 3.0}, {0.0, 3.0, 0.0}}) {
+    for (const auto& [lambda, main, lateral] :
+         {std::tuple(0.5, 0.0, 0.0), {1.0, 0.0, 3.0}, {0.0, 3.0, 0.0}}) {
         const VigourShares shares = shareVigour(7.0, lambda, main, lateral);
         QCOMPARE(shares.main, 0.0);
         QCOMPARE(shares.lateral, 0.0);
@@ -167,7 +168,8 @@ void BorchertHondaTest::vigour_atOneHalf_isTheShareOfLight()
 
 void BorchertHondaTest::vigour_doesNotDependOnTheOrderOfChildren()
 {
-    // The same plant, its three branches born in different orders: one side each node, in a level plane but for the trunk.
+    // The same plant, its three branches born in different orders: one side each node, in a level plane but
+    // for the trunk.
     const auto build = [](const std::vector<int>& order) {
         TreeParameters parameters;
         parameters.growth.irregularity = 0.0;
@@ -178,9 +180,9 @@ void BorchertHondaTest::vigour_doesNotDependOnTheOrderOfChildren()
         std::array<InternodeId, 4> tips{};
         for (const int branch : order) {
             const bool main = branch == 3;
-            tips[static_cast<std::size_t>(branch)] =
-                builder.growAxis(crotch, main ? kTerminalSlot : branch,
-                                 main ? continuing() : branching(0.9, branch, 3), static_cast<std::uint32_t>(4 + 3 * branch));
+            tips[static_cast<std::size_t>(branch)] = builder.growAxis(
+                crotch, main ? kTerminalSlot : branch, main ? continuing() : branching(0.9, branch, 3),
+                static_cast<std::uint32_t>(4 + 3 * branch));
         }
         return std::pair(std::move(builder), tips);
     };

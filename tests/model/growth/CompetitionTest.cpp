@@ -32,7 +32,8 @@ private Q_SLOTS:
 
 namespace {
 
-MarkerSet markersAround(const TreeIndex& index, const Tree& tree, const Perception& perception, Random& random, int count)
+MarkerSet markersAround(const TreeIndex& index, const Tree& tree, const Perception& perception,
+                        Random& random, int count)
 {
     MarkerSet markers;
     for (int i = 0; i < count; ++i) {
@@ -63,8 +64,8 @@ struct Seedling {
     {
         GrowthWorkspace workspace;
         const GrowingTree growing(document.tree(), document.index(), workspace);
-        return competeForSpace(growing, document.growthIndex().space(), Perception::of(document.parameters().growth), {},
-                               markers);
+        return competeForSpace(growing, document.growthIndex().space(),
+                               Perception::of(document.parameters().growth), {}, markers);
     }
     bool perceives(double angle, float distance)
     {
@@ -74,7 +75,8 @@ struct Seedling {
     TreeDocument document;
 };
 
-void compare(const std::vector<EnabledBud>& found, const std::vector<EnabledBud>& expected, std::uint64_t seed)
+void compare(const std::vector<EnabledBud>& found, const std::vector<EnabledBud>& expected,
+             std::uint64_t seed)
 {
     const QByteArray where = "seed " + QByteArray::number(static_cast<qulonglong>(seed));
     QVERIFY2(found.size() == expected.size(), where.constData());
@@ -124,7 +126,8 @@ void CompetitionTest::marker_goesToTheNearestBudThatPerceivesIt()
     const Vec3 side = growing.rotation(lower) * Vec3(Vec3::UnitX()); // where the lower node's lateral is
     const Vec3 marker = growing.nodePosition(upper) + 1.5F * side + 0.2F * up();
     MarkerSet markers = setOf({marker});
-    const auto enabled = competeForSpace(growing, document.growthIndex().space(), Perception::of(p), {}, markers);
+    const auto enabled =
+        competeForSpace(growing, document.growthIndex().space(), Perception::of(p), {}, markers);
     QCOMPARE(enabled.size(), std::size_t{1});
     QVERIFY(enabled[0].bud == (BudRef{lower, 0}));
     QVERIFY((enabled[0].space - (marker - growing.nodePosition(lower)).normalized()).norm() < 1e-5F);
@@ -151,11 +154,14 @@ void CompetitionTest::budsOfOneNode_shareByDirection()
                                     budDirection(1, node, slot, growing.rotation(node), p));
         markers.born.push_back(0);
     }
-    const auto enabled = competeForSpace(growing, document.growthIndex().space(), Perception::of(p), {}, markers);
+    const auto enabled =
+        competeForSpace(growing, document.growthIndex().space(), Perception::of(p), {}, markers);
     QCOMPARE(enabled.size(), std::size_t{5});
     for (std::size_t i = 0; i < enabled.size(); ++i) {
         const BudRef bud = enabled[i].bud;
-        QVERIFY((enabled[i].space - budDirection(1, bud.node, bud.slot, growing.rotation(bud.node), p)).norm() < 1e-4F);
+        QVERIFY(
+            (enabled[i].space - budDirection(1, bud.node, bud.slot, growing.rotation(bud.node), p)).norm() <
+            1e-4F);
     }
 }
 
@@ -179,8 +185,8 @@ void CompetitionTest::competition_isWhatBruteForceFinds()
         const Perception perception = Perception::of(document.parameters().growth);
         GrowthWorkspace workspace;
         const GrowingTree growing(document.tree(), document.index(), workspace);
-        MarkerSet markers =
-            clearCut(growing, perception, markersAround(document.index(), document.tree(), perception, random, 300));
+        MarkerSet markers = clearCut(
+            growing, perception, markersAround(document.index(), document.tree(), perception, random, 300));
         const BruteCompetition expected = bruteCompetition(growing, perception, {}, markers);
         const auto found = competeForSpace(growing, document.growthIndex().space(), perception, {}, markers);
         QVERIFY(markers.positions == expected.freeMarkers);
@@ -208,14 +214,16 @@ void CompetitionTest::laterRounds_areWhatBruteForceFinds()
             for (std::size_t i = 0; i < enabled.size(); i += 1 + random.bits() % 2) {
                 const auto [node, slot] = enabled[i].bud;
                 const Vec3 direction = (enabled[i].space + 0.3F * random.direction()).normalized();
-                tips.push_back({growing.grow(node, slot, direction, p.phyllotaxis, p.internodeLength, 1.0), kTerminalSlot});
+                tips.push_back({growing.grow(node, slot, direction, p.phyllotaxis, p.internodeLength, 1.0),
+                                kTerminalSlot});
             }
             markers = clearCut(growing, perception, markers);
             const BruteCompetition expected = bruteCompetition(growing, perception, {}, markers);
             enabled = competeAgain(growing, document.growthIndex().space(), perception, {}, tips, markers);
             QVERIFY(markers.positions == expected.freeMarkers);
             std::vector<EnabledBud> ofTips = expected.enabled;
-            std::erase_if(ofTips, [&](const EnabledBud& bud) { return !std::ranges::binary_search(tips, bud.bud); });
+            std::erase_if(ofTips,
+                          [&](const EnabledBud& bud) { return !std::ranges::binary_search(tips, bud.bud); });
             compare(enabled, ofTips, seed);
             seen += enabled.size();
         }
@@ -236,8 +244,10 @@ void CompetitionTest::selected_competeWhileAllClear()
         for (int attempt = 0; attempt < 200 && competitors.node == kNoInternode; ++attempt) {
             const auto id = static_cast<InternodeId>(random.bits() % tree.size());
             if (tree.isAlive(id) && id > 0)
-                competitors = attempt % 2 == 0 ? Competitors{tree.parent(id), tree.columns().slot[id]}
-                                               : Competitors{id, tree.buds(id) != 0 ? std::countr_zero(unsigned{tree.buds(id)}) : 0};
+                competitors =
+                    attempt % 2 == 0
+                        ? Competitors{tree.parent(id), tree.columns().slot[id]}
+                        : Competitors{id, tree.buds(id) != 0 ? std::countr_zero(unsigned{tree.buds(id)}) : 0};
         }
         const Perception perception = Perception::of(document.parameters().growth);
         GrowthWorkspace workspace;
@@ -246,7 +256,8 @@ void CompetitionTest::selected_competeWhileAllClear()
             clearCut(growing, perception, markersAround(document.index(), tree, perception, random, 300));
         const BruteCompetition everybody = bruteCompetition(growing, perception, {}, markers);
         const BruteCompetition expected = bruteCompetition(growing, perception, competitors, markers);
-        const auto found = competeForSpace(growing, document.growthIndex().space(), perception, competitors, markers);
+        const auto found =
+            competeForSpace(growing, document.growthIndex().space(), perception, competitors, markers);
         QVERIFY(markers.positions == everybody.freeMarkers);
         compare(found, expected.enabled, seed);
         seen += found.size();
@@ -271,7 +282,8 @@ void CompetitionTest::afterTheRound_noMarkerIsNearABud()
         for (const Vec3& marker : markers.positions) {
             for (InternodeId id = 0; id < tree.size(); ++id) {
                 if (tree.isAlive(id) && tree.buds(id) != 0)
-                    QVERIFY((marker - document.index().nodePosition(id)).norm() >= 0.99999F * perception.occupancy);
+                    QVERIFY((marker - document.index().nodePosition(id)).norm() >=
+                            0.99999F * perception.occupancy);
             }
         }
     }

@@ -28,7 +28,8 @@ private Q_SLOTS:
 
 namespace {
 
-/// A unit axis τ away from up and a unit bud χ around it, 50° off the axis, both turned by @p azimuth about the vertical.
+/// A unit axis τ away from up and a unit bud χ around it, 50° off the axis, both turned by @p azimuth about
+/// the vertical.
 struct AxisWithBud {
     Vec3 heading;
     Vec3 bud;
@@ -107,7 +108,10 @@ void GravimorphismTest::ellipse_isWhatARayMarchFinds()
         }
         QVERIFY2(std::abs(ellipseDistance(e, chi) - farthest * inside / steps) < 2.0 * farthest / steps,
                  qPrintable(QStringLiteral("s_v %1, s_p %2, e_v %3, chi %4")
-                                .arg(e.vertical).arg(e.parallel).arg(e.offset).arg(degrees(chi))));
+                                .arg(e.vertical)
+                                .arg(e.parallel)
+                                .arg(e.offset)
+                                .arg(degrees(chi))));
     }
 }
 
@@ -171,7 +175,8 @@ void GravimorphismTest::bias_isTheDistanceForALevelAxis()
     Random random(4, 0, 0, Purpose::Direction);
     for (int i = 0; i < 100; ++i) {
         const double vertical = random.uniform(0.2, 3.0);
-        const GravimorphismEllipse e{vertical, random.uniform(0.2, 3.0), 0.9 * vertical * random.uniform(-1.0, 1.0)};
+        const GravimorphismEllipse e{vertical, random.uniform(0.2, 3.0),
+                                     0.9 * vertical * random.uniform(-1.0, 1.0)};
         const double chi = random.uniform(0.0, std::numbers::pi);
         const auto [heading, bud] = axisWithBud(radians(90), chi);
         QVERIFY(std::abs(gravimorphicBias(e, heading, bud) - ellipseDistance(e, chi)) < 1e-4);
@@ -183,12 +188,14 @@ void GravimorphismTest::bias_doesNotDependOnRotationAboutTheVertical()
     Random random(5, 0, 0, Purpose::Direction);
     for (int i = 0; i < 100; ++i) {
         const double vertical = random.uniform(0.2, 3.0);
-        const GravimorphismEllipse e{vertical, random.uniform(0.2, 3.0), 0.9 * vertical * random.uniform(-1.0, 1.0)};
+        const GravimorphismEllipse e{vertical, random.uniform(0.2, 3.0),
+                                     0.9 * vertical * random.uniform(-1.0, 1.0)};
         const double tau = random.uniform(0.0, std::numbers::pi);
         const double chi = random.uniform(0.0, 2.0 * std::numbers::pi);
         const auto [heading, bud] = axisWithBud(tau, chi);
         const auto [turnedHeading, turnedBud] = axisWithBud(tau, chi, random.uniform(0.0, 6.0));
-        QVERIFY(std::abs(gravimorphicBias(e, heading, bud) - gravimorphicBias(e, turnedHeading, turnedBud)) < 1e-4);
+        QVERIFY(std::abs(gravimorphicBias(e, heading, bud) - gravimorphicBias(e, turnedHeading, turnedBud)) <
+                1e-4);
     }
 }
 

@@ -65,7 +65,8 @@ void GrowthIndexTest::shadow_isTheSumOverAllInternodes()
         const VoxelSpace& space = document.growthIndex().space();
         Random random(seed, 1, 0, Purpose::Direction);
         std::vector<Vec3> points;
-        forEachLiving(document.tree(), [&](InternodeId id) { points.push_back(document.index().nodePosition(id)); });
+        forEachLiving(document.tree(),
+                      [&](InternodeId id) { points.push_back(document.index().nodePosition(id)); });
         for (int i = 0; i < 100; ++i)
             points.push_back(2.0F * random.inBall());
         for (const Vec3& point : points) {
@@ -146,7 +147,8 @@ void GrowthIndexTest::dead_haveNoQ()
 void GrowthIndexTest::seedling_hasFullLight()
 {
     TreeDocument document;
-    QVERIFY(std::abs(static_cast<double>(document.growthIndex().basipetal(0)) / GrowthIndex::kUnit - 1.0) < 1e-5);
+    QVERIFY(std::abs(static_cast<double>(document.growthIndex().basipetal(0)) / GrowthIndex::kUnit - 1.0) <
+            1e-5);
     QCOMPARE(document.growthIndex().light({0.0F, 5.0F, 0.0F}), 1.0F);
 }
 
@@ -161,8 +163,9 @@ void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
     put(document, parameters);
     std::vector<double> light;
     forEachLiving(document.tree(), [&](InternodeId id) {
-        light.push_back(static_cast<double>(document.growthIndex().lateralQ(document.tree(), document.index(), id, 0)) /
-                        GrowthIndex::kUnit);
+        light.push_back(
+            static_cast<double>(document.growthIndex().lateralQ(document.tree(), document.index(), id, 0)) /
+            GrowthIndex::kUnit);
     });
     QVERIFY(std::ranges::min(light) < 0.9 && std::ranges::max(light) > 0.95);
 
@@ -171,9 +174,9 @@ void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
         put(document, parameters);
         std::size_t i = 0;
         forEachLiving(document.tree(), [&](InternodeId id) {
-            const double q =
-                static_cast<double>(document.growthIndex().lateralQ(document.tree(), document.index(), id, 0)) /
-                GrowthIndex::kUnit;
+            const double q = static_cast<double>(
+                                 document.growthIndex().lateralQ(document.tree(), document.index(), id, 0)) /
+                             GrowthIndex::kUnit;
             if (light[i] > 0.01)
                 QVERIFY(std::abs(q - std::pow(light[i], exponent)) < 1e-5);
             ++i;
@@ -188,7 +191,9 @@ void GrowthIndexTest::gravimorphism_leavesTerminalBudsAlone()
     TreeParameters parameters = document.parameters();
     const auto terminals = [&] {
         std::vector<std::int64_t> result;
-        forEachLiving(document.tree(), [&](InternodeId id) { result.push_back(budQ(document, {id, kTerminalSlot})); });
+        forEachLiving(document.tree(), [&](InternodeId id) {
+            result.push_back(budQ(document, {id, kTerminalSlot}));
+        });
         return result;
     };
     parameters.growth.ellipseVertical = parameters.growth.ellipseParallel = 1.0;

@@ -161,7 +161,8 @@ void GrowthStepTest::shootLength_doesNotDependOnTheScaleOfVigour()
         const double vigour = greatest * random.uniform();
         const int longest = 1 + static_cast<int>(random.bits() % 40);
         for (const double scale : {0x1p-30, 0.125, 2.0, 0x1p40})
-            QCOMPARE(shootLength(scale * vigour, scale * greatest, longest), shootLength(vigour, greatest, longest));
+            QCOMPARE(shootLength(scale * vigour, scale * greatest, longest),
+                     shootLength(vigour, greatest, longest));
     }
 }
 
@@ -179,7 +180,8 @@ void GrowthStepTest::shoots_startExactlyWhereBruteForceSays()
         }
         // Nobody but them.
         for (const auto& [bud, count] : grown)
-            QVERIFY(std::ranges::any_of(one.expected.enabled, [&](const EnabledBud& e) { return e.bud == bud; }));
+            QVERIFY(
+                std::ranges::any_of(one.expected.enabled, [&](const EnabledBud& e) { return e.bud == bud; }));
     }
     QVERIFY(started > 150);
 }
@@ -217,10 +219,12 @@ void GrowthStepTest::shoots_withMarkersInPlenty_areExactlyAsLong()
         GrowthWorkspace workspace;
         const GrowthStepOptions options = GrowthStepOptions::of(p);
         for (int step = 0; step < 3; ++step) {
-            MarkerSet markers = markersIn({0.0F, 0.6F, 0.0F}, 1.6F, 120000, seed + static_cast<std::uint64_t>(step));
+            MarkerSet markers =
+                markersIn({0.0F, 0.6F, 0.0F}, 1.6F, 120000, seed + static_cast<std::uint64_t>(step));
             MarkerSet same = markers;
             const GrowingTree growing(document.tree(), document.index(), workspace);
-            const auto enabled = competeForSpace(growing, document.growthIndex().space(), options.perception, {}, same);
+            const auto enabled =
+                competeForSpace(growing, document.growthIndex().space(), options.perception, {}, same);
             VigourFlow flow(document.tree(), document.index(), document.growthIndex(), workspace.vigour);
             double greatest = 0.0;
             for (const EnabledBud& bud : enabled)
@@ -228,8 +232,8 @@ void GrowthStepTest::shoots_withMarkersInPlenty_areExactlyAsLong()
             int sum = 0;
             for (const EnabledBud& bud : enabled)
                 sum += shootLength(flow.ofBud(bud.bud.node, bud.bud.slot), greatest, p.maxShootLength);
-            auto delta = std::make_shared<TreeDelta>(growthStep(document.tree(), document.index(),
-                                                                document.growthIndex(), markers, options, workspace));
+            auto delta = std::make_shared<TreeDelta>(growthStep(
+                document.tree(), document.index(), document.growthIndex(), markers, options, workspace));
             QCOMPARE(static_cast<int>(delta->born.count), sum);
             QVERIFY(sum > 0);
             document.apply(delta);
@@ -247,9 +251,8 @@ void GrowthStepTest::strongestEnabledBud_growsTheLongestShoot()
         document.reset(1, parameters);
         MarkerSet markers = markersIn({0.0F, 1.5F, 0.0F}, 1.6F, 60000, 1);
         GrowthWorkspace workspace;
-        const TreeDelta delta =
-            growthStep(document.tree(), document.index(), document.growthIndex(), markers,
-                       GrowthStepOptions::of(parameters.growth), workspace);
+        const TreeDelta delta = growthStep(document.tree(), document.index(), document.growthIndex(), markers,
+                                           GrowthStepOptions::of(parameters.growth), workspace);
         QCOMPARE(static_cast<int>(delta.born.count), longest);
         for (const float vigour : delta.rows->vigour)
             QCOMPARE(vigour, 1.0F);
@@ -372,7 +375,8 @@ void GrowthStepTest::nodes_turnByThePhyllotacticAngle()
             // The axes are straight, so their frames differ by a turn about them.
             const Vec3 first = document.index().rotation(tree.parent(id)).conjugate() *
                                (document.index().rotation(id) * Vec3(Vec3::UnitX()));
-            const double angle = degrees(std::atan2(-static_cast<double>(first.z()), static_cast<double>(first.x())));
+            const double angle =
+                degrees(std::atan2(-static_cast<double>(first.z()), static_cast<double>(first.x())));
             QVERIFY(std::abs(std::remainder(angle - phyllotaxis, 360.0)) < 0.05);
             ++turned;
         }
@@ -398,21 +402,23 @@ void GrowthStepTest::axis_turnsAwayFromAStartingLateral()
         if (!tree.continuesAxis(id))
             continue;
         InternodeId lateral = kNoInternode;
-        for (InternodeId child = index.firstChild(parent); child != kNoInternode; child = index.nextSibling(child)) {
+        for (InternodeId child = index.firstChild(parent); child != kNoInternode;
+             child = index.nextSibling(child)) {
             if (!tree.continuesAxis(child) && tree.birth(child) <= tree.birth(id))
                 lateral = child;
         }
-        const double angle =
-            std::acos(std::clamp(static_cast<double>(index.heading(parent).dot(index.heading(id))), -1.0, 1.0));
+        const double angle = std::acos(
+            std::clamp(static_cast<double>(index.heading(parent).dot(index.heading(id))), -1.0, 1.0));
         QVERIFY2(std::abs(degrees(angle) - (lateral == kNoInternode ? 0.0 : 12.0)) < 0.1,
                  qPrintable(QStringLiteral("internode %1 on %2").arg(id).arg(parent)));
         if (lateral == kNoInternode)
             continue;
         ++deflected;
         // Away from it, in one plane with it.
-        const Vec3 sideways = index.heading(id) - index.heading(id).dot(index.heading(parent)) * index.heading(parent);
-        const Vec3 toLateral =
-            index.heading(lateral) - index.heading(lateral).dot(index.heading(parent)) * index.heading(parent);
+        const Vec3 sideways =
+            index.heading(id) - index.heading(id).dot(index.heading(parent)) * index.heading(parent);
+        const Vec3 toLateral = index.heading(lateral) -
+                               index.heading(lateral).dot(index.heading(parent)) * index.heading(parent);
         QVERIFY(sideways.normalized().dot(toLateral.normalized()) < -0.999F);
     }
     QVERIFY(deflected > 3);
@@ -424,15 +430,16 @@ void GrowthStepTest::grownTree_isConsistent()
         TreeDocument document;
         growAtRandom(document, seed);
         const Tree& tree = document.tree();
-        const Result<Tree> read = Tree::fromColumns(tree.seed(), tree.step(), tree.columns(), tree.parameterSets(),
-                                                    tree.currentParameterSet());
+        const Result<Tree> read = Tree::fromColumns(tree.seed(), tree.step(), tree.columns(),
+                                                    tree.parameterSets(), tree.currentParameterSet());
         QVERIFY2(static_cast<bool>(read), read ? "" : qPrintable(read.error().message));
         QVERIFY(*read == tree);
         for (InternodeId id = 1; id < tree.size(); ++id) {
             QVERIFY(tree.parent(id) < id);
             QVERIFY(document.index().nodePosition(id).allFinite());
             // A bud that has become an internode is a bud no more.
-            QVERIFY((tree.buds(tree.parent(id)) & budBit(tree.columns().slot[id])) == 0 || tree.columns().present[id] == 0);
+            QVERIFY((tree.buds(tree.parent(id)) & budBit(tree.columns().slot[id])) == 0 ||
+                    tree.columns().present[id] == 0);
         }
     }
 }
@@ -475,7 +482,8 @@ void GrowthStepTest::leader_reachesForTheTarget()
 
 void GrowthStepTest::autonomousStep_goesOnWhereTheStrongestAreHemmedIn()
 {
-    // Nearly all vigour goes to the tip of an axis that has come down to the ground, where it sees nothing but earth.
+    // Nearly all vigour goes to the tip of an axis that has come down to the ground, where it sees nothing
+    // but earth.
     TreeParameters parameters = diagram();
     GrowthParameters& p = parameters.growth;
     p.internodeLength = 0.1;
@@ -494,7 +502,8 @@ void GrowthStepTest::autonomousStep_goesOnWhereTheStrongestAreHemmedIn()
     VigourFlow flow(builder.tree, builder.index, growth, workspace.vigour);
     QVERIFY(flow.ofBud(tip, 0) < 0.1 * flow.ofBud(tip, kTerminalSlot));
 
-    const TreeDelta delta = autonomousStep(builder.tree, builder.index, growth, GrowthStepOptions::of(p), workspace);
+    const TreeDelta delta =
+        autonomousStep(builder.tree, builder.index, growth, GrowthStepOptions::of(p), workspace);
     QVERIFY(delta.born.count > 0);
     for (const std::uint8_t slot : delta.rows->slot)
         QVERIFY(slot != kTerminalSlot);

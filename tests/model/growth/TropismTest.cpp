@@ -83,10 +83,12 @@ void TropismTest::heading_convergesToTheSetPointAngle()
 {
     // From 115° off the set point with α = 0.7 and β = 0.3: 115, 89, 66, 48, 34, 24, 17, 12°.
     const double theta = radians(40);
-    Vec3 heading(static_cast<float>(std::sin(radians(155))), static_cast<float>(std::cos(radians(155))), 0.0F);
+    Vec3 heading(static_cast<float>(std::sin(radians(155))), static_cast<float>(std::cos(radians(155))),
+                 0.0F);
     double off = radians(115);
     for (const double expected : {89, 66, 48, 34, 24, 17, 12}) {
-        heading = growthDirection({0.7, 0.3, 0.0}, heading, tropismVector(heading, theta, Vec3::UnitZ()), Vec3::Zero());
+        heading = growthDirection({0.7, 0.3, 0.0}, heading, tropismVector(heading, theta, Vec3::UnitZ()),
+                                  Vec3::Zero());
         const double now = angleToUp(heading) - theta;
         QVERIFY(std::abs(degrees(now) - expected) < 1.0);
         QVERIFY(std::abs(now - std::atan2(0.7 * std::sin(off), 0.3 + 0.7 * std::cos(off))) < 1e-5);
@@ -103,8 +105,9 @@ void TropismTest::rotationAboutTheVertical_turnsTheResultToo()
         const double theta = random.uniform(0.0, std::numbers::pi);
         const Rotation turn(Eigen::AngleAxisf(static_cast<float>(random.uniform(0.0, 6.0)), up()));
         const Vec3 level = Vec3::UnitX();
-        QVERIFY((turn * tropismVector(heading, theta, level) - tropismVector(turn * heading, theta, turn * level)).norm() <
-                1e-3F);
+        QVERIFY(
+            (turn * tropismVector(heading, theta, level) - tropismVector(turn * heading, theta, turn * level))
+                .norm() < 1e-3F);
     }
 }
 
@@ -134,7 +137,8 @@ void TropismTest::noFreeSpace_leavesTheOthersTheirProportion()
 {
     const Vec3 h = Vec3::UnitX();
     const Vec3 t = Vec3::UnitY();
-    QVERIFY((growthDirection({0.3, 0.2, 0.5}, h, t, Vec3::Zero()) - growthDirection({0.6, 0.4, 0.0}, h, t, Vec3::Zero()))
+    QVERIFY((growthDirection({0.3, 0.2, 0.5}, h, t, Vec3::Zero()) -
+             growthDirection({0.6, 0.4, 0.0}, h, t, Vec3::Zero()))
                 .norm() < 1e-6F);
 }
 

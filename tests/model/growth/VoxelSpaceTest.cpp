@@ -178,7 +178,8 @@ void VoxelSpaceTest::shadow_isTheSumOverAllCasters()
 {
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         Random random(seed, 1, 0, Purpose::Direction);
-        const ShadowPyramid pyramid{random.uniform(0.0, 0.2), random.uniform(1.01, 4.0), static_cast<int>(seed)};
+        const ShadowPyramid pyramid{random.uniform(0.0, 0.2), random.uniform(1.01, 4.0),
+                                    static_cast<int>(seed)};
         VoxelSpace space(0.25F, pyramid);
         const auto positions = randomPositions(seed, 120, 2.5F);
         for (InternodeId id = 0; id < positions.size(); ++id)
@@ -265,7 +266,8 @@ void VoxelSpaceTest::nodes_areFoundInTheBoxThatHoldsThem()
     Random random(7, 0, 0, Purpose::Direction);
     for (int box = 0; box < 100; ++box) {
         const Cell lower = space.cellAt(4.0F * random.inBall());
-        const Cell upper{lower.x + static_cast<int>(random.bits() % 12), lower.y + static_cast<int>(random.bits() % 12),
+        const Cell upper{lower.x + static_cast<int>(random.bits() % 12),
+                         lower.y + static_cast<int>(random.bits() % 12),
                          lower.z + static_cast<int>(random.bits() % 12)};
         std::set<InternodeId> found;
         const bool any = space.anyOccupied(lower, upper, [&](InternodeId first) {
@@ -277,8 +279,8 @@ void VoxelSpaceTest::nodes_areFoundInTheBoxThatHoldsThem()
         std::set<InternodeId> expected;
         for (InternodeId id = 0; id < 400; ++id) {
             const Cell c = space.cellAt(positions[id]);
-            if (id % 3 != 0 && c.x >= lower.x && c.x <= upper.x && c.y >= lower.y && c.y <= upper.y && c.z >= lower.z &&
-                c.z <= upper.z)
+            if (id % 3 != 0 && c.x >= lower.x && c.x <= upper.x && c.y >= lower.y && c.y <= upper.y &&
+                c.z >= lower.z && c.z <= upper.z)
                 expected.insert(id);
         }
         QVERIFY(found == expected);
@@ -297,7 +299,8 @@ void VoxelSpaceTest::shaded_areTheOccupiedVoxelsBelowTheCasters()
     for (const Vec3& position : randomPositions(9, 6, 3.0F))
         casters.push_back(space.cellAt(position));
     std::set<Cell> found;
-    space.forEachShaded(casters, [&](InternodeId first) { QVERIFY(found.insert(space.cellAt(positions[first])).second); });
+    space.forEachShaded(
+        casters, [&](InternodeId first) { QVERIFY(found.insert(space.cellAt(positions[first])).second); });
     std::set<Cell> expected;
     for (const Vec3& position : positions) {
         for (const Cell& caster : casters) {

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void pool_ofARebuiltTree_isExact();
     void pool_followsGrowthPruningAndReversal_data();
     void pool_followsGrowthPruningAndReversal();
+    void finish_afterManyChanges_isAsAfterEach();
     void pool_followsParameters();
     void changes_areAllReported();
     void changes_areSortedAndApart();
@@ -120,11 +121,18 @@ struct Follower {
         pool.rebuild(builder.tree, builder.index);
     }
 
-    void apply(TreeDelta delta) { pool.update(builder.tree, builder.index, builder.apply(std::move(delta))); }
+    /// Notes the change; meshes it too, unless told to wait.
+    void follow(const TreeDelta& delta)
+    {
+        pool.follow(builder.tree, builder.index, delta);
+        if (!waits)
+            pool.finish(builder.tree, builder.index);
+    }
+    void apply(TreeDelta delta) { follow(builder.apply(std::move(delta))); }
     void revert()
     {
         undone.push_back(builder.revert());
-        pool.update(builder.tree, builder.index, undone.back());
+        follow(undone.back());
     }
     void applyAgain()
     {
@@ -160,6 +168,7 @@ struct Follower {
 
     TreeBuilder builder;
     MeshPool pool;
+    bool waits = false;
     std::vector<TreeDelta> undone;
     Random random;
 };
@@ -259,6 +268,35 @@ void MeshPoolTest::pool_followsGrowthPruningAndReversal()
     follower.pool.settle(follower.builder.tree, follower.builder.index);
     QCOMPARE(follower.builder.index.livingCount(), 1U);
     QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
+}
+
+void MeshPoolTest::finish_afterManyChanges_isAsAfterEach()
+{
+    for (const double baseDiameter : {0.0, 0.3}) {
+        TreeParameters parameters;
+        parameters.widths.baseDiameter = baseDiameter;
+        parameters.growth.lateralsPerNode = 2;
+        Follower follower(300, 11, parameters);
+        follower.waits = true;
+        for (int frame = 0; frame < 25; ++frame) {
+            for (int step = 0; step < 12; ++step) {
+                follower.actAtRandom();
+                if (step == 5 && frame % 5 == 4) {
+                    follower.undone.clear();
+                    TreeParameters changed = follower.builder.tree.parameters();
+                    changed.leaves.perNode = 1 + frame % 4;
+                    changed.widths.tipDiameter *= frame % 2 == 0 ? 1.1 : 1.0;
+                    follower.apply(parameterChange(follower.builder.tree, changed));
+                }
+            }
+            follower.pool.finish(follower.builder.tree, follower.builder.index);
+            QCOMPARE(faultOf(follower.pool, follower.builder, MeshPool::kTolerance + 0.001F), QString());
+            if (frame % 3 == 2) {
+                follower.pool.settle(follower.builder.tree, follower.builder.index);
+                QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
+            }
+        }
+    }
 }
 
 void MeshPoolTest::pool_followsParameters()

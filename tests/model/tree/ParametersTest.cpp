@@ -61,7 +61,8 @@ void ParametersTest::choices_areAsManyAsTheirNames()
     visitParameters(parameters, [](const ParameterInfo& info, const auto&) {
         QCOMPARE(info.choices != nullptr, info.quantity == Quantity::Choice);
         if (info.choices != nullptr)
-            QCOMPARE(QString::fromLatin1(info.choices).split(u' ').size(), static_cast<int>(info.maximum) + 1);
+            QCOMPARE(QString::fromLatin1(info.choices).split(u' ').size(),
+                     static_cast<int>(info.maximum) + 1);
     });
 }
 

@@ -49,7 +49,8 @@ void TreeIndexTest::children_areTheLivingOnesByAscendingId()
     }
     for (InternodeId id = 0; id < tree.size(); ++id) {
         QVERIFY(childrenOf(builder.index, id) == expected[id]);
-        const auto main = std::ranges::find_if(expected[id], [&](InternodeId child) { return tree.continuesAxis(child); });
+        const auto main =
+            std::ranges::find_if(expected[id], [&](InternodeId child) { return tree.continuesAxis(child); });
         QCOMPARE(builder.index.mainChild(id), main == expected[id].end() ? kNoInternode : *main);
     }
 }

@@ -43,9 +43,10 @@ bool looksLike(const Tree& after, const Tree& before)
     if (after.step() != before.step() || after.parameters() != before.parameters())
         return false;
     for (InternodeId id = 0; id < after.size(); ++id) {
-        if (id >= before.size() ? after.isAlive(id)
-                                : after.isAlive(id) != before.isAlive(id) || after.buds(id) != before.buds(id) ||
-                                      after.columns().death[id] != before.columns().death[id])
+        if (id >= before.size()
+                ? after.isAlive(id)
+                : after.isAlive(id) != before.isAlive(id) || after.buds(id) != before.buds(id) ||
+                      after.columns().death[id] != before.columns().death[id])
             return false;
     }
     return true;
@@ -64,7 +65,9 @@ void TreeTest::newTree_isAnUprightSeedling()
     QCOMPARE(tree.step(), 0U);
     const TreeIndex index(tree);
     QVERIFY((index.heading(0) - up()).norm() < 1e-6F);
-    QVERIFY((index.nodePosition(0) - static_cast<float>(tree.parameters().growth.internodeLength) * up()).norm() < 1e-6F);
+    QVERIFY(
+        (index.nodePosition(0) - static_cast<float>(tree.parameters().growth.internodeLength) * up()).norm() <
+        1e-6F);
 }
 
 void TreeTest::revert_restoresWhatApplyChanged()
@@ -77,7 +80,8 @@ void TreeTest::revert_restoresWhatApplyChanged()
             InternodeId victim = 50;
             while (!builder.tree.isAlive(victim))
                 ++victim;
-            builder.apply(i % 2 == 0 ? randomGrowth(builder.tree, 30, seed) : death(builder.tree, builder.index, victim));
+            builder.apply(i % 2 == 0 ? randomGrowth(builder.tree, 30, seed)
+                                     : death(builder.tree, builder.index, victim));
         }
         while (!before.empty()) {
             builder.revert();
@@ -210,11 +214,28 @@ void TreeTest::fromColumns_acceptsWhatATreeHolds()
 void TreeTest::fromColumns_refusesFaults_data()
 {
     QTest::addColumn<QString>("fault");
-    for (const char* fault :
-         {"short column", "no rows", "parent after child", "parent of itself", "second base", "seedling dead",
-          "rotation not unit", "rotation not a number", "length zero", "length negative", "length not a number",
-          "length infinite", "vigour above one", "vigour not a number", "slot", "bud", "present", "parameters",
-          "born in the future", "died before birth", "two continuations", "alive on the dead"})
+    for (const char* fault : {"short column",
+                              "no rows",
+                              "parent after child",
+                              "parent of itself",
+                              "second base",
+                              "seedling dead",
+                              "rotation not unit",
+                              "rotation not a number",
+                              "length zero",
+                              "length negative",
+                              "length not a number",
+                              "length infinite",
+                              "vigour above one",
+                              "vigour not a number",
+                              "slot",
+                              "bud",
+                              "present",
+                              "parameters",
+                              "born in the future",
+                              "died before birth",
+                              "two continuations",
+                              "alive on the dead"})
         QTest::newRow(fault) << QString::fromLatin1(fault);
 }
 

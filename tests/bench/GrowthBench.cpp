@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/BrushGesture.h"
+#include "commands/GrowGesture.h"
+
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <map>
+#include <memory>
+#include <numeric>
+
+namespace espalier {
+
+namespace {
+
+/// CPU seconds of all threads of this process.
+double cpuTime()
+{
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> samples)
+{
+    if (samples.empty())
+        return 0.0;
+    const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
+    std::ranges::nth_element(samples, middle);
+    return *middle;
+}
+
+double worst(const std::vector<double>& samples)
+{
+    return samples.empty() ? 0.0 : *std::ranges::max_element(samples);
+}
+
+void growTo(TreeDocument& document, std::uint32_t internodes)
+{
+    GrowGesture growth(document);
+    while (document.index().livingCount() < internodes && growth.step()) {
+    }
+    growth.finish();
+}
+
+/// A well-shaped crown of so many internodes, grown without a hand by the default parameters; made once.
+TreeDocument& crown(std::uint32_t internodes)
+{
+    static std::map<std::uint32_t, std::unique_ptr<TreeDocument>> crowns;
+    std::unique_ptr<TreeDocument>& document = crowns[internodes];
+    if (!document) {
+        document = std::make_unique<TreeDocument>();
+        growTo(*document, internodes);
+    }
+    return *document;
+}
+
+/// The crown's edge as seen from the middle of the crown in the direction that a hand would add to it.
+Vec3 edgeOf(const TreeDocument& document, const Vec3& direction)
+{
+    Box3 box;
+    for (InternodeId id = 0; id < document.tree().size(); ++id) {
+        if (document.tree().isAlive(id))
+            box.extend(document.index().nodePosition(id));
+    }
+    // The farthest node within a narrow cone: outliers elsewhere do not matter.
+    const Vec3 centre = box.center();
+    float farthest = 0.0F;
+    for (InternodeId id = 0; id < document.tree().size(); ++id) {
+        const Vec3 way = document.index().nodePosition(id) - centre;
+        const float along = way.dot(direction);
+        if (document.tree().isAlive(id) && along > 0.97F * way.norm())
+            farthest = std::max(farthest, along);
+    }
+    return centre + farthest * direction;
+}
+
+/// A stroke of two seconds and as many metres that adds a limb to the crown, a growth step a sample; each
+/// step's CPU time goes to
+/// @p samples.
+void strokeAtEdge(TreeDocument& document, float radius, std::vector<double>& samples)
+{
+    const Vec3 direction = Vec3(0.8F, 0.6F, 0.0F);
+    const Vec3 start = edgeOf(document, direction) - 0.3F * direction;
+    BrushGesture gesture(document, {0.0, start, radius});
+    for (int step = 1; step <= 40; ++step) {
+        const BrushSample sample{step / kBrushStepsPerSecond,
+                                 start + static_cast<float>(step) * 0.05F * direction, radius};
+        const double before = cpuTime();
+        gesture.add(sample);
+        samples.push_back(cpuTime() - before);
+    }
+    gesture.finish();
+}
+
+void brushStep(benchmark::State& state)
+{
+    TreeDocument& document = crown(static_cast<std::uint32_t>(state.range(0)));
+    std::vector<double> samples;
+    const std::uint32_t before = document.index().livingCount();
+    std::uint32_t grown = 0;
+    for (auto _ : state) {
+        const std::size_t first = samples.size();
+        strokeAtEdge(document, static_cast<float>(state.range(1)) / 100.0F, samples);
+        double sum = 0.0;
+        for (std::size_t i = first; i < samples.size(); ++i)
+            sum += samples[i];
+        state.SetIterationTime(sum);
+        grown = document.index().livingCount() - before;
+        document.undoStack().undo();
+    }
+    state.counters["internodes"] = document.index().livingCount();
+    state.counters["grown"] = grown;
+    state.counters["stroke_mean_ms"] =
+        1000.0 * std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size());
+    state.counters["step_median_ms"] = 1000.0 * median(samples);
+    state.counters["step_worst_ms"] = 1000.0 * worst(samples);
+}
+
+void autonomousStepOnOneThread(benchmark::State& state)
+{
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    TreeDocument& document = crown(static_cast<std::uint32_t>(state.range(0)));
+    std::vector<double> samples;
+    for (auto _ : state) {
+        GrowGesture gesture(document);
+        const double before = cpuTime();
+        gesture.step();
+        samples.push_back(cpuTime() - before);
+        state.SetIterationTime(samples.back());
+        gesture.cancel();
+    }
+    state.counters["internodes"] = document.index().livingCount();
+    state.counters["step_median_ms"] = 1000.0 * median(samples);
+}
+
+void timeToSize(benchmark::State& state)
+{
+    std::uint32_t internodes = 0;
+    double steps = 0;
+    for (auto _ : state) {
+        TreeDocument document;
+        growTo(document, static_cast<std::uint32_t>(state.range(0)));
+        internodes = document.index().livingCount();
+        steps = document.tree().step();
+        state.counters["bytes_per_row"] = static_cast<double>(document.bytes()) / document.tree().size();
+        state.counters["rows"] = document.tree().size();
+    }
+    state.counters["internodes"] = internodes;
+    state.counters["steps"] = steps;
+}
+
+void undoAndRedoOfAStroke(benchmark::State& state)
+{
+    TreeDocument& document = crown(static_cast<std::uint32_t>(state.range(0)));
+    std::vector<double> steps;
+    strokeAtEdge(document, 0.5F, steps);
+    std::vector<double> undos;
+    std::vector<double> redos;
+    for (auto _ : state) {
+        const double start = cpuTime();
+        document.undoStack().undo();
+        const double middle = cpuTime();
+        document.undoStack().redo();
+        const double end = cpuTime();
+        undos.push_back(middle - start);
+        redos.push_back(end - middle);
+        state.SetIterationTime(end - start);
+    }
+    document.undoStack().undo();
+    state.counters["undo_median_ms"] = 1000.0 * median(undos);
+    state.counters["redo_median_ms"] = 1000.0 * median(redos);
+}
+
+BENCHMARK(brushStep)
+    ->ArgsProduct({{50'000, 500'000}, {50, 200}})
+    ->ArgNames({"internodes", "radius_cm"})
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
+BENCHMARK(autonomousStepOnOneThread)
+    ->Arg(50'000)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(10);
+BENCHMARK(timeToSize)
+    ->Arg(20'000)
+    ->Arg(200'000)
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(undoAndRedoOfAStroke)->Arg(50'000)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(10);
+
+} // namespace
+
+} // namespace espalier
