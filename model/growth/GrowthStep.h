@@ -35,12 +35,6 @@ TreeDelta growthStep(const Tree& tree, const TreeIndex& index, const GrowthIndex
 TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth,
                          const GrowthStepOptions& options, GrowthWorkspace& workspace);
 
-/// n = ⌊v / v_max · n_max⌋ each enabled bud may add; shoots add theirs in lockstep, competing anew for each,
-/// and stop where they find no free space; branches that the new growth puts in shadow are shed if their
-/// vigour per internode is below Th. Occupied markers leave @p markers. The delta is empty if nothing grew.
-TreeDelta growthStep(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth, MarkerSet& markers,
-                     const GrowthStepOptions& options, GrowthWorkspace& workspace);
-
 /// n = ⌊v / v_max · n_max⌋, with 0 for a v_max of 0. Exact at v = v_max.
 int shootLength(double vigour, double greatestVigour, int longest);
 

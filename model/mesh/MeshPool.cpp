@@ -66,7 +66,15 @@ struct MeshPool::Needs {
 
 void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
 {
-    *this = MeshPool(m_options);
+    MeshPool fresh(m_options);
+    // Memory that has been used is faster than new.
+    fresh.m_vertices.swap(m_vertices);
+    fresh.m_indices.swap(m_indices);
+    fresh.m_leaves.swap(m_leaves);
+    *this = std::move(fresh);
+    m_vertices.clear();
+    m_indices.clear();
+    m_leaves.clear();
     m_allIsDirty = false;
     m_parameters = tree.parameters();
     m_widths.emplace(tree, index);

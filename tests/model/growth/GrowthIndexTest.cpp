@@ -160,6 +160,8 @@ void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
     parameters.growth.ellipseVertical = parameters.growth.ellipseParallel = 1.0;
     parameters.growth.ellipseOffset = 0.0;
     parameters.growth.lightSensitivity = 1.0;
+    parameters.growth.shadowIntensity = 0.03;
+    parameters.growth.shadowDepth = 6;
     put(document, parameters);
     std::vector<double> light;
     forEachLiving(document.tree(), [&](InternodeId id) {
