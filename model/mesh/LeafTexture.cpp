@@ -285,24 +285,11 @@ private:
 template <class Leaf>
 QImage paintLeaf(int size, const Leaf& leaf)
 {
-    QImage image(size, size, QImage::Format_RGBA8888);
-    uchar* bytes = image.bits();
-    const auto stride = static_cast<std::size_t>(image.bytesPerLine());
-    const float pixel = 1.0F / static_cast<float>(size);
-    parallelFor(static_cast<std::size_t>(size), kRowsPerTask, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            uchar* out = bytes + row * stride;
-            const float v = 1.0F - (static_cast<float>(row) + 0.5F) * pixel;
-            for (int column = 0; column < size; ++column) {
-                const LeafPoint point = leaf((static_cast<float>(column) + 0.5F) * pixel, v);
-                *out++ = toByte(point.colour.red);
-                *out++ = toByte(point.colour.green);
-                *out++ = toByte(point.colour.blue);
-                *out++ = toByte(point.alpha);
-            }
-        }
+    return paintPixels(size, QImage::Format_RGBA8888, [&](float u, float v, uchar*& out) {
+        const LeafPoint point = leaf(u, v);
+        writeColour(point.colour, out);
+        *out++ = toByte(point.alpha);
     });
-    return image;
 }
 
 const BladeForm& formOf(LeafShape shape)

@@ -51,11 +51,12 @@ inline uchar toByte(float value)
 /// Rows that one task paints.
 inline constexpr std::size_t kRowsPerTask = 32;
 
-/// The colours of @p texture(u, v) at the middle of each pixel; v rises from the bottom row.
-template <class Texture>
-QImage paintAlbedo(int size, const Texture& texture)
+/// An image whose pixels @p paint(u, v, out) writes, each by advancing out by its bytes; u and v are those of
+/// its middle, v rises from the bottom row.
+template <class Paint>
+QImage paintPixels(int size, QImage::Format format, const Paint& paint)
 {
-    QImage image(size, size, QImage::Format_RGB888);
+    QImage image(size, size, format);
     uchar* bytes = image.bits();
     const auto stride = static_cast<std::size_t>(image.bytesPerLine());
     const float pixel = 1.0F / static_cast<float>(size);
@@ -63,15 +64,26 @@ QImage paintAlbedo(int size, const Texture& texture)
         for (std::size_t row = begin; row < end; ++row) {
             uchar* out = bytes + row * stride;
             const float v = 1.0F - (static_cast<float>(row) + 0.5F) * pixel;
-            for (int column = 0; column < size; ++column) {
-                const Colour colour = texture((static_cast<float>(column) + 0.5F) * pixel, v).colour;
-                *out++ = toByte(colour.red);
-                *out++ = toByte(colour.green);
-                *out++ = toByte(colour.blue);
-            }
+            for (int column = 0; column < size; ++column)
+                paint((static_cast<float>(column) + 0.5F) * pixel, v, out);
         }
     });
     return image;
+}
+
+inline void writeColour(const Colour& colour, uchar*& out)
+{
+    *out++ = toByte(colour.red);
+    *out++ = toByte(colour.green);
+    *out++ = toByte(colour.blue);
+}
+
+/// The colours of @p texture(u, v) at the middle of each pixel; v rises from the bottom row.
+template <class Texture>
+QImage paintAlbedo(int size, const Texture& texture)
+{
+    return paintPixels(size, QImage::Format_RGB888,
+                       [&](float u, float v, uchar*& out) { writeColour(texture(u, v).colour, out); });
 }
 
 /// The normal map of the heights of @p texture: a height of 1 stands @p relief of the image's edge above 0.
