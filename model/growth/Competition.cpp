@@ -3,233 +3,58 @@
 
 #include "model/base/Parallel.h"
 
+#include <bit>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <utility>
 
 namespace espalier {
 
 namespace {
 
-/// Markers in the same block of 2³ voxels share the search for neighbours.
-constexpr int kBlockBits = 1;
-constexpr int kBlock = 1 << kBlockBits;
+/// Most markers have their owner within this share of the depth of perception: so far is looked at first.
+constexpr float kNearShare = 0.3F;
 
-constexpr BudRef kNobody{kNoInternode, 0};
+constexpr std::size_t kMarkersPerTask = 512;
 
-/// The nodes with living buds around the markers of one block, as columns; and their distances from the
-/// marker at hand.
-struct Neighbours {
-    std::vector<float> x;
-    std::vector<float> y;
-    std::vector<float> z;
-    std::vector<InternodeId> ids;
-    std::vector<std::int32_t>
-        squaredDistances; ///< Bits of the floats: as integers, which compare alike, they make faster loops
-
-    void clear()
-    {
-        x.clear();
-        y.clear();
-        z.clear();
-        ids.clear();
-    }
-    void add(const Vec3& position, InternodeId id)
-    {
-        x.push_back(position.x());
-        y.push_back(position.y());
-        z.push_back(position.z());
-        ids.push_back(id);
-    }
-    void measureFrom(const Vec3& point)
-    {
-        const std::size_t count = ids.size();
-        squaredDistances.resize(count);
-        const float px = point.x();
-        const float py = point.y();
-        const float pz = point.z();
-        for (std::size_t i = 0; i < count; ++i) {
-            const float dx = px - x[i];
-            const float dy = py - y[i];
-            const float dz = pz - z[i];
-            squaredDistances[i] = std::bit_cast<std::int32_t>(dx * dx + dy * dy + dz * dz);
-        }
-    }
-    std::int32_t nearest() const
-    {
-        std::int32_t least = kFar;
-        for (const std::int32_t squared : squaredDistances)
-            least = std::min(least, squared);
-        return least;
-    }
-
-    static constexpr std::int32_t kFar = std::numeric_limits<std::int32_t>::max();
-};
-
-class Contest {
-public:
-    Contest(const GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
-            const Competitors& competitors)
-        : m_tree(tree), m_space(space), m_perception(perception), m_competitors(competitors)
-    {
-    }
-
-    bool isOccupied(const Vec3& marker) const
-    {
-        return isOccupied(m_space, 0, marker) || isOccupiedAnew(marker);
-    }
-    bool isOccupiedAnew(const Vec3& marker) const
-    {
-        return isOccupied(m_tree.newNodes(), m_tree.tree().size(), marker);
-    }
-    bool perceives(const BudRef& bud, const Vec3& marker) const
-    {
-        const Vec3 toMarker = marker - m_tree.nodePosition(bud.node);
-        const float distance = toMarker.norm();
-        return distance <= m_perception.reach &&
-               m_tree.budDirection(bud.node, bud.slot).dot(toMarker) >= m_perception.cosHalfAngle * distance;
-    }
-
-    /// The block of kBlock³ voxels that a marker lies in.
-    Cell blockOf(const Vec3& marker) const
-    {
-        const Cell cell = m_space.cellAt(marker);
-        return {cell.x >> kBlockBits, cell.y >> kBlockBits, cell.z >> kBlockBits};
-    }
-
-    /// Nodes with living buds that may perceive something in @p block.
-    void gather(const Cell& block, Neighbours& neighbours) const
-    {
-        neighbours.clear();
-        gather(m_space, 0, block, neighbours);
-        gather(m_tree.newNodes(), m_tree.tree().size(), block, neighbours);
-    }
-
-    /// Of a marker in no occupied zone.
-    BudRef ownerOf(const Vec3& marker, Neighbours& neighbours) const
-    {
-        neighbours.measureFrom(marker);
-        const auto limit = std::bit_cast<std::int32_t>(m_perception.reach * m_perception.reach);
-        for (std::int32_t nearest = neighbours.nearest(); nearest <= limit; nearest = neighbours.nearest()) {
-            BudRef owner = kNobody;
-            float alignment = 0.0F;
-            for (std::size_t i = 0; i < neighbours.ids.size(); ++i) {
-                if (neighbours.squaredDistances[i] == nearest) {
-                    neighbours.squaredDistances[i] = Neighbours::kFar;
-                    contend(neighbours.ids[i], marker, owner, alignment);
-                }
-            }
-            if (owner != kNobody)
-                return owner;
-        }
-        return kNobody;
-    }
-
-private:
-    /// Makes a bud of the node the marker's owner if one perceives it and points at it better than the owner
-    /// so far.
-    void contend(InternodeId id, const Vec3& marker, BudRef& owner, float& alignment) const
-    {
-        const Vec3 toMarker = marker - m_tree.nodePosition(id);
-        const float least = m_perception.cosHalfAngle * toMarker.norm();
-        for (unsigned rest = m_tree.buds(id); rest != 0; rest &= rest - 1) {
-            const BudRef bud{id, std::countr_zero(rest)};
-            const float along = m_tree.budDirection(id, bud.slot).dot(toMarker);
-            if (along < least || !competes(m_tree, m_competitors, bud))
-                continue;
-            if (owner == kNobody || along > alignment || (along == alignment && bud < owner)) {
-                owner = bud;
-                alignment = along;
-            }
-        }
-    }
-
-    bool isOccupied(const VoxelSpace& space, InternodeId offset, const Vec3& marker) const
-    {
-        const float squaredRadius = m_perception.occupancy * m_perception.occupancy;
-        const Vec3 reach = Vec3::Constant(m_perception.occupancy);
-        return space.anyOccupied(
-            space.cellAt(marker - reach), space.cellAt(marker + reach), [&](InternodeId first) {
-                for (InternodeId node = first; node != kNoInternode; node = space.nextInCell(node)) {
-                    if ((m_tree.nodePosition(node + offset) - marker).squaredNorm() < squaredRadius &&
-                        m_tree.buds(node + offset) != 0)
-                        return true;
-                }
-                return false;
-            });
-    }
-
-    void gather(const VoxelSpace& space, InternodeId offset, const Cell& block, Neighbours& neighbours) const
-    {
-        const float half = 0.5F * static_cast<float>(kBlock) * m_space.edge();
-        const Vec3 centre = 2.0F * half *
-                            Vec3(static_cast<float>(block.x) + 0.5F, static_cast<float>(block.y) + 0.5F,
-                                 static_cast<float>(block.z) + 0.5F);
-        // Half a block's diagonal more than a bud perceives.
-        const float limit = m_perception.reach + 1.7321F * half;
-        const Vec3 reach = Vec3::Constant(m_perception.reach + half);
-        space.anyOccupied(space.cellAt(centre - reach), space.cellAt(centre + reach), [&](InternodeId first) {
-            for (InternodeId node = first; node != kNoInternode; node = space.nextInCell(node)) {
-                const InternodeId id = node + offset;
-                const Vec3& position = m_tree.nodePosition(id);
-                if ((position - centre).squaredNorm() < limit * limit && m_tree.buds(id) != 0)
-                    neighbours.add(position, id);
-            }
-            return false;
-        });
-    }
-
-    const GrowingTree& m_tree;
-    const VoxelSpace& m_space;
-    const Perception& m_perception;
-    const Competitors& m_competitors;
-};
-
-template <class IsGone>
-void removeMarkers(MarkerSet& markers, IsGone&& isGone)
-{
-    std::vector<std::uint8_t> gone(markers.size());
-    parallelFor(markers.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            gone[i] = isGone(markers.positions[i]) ? 1 : 0;
-    });
-    markers.filter([&](std::size_t i) { return gone[i] == 0; });
-}
-
-/// Finds the owners of the markers @p asked (indices) and what space these see.
-std::vector<EnabledBud> distribute(const Contest& contest, const GrowingTree& tree, const MarkerSet& markers,
-                                   const std::vector<std::uint32_t>& asked)
-{
-    std::vector<std::pair<Cell, std::uint32_t>> byBlock(asked.size());
-    for (std::size_t i = 0; i < asked.size(); ++i)
-        byBlock[i] = {contest.blockOf(markers.positions[asked[i]]), asked[i]};
-    std::ranges::sort(byBlock);
-    std::vector<std::pair<BudRef, std::uint32_t>> owned(asked.size()); // owner, marker
-    parallelFor(byBlock.size(), 512, [&](std::size_t begin, std::size_t end) {
-        Neighbours neighbours;
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto& [block, marker] = byBlock[i];
-            if (i == begin || block != byBlock[i - 1].first)
-                contest.gather(block, neighbours);
-            owned[i] = {contest.ownerOf(markers.positions[marker], neighbours), marker};
-        }
-    });
-    std::erase_if(owned, [](const auto& pair) { return pair.first == kNobody; });
-    std::ranges::sort(owned);
-
-    std::vector<EnabledBud> enabled;
-    for (std::size_t i = 0; i < owned.size();) {
-        const BudRef bud = owned[i].first;
-        Vec3 sum = Vec3::Zero();
-        for (; i < owned.size() && owned[i].first == bud; ++i)
-            sum += (markers.positions[owned[i].second] - tree.nodePosition(bud.node)).normalized();
-        const float norm = sum.norm();
-        enabled.push_back({bud, norm > 1e-6F ? Vec3(sum / norm) : Vec3(Vec3::Zero())});
-    }
-    return enabled;
-}
+constexpr float kBeyond = std::numeric_limits<float>::infinity();
 
 } // namespace
+
+void Competition::Neighbours::add(VoxelSpace::Residents residents, const Vec3& marker, float inner,
+                                  float outer)
+{
+    if (m_ids.size() < m_count + residents.size()) {
+        m_ids.resize(2 * m_count + residents.size());
+        m_squaredDistances.resize(m_ids.size());
+    }
+    // Written anyway, kept if it counts: the loop has no branch.
+    for (const Resident& resident : residents) {
+        const float squared = resident.squaredDistance(marker);
+        m_ids[m_count] = resident.id;
+        m_squaredDistances[m_count] = squared;
+        m_count += squared >= inner && squared <= outer ? 1 : 0;
+    }
+}
+
+float Competition::Neighbours::nearest() const
+{
+    // As integers, which compare alike, the bits of floats make a faster loop.
+    std::int32_t least = std::bit_cast<std::int32_t>(kBeyond);
+    for (std::size_t i = 0; i < m_count; ++i)
+        least = std::min(least, std::bit_cast<std::int32_t>(m_squaredDistances[i]));
+    return std::bit_cast<float>(least);
+}
+
+template <class Visit>
+void Competition::Neighbours::take(float squaredDistance, Visit&& visit)
+{
+    for (std::size_t i = 0; i < m_count; ++i) {
+        if (m_squaredDistances[i] == squaredDistance) {
+            m_squaredDistances[i] = kBeyond;
+            visit(m_ids[i]);
+        }
+    }
+}
 
 void MarkerSet::clear()
 {
@@ -258,46 +83,146 @@ bool competes(const GrowingTree& tree, const Competitors& competitors, BudRef bu
     return false;
 }
 
-std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpace& space,
-                                        const Perception& perception, const Competitors& competitors,
-                                        MarkerSet& markers)
+Competition::Competition(GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
+                         const Competitors& competitors, MarkerSet& markers)
+    : m_tree(tree), m_space(space), m_perception(perception), m_competitors(competitors), m_markers(markers)
 {
-    const Contest contest(tree, space, perception, competitors);
-    removeMarkers(markers, [&](const Vec3& marker) { return contest.isOccupied(marker); });
-    std::vector<std::uint32_t> all(markers.size());
-    std::iota(all.begin(), all.end(), 0U);
-    return distribute(contest, tree, markers, all);
 }
 
-std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space,
-                                     const Perception& perception, const Competitors& competitors,
-                                     const std::vector<BudRef>& tips, MarkerSet& markers)
+void Competition::admit(std::span<const BudRef> perceivers)
 {
-    const Contest contest(tree, space, perception, competitors);
-    removeMarkers(markers, [&](const Vec3& marker) { return contest.isOccupiedAnew(marker); });
+    m_tree.settleNewNodes();
+    const std::size_t first = m_claims.size();
+    for (std::size_t i = first; i < m_markers.size(); ++i)
+        m_claims.push_back({.bud = perceivers.empty() ? BudRef{kNoInternode, 0} : perceivers[i - first]});
+    dropOccupied(first, [&](const Vec3& marker) {
+        return isOccupied(m_space, 0, marker) || isOccupied(m_tree.newNodes(), m_tree.tree().size(), marker);
+    });
+    parallelFor(m_claims.size() - first, kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
+        Neighbours neighbours;
+        for (std::size_t i = first + begin; i < first + end; ++i) {
+            const Vec3& marker = m_markers.positions[i];
+            const Claim likely = std::exchange(m_claims[i], {});
+            if (likely.bud.node != kNoInternode)
+                contend(likely.bud.node, marker, m_claims[i]);
+            contest(m_space, 0, marker, 0.0F, m_claims[i], neighbours);
+            contest(m_tree.newNodes(), m_tree.tree().size(), marker, 0.0F, m_claims[i], neighbours);
+        }
+    });
+}
 
-    // Only markers that a tip perceives can be its own.
-    VoxelSpace tipSpace(perception.reach, {});
-    for (std::uint32_t tip = 0; tip < tips.size(); ++tip)
-        tipSpace.insert(tip, tree.nodePosition(tips[tip].node));
-    const Vec3 reach = Vec3::Constant(perception.reach);
-    std::vector<std::uint32_t> perceived;
-    for (std::uint32_t i = 0; i < markers.size(); ++i) {
-        const Vec3& marker = markers.positions[i];
-        const bool isPerceived = tipSpace.anyOccupied(
-            tipSpace.cellAt(marker - reach), tipSpace.cellAt(marker + reach), [&](std::uint32_t first) {
-                for (std::uint32_t tip = first; tip != kNoInternode; tip = tipSpace.nextInCell(tip)) {
-                    if (contest.perceives(tips[tip], marker))
-                        return true;
-                }
-                return false;
-            });
-        if (isPerceived)
-            perceived.push_back(i);
+void Competition::repeat()
+{
+    m_tree.settleNewNodes();
+    dropOccupied(
+        0, [&](const Vec3& marker) { return isOccupied(m_tree.newNodes(), m_tree.tree().size(), marker); });
+    parallelFor(m_claims.size(), kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
+        Neighbours neighbours;
+        for (std::size_t i = begin; i < end; ++i) {
+            // Buds come and go with the new nodes alone. If the owner is gone, those left of the others are
+            // no nearer than it was.
+            Claim& claim = m_claims[i];
+            const Claim before = claim;
+            const bool isGone = before.bud.node != kNoInternode &&
+                                (m_tree.buds(before.bud.node) & budBit(before.bud.slot)) == 0;
+            if (isGone)
+                claim = {};
+            contest(m_tree.newNodes(), m_tree.tree().size(), m_markers.positions[i], 0.0F, claim, neighbours);
+            if (isGone)
+                contest(m_space, 0, m_markers.positions[i], before.squaredDistance, claim, neighbours);
+        }
+    });
+}
+
+std::vector<EnabledBud> Competition::enabled(InternodeId firstNode) const
+{
+    std::vector<std::pair<BudRef, std::size_t>> owned; // owner, marker
+    for (std::size_t i = 0; i < m_claims.size(); ++i) {
+        const BudRef owner = m_claims[i].bud;
+        if (owner.node != kNoInternode && owner.node >= firstNode)
+            owned.emplace_back(owner, i);
     }
-    std::vector<EnabledBud> enabled = distribute(contest, tree, markers, perceived);
-    std::erase_if(enabled, [&](const EnabledBud& bud) { return !std::ranges::binary_search(tips, bud.bud); });
+    std::ranges::sort(owned);
+
+    std::vector<EnabledBud> enabled;
+    for (std::size_t i = 0; i < owned.size();) {
+        const BudRef bud = owned[i].first;
+        Vec3 sum = Vec3::Zero();
+        for (; i < owned.size() && owned[i].first == bud; ++i)
+            sum += (m_markers.positions[owned[i].second] - m_tree.nodePosition(bud.node)).normalized();
+        const float norm = sum.norm();
+        enabled.push_back({bud, norm > 1e-6F ? Vec3(sum / norm) : Vec3(Vec3::Zero())});
+    }
     return enabled;
+}
+
+template <class IsOccupied>
+void Competition::dropOccupied(std::size_t first, const IsOccupied& isOccupied)
+{
+    std::vector<std::uint8_t> gone(m_markers.size(), 0);
+    parallelFor(m_markers.size() - first, kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = first + begin; i < first + end; ++i)
+            gone[i] = isOccupied(m_markers.positions[i]) ? 1 : 0;
+    });
+    m_markers.filter([&](std::size_t i) { return gone[i] == 0; });
+    std::size_t i = 0;
+    std::erase_if(m_claims, [&](const Claim&) { return gone[i++] != 0; });
+}
+
+bool Competition::isOccupied(const VoxelSpace& space, InternodeId offset, const Vec3& marker) const
+{
+    const float squaredRadius = m_perception.occupancy * m_perception.occupancy;
+    return space.anyNear(marker, m_perception.occupancy, [&](VoxelSpace::Residents residents) {
+        return std::ranges::any_of(residents, [&](const Resident& resident) {
+            return resident.squaredDistance(marker) < squaredRadius && m_tree.buds(resident.id + offset) != 0;
+        });
+    });
+}
+
+void Competition::contest(const VoxelSpace& space, InternodeId offset, const Vec3& marker, float inner,
+                          Claim& claim, Neighbours& neighbours) const
+{
+    const float near = m_perception.occupancy + kNearShare * (m_perception.reach - m_perception.occupancy);
+    for (const float radius : {near, m_perception.reach}) {
+        const float outer = std::min(radius * radius, claim.squaredDistance);
+        if (outer < inner)
+            continue;
+        neighbours.clear();
+        space.anyNear(marker, std::sqrt(outer), [&](VoxelSpace::Residents residents) {
+            neighbours.add(residents, marker, inner, outer);
+            return false;
+        });
+        for (float nearest = neighbours.nearest(); nearest <= claim.squaredDistance && nearest <= outer;
+             nearest = neighbours.nearest())
+            neighbours.take(nearest, [&](InternodeId id) { contend(id + offset, marker, claim); });
+        if (claim.squaredDistance <= outer)
+            return;
+        inner = outer;
+    }
+}
+
+void Competition::contend(InternodeId node, const Vec3& marker, Claim& best) const
+{
+    const Vec3& position = m_tree.nodePosition(node);
+    const Vec3 toMarker = marker - position;
+    const float squaredDistance =
+        Resident{position.x(), position.y(), position.z(), node}.squaredDistance(marker);
+    if (squaredDistance > m_perception.reach * m_perception.reach)
+        return;
+    const float least = m_perception.cosHalfAngle * toMarker.norm();
+    for (unsigned rest = m_tree.buds(node); rest != 0; rest &= rest - 1) {
+        const BudRef bud{node, std::countr_zero(rest)};
+        const Claim claim{bud, squaredDistance, m_tree.budDirection(node, bud.slot).dot(toMarker)};
+        if (claim.along >= least && claim.beats(best) && competes(m_tree, m_competitors, bud))
+            best = claim;
+    }
+}
+
+bool Competition::Claim::beats(const Claim& other) const
+{
+    if (squaredDistance != other.squaredDistance)
+        return squaredDistance < other.squaredDistance;
+    return along != other.along ? along > other.along : bud < other.bud;
 }
 
 } // namespace espalier

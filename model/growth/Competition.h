@@ -3,6 +3,8 @@
 
 #include "model/growth/GrowingTree.h"
 
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace espalier {
@@ -60,22 +62,80 @@ struct EnabledBud {
     Vec3 space; ///< E: the normalised sum of the unit vectors toward its markers
 };
 
-/// One round of competition for space: takes out of @p markers what lies within the occupancy radius of a
-/// living bud, gives each of the others to the nearest competing bud whose volume of perception contains it
-/// (at equal distance to the bud that points at it best), and returns the buds that own some, by ascending
-/// node and slot. The result does not depend on the number of threads nor on the order in which nodes came
-/// into their voxels.
-std::vector<EnabledBud> competeForSpace(const GrowingTree& tree, const VoxelSpace& space,
-                                        const Perception& perception, const Competitors& competitors,
-                                        MarkerSet& markers);
-
-/// A further round in the same growth step, which asks for the shoots' tips @p tips only: the same answer for
-/// them at the cost of what is new. Of the other buds none is returned.
-std::vector<EnabledBud> competeAgain(const GrowingTree& tree, const VoxelSpace& space,
-                                     const Perception& perception, const Competitors& competitors,
-                                     const std::vector<BudRef>& tips, MarkerSet& markers);
-
 /// Whether @p bud is, or grows from, what @p competitors names.
 bool competes(const GrowingTree& tree, const Competitors& competitors, BudRef bud);
+
+/// The competition of buds for the markers of free space in one growth step (TreeSketch §3.2). A marker
+/// belongs to the nearest competing bud whose volume of perception contains it, at equal distance to the one
+/// that points at it best; markers within the occupancy radius of a living bud go. The result does not
+/// depend on the number of threads nor on the order of nodes and markers.
+class Competition {
+public:
+    /// The tree, its @p space (its nodes by voxel) and the markers outlive the competition.
+    Competition(GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
+                const Competitors& competitors, MarkerSet& markers);
+
+    /// Lets the markers that were appended since the last time take part, all of them at first.
+    /// @param perceivers a bud for each that is likely to perceive it, which shortens the search; or nothing
+    void admit(std::span<const BudRef> perceivers = {});
+    /// A further round, after the tree has grown since the last: costs what is near the new nodes.
+    void repeat();
+
+    /// The buds on @p firstNode or later ones that own markers, by ascending node and slot.
+    std::vector<EnabledBud> enabled(InternodeId firstNode = 0) const;
+    /// Calls @p visit(bud) for the owner of each marker that has one.
+    template <class Visit>
+    void forEachOwner(Visit&& visit) const
+    {
+        for (const Claim& claim : m_claims) {
+            if (claim.bud.node != kNoInternode)
+                visit(claim.bud);
+        }
+    }
+
+private:
+    /// A bud's claim on a marker.
+    struct Claim {
+        BudRef bud{kNoInternode, 0};
+        float squaredDistance = std::numeric_limits<float>::max(); ///< m²
+        float along = 0.0F;                                        ///< Cosine times distance
+
+        bool beats(const Claim& other) const;
+    };
+    /// Nodes around a marker and their distances, as columns.
+    class Neighbours {
+    public:
+        void clear() { m_count = 0; }
+        /// Those of @p residents with a squared distance from @p marker of @p inner to @p outer.
+        void add(VoxelSpace::Residents residents, const Vec3& marker, float inner, float outer);
+        /// The least squared distance, or one beyond all.
+        float nearest() const;
+        /// Calls @p visit(id) for each node at that squared distance, and takes it out.
+        template <class Visit>
+        void take(float squaredDistance, Visit&& visit);
+
+    private:
+        std::size_t m_count = 0;
+        std::vector<InternodeId> m_ids;
+        std::vector<float> m_squaredDistances;
+    };
+
+    template <class IsOccupied>
+    void dropOccupied(std::size_t first, const IsOccupied& isOccupied);
+    bool isOccupied(const VoxelSpace& space, InternodeId offset, const Vec3& marker) const;
+    /// Gives @p claim to the best bud in @p space that beats it, of those at least the squared distance
+    /// @p inner away.
+    void contest(const VoxelSpace& space, InternodeId offset, const Vec3& marker, float inner, Claim& claim,
+                 Neighbours& neighbours) const;
+    /// Likewise of the buds on one node.
+    void contend(InternodeId node, const Vec3& marker, Claim& claim) const;
+
+    GrowingTree& m_tree;
+    const VoxelSpace& m_space;
+    Perception m_perception;
+    Competitors m_competitors;
+    MarkerSet& m_markers;
+    std::vector<Claim> m_claims; ///< By marker
+};
 
 } // namespace espalier

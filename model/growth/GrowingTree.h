@@ -66,8 +66,10 @@ public:
         return rotation(id) * m_budAngles[set].direction(m_tree.seed(), id, slot);
     }
 
-    /// The new nodes alone, by voxel.
+    /// The new nodes alone, by voxel; their ids count from tree().size(). Those that were grown since the
+    /// last settleNewNodes() are not in yet.
     const VoxelSpace& newNodes() const { return m_space; }
+    void settleNewNodes() { m_space.settle(); }
     /// The voxels, each once, that new nodes lie in.
     std::vector<Cell> newCells() const;
 

@@ -81,11 +81,11 @@ void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDel
 
 void GrowthIndex::castAndSweep(const Tree& tree, const TreeIndex& index)
 {
-    m_space.castShadows([&](InternodeId first, std::uint32_t shadow) {
+    m_space.castShadows([&](VoxelSpace::Residents residents, std::uint32_t shadow) {
         const std::int32_t sensed = sensedLight(shadow);
-        for (InternodeId id = first; id != kNoInternode; id = m_space.nextInCell(id)) {
-            m_sensed[id] = sensed;
-            refresh(tree, index, id);
+        for (const Resident& resident : residents) {
+            m_sensed[resident.id] = sensed;
+            refresh(tree, index, resident.id);
         }
     });
     m_sweep.run(tree.columns().parent, [&](InternodeId id, InternodeId parent) {

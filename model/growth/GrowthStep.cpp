@@ -114,13 +114,12 @@ std::vector<Shoot> startShoots(const std::vector<EnabledBud>& enabled, VigourFlo
 }
 
 /// Lets the enabled buds become shoots, in lockstep, and sheds what they put in the dark.
-void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flow,
-                const std::vector<EnabledBud>& enabled, MarkerSet& markers, const GrowthStepOptions& options,
-                GrowthWorkspace& workspace)
+void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flow, Competition& competition,
+                const GrowthStepOptions& options, GrowthWorkspace& workspace)
 {
     const Orientation orientation(growing, options);
     std::vector<Shoot> shoots =
-        startShoots(enabled, flow, options, growing.tree().parameters().growth.maxShootLength);
+        startShoots(competition.enabled(), flow, options, growing.tree().parameters().growth.maxShootLength);
     std::vector<InternodeId> growingAt;
     for (const Shoot& shoot : shoots)
         growingAt.push_back(shoot.bud.node);
@@ -137,11 +136,8 @@ void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flo
         std::erase_if(shoots, [](const Shoot& shoot) { return shoot.remaining == 0; });
         if (shoots.empty())
             break;
-        std::vector<BudRef> tips;
-        for (const Shoot& shoot : shoots)
-            tips.push_back(shoot.bud);
-        const auto stillFree =
-            competeAgain(growing, growth.space(), options.perception, options.competitors, tips, markers);
+        competition.repeat();
+        const auto stillFree = competition.enabled(growing.tree().size()); // the shoots' tips are new nodes
         std::erase_if(shoots, [&](Shoot& shoot) {
             const auto found = std::ranges::lower_bound(stillFree, shoot.bud, {}, &EnabledBud::bud);
             if (found == stillFree.end() || found->bud != shoot.bud)
@@ -159,9 +155,9 @@ struct VigorousBud {
     double vigour;
 };
 
-/// All competing buds, the most vigorous first.
-std::vector<VigorousBud> budsByVigour(const GrowingTree& growing, VigourFlow& flow,
-                                      const Competitors& competitors)
+/// All competing buds that get vigour.
+std::vector<VigorousBud> competingBuds(const GrowingTree& growing, VigourFlow& flow,
+                                       const Competitors& competitors)
 {
     std::vector<VigorousBud> buds;
     const Tree& tree = growing.tree();
@@ -170,21 +166,21 @@ std::vector<VigorousBud> budsByVigour(const GrowingTree& growing, VigourFlow& fl
             continue;
         for (unsigned rest = tree.buds(id); rest != 0; rest &= rest - 1) {
             const BudRef bud{id, std::countr_zero(rest)};
-            if (competes(growing, competitors, bud))
-                buds.push_back({bud, flow.ofBud(id, bud.slot)});
+            const double vigour = competes(growing, competitors, bud) ? flow.ofBud(id, bud.slot) : 0.0;
+            if (vigour > 0.0)
+                buds.push_back({bud, vigour});
         }
     }
-    std::ranges::sort(buds, [](const VigorousBud& a, const VigorousBud& b) {
-        return a.vigour != b.vigour ? a.vigour > b.vigour : a.bud < b.bud;
-    });
     return buds;
 }
 
 /// Markers uniform in the bud's volume of perception: the cone of angle ζ between the radii r and r + d.
-void layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Perception& perception,
-                   MarkerSet& markers)
+/// Returns how many.
+std::size_t layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Perception& perception,
+                          MarkerSet& markers)
 {
     const Tree& tree = growing.tree();
+    const std::size_t before = markers.size();
     const Vec3 heading = growing.budDirection(bud.node, bud.slot);
     const Vec3 side = anyPerpendicular(heading);
     const Vec3 other = heading.cross(side);
@@ -206,6 +202,7 @@ void layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Percepti
         markers.positions.push_back(marker);
         markers.born.push_back(tree.step());
     }
+    return markers.size() - before;
 }
 
 } // namespace
@@ -229,9 +226,9 @@ TreeDelta growthStep(const Tree& tree, const TreeIndex& index, const GrowthIndex
 {
     GrowingTree growing(tree, index, workspace);
     VigourFlow flow(tree, index, growth, workspace.vigour);
-    const auto enabled =
-        competeForSpace(growing, growth.space(), options.perception, options.competitors, markers);
-    growShoots(growing, growth, flow, enabled, markers, options, workspace);
+    Competition competition(growing, growth.space(), options.perception, options.competitors, markers);
+    competition.admit();
+    growShoots(growing, growth, flow, competition, options, workspace);
     return growing.takeDelta();
 }
 
@@ -240,30 +237,41 @@ TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthI
 {
     GrowingTree growing(tree, index, workspace);
     VigourFlow flow(tree, index, growth, workspace.vigour);
-    std::vector<VigorousBud> buds = budsByVigour(growing, flow, options.competitors);
+    std::vector<VigorousBud> buds = competingBuds(growing, flow, options.competitors);
 
     // A bud grows if v >= v_max / n_max, v_max being that of the strongest bud which is enabled; that is
     // known once enough of the strong ones have competed. So markers appear for ever weaker buds until those
     // that follow could not grow.
     const int longest = tree.parameters().growth.maxShootLength;
     MarkerSet markers;
-    std::vector<EnabledBud> enabled;
-    std::size_t seeded = 0;
-    double least = buds.empty() ? 0.0 : buds.front().vigour / longest;
-    while (seeded < buds.size() && buds[seeded].vigour > 0.0 && buds[seeded].vigour >= least) {
-        for (; seeded < buds.size() && buds[seeded].vigour > 0.0 && buds[seeded].vigour >= least; ++seeded)
-            layBudMarkers(growing, buds[seeded].bud, options.perception, markers);
-        enabled = competeForSpace(growing, growth.space(), options.perception, options.competitors, markers);
-        double greatest = 0.0;
-        for (const EnabledBud& bud : enabled)
-            greatest = std::max(greatest, flow.ofBud(bud.bud.node, bud.bud.slot));
-        // Where all of them are hemmed in, the next ones get their turn.
+    Competition competition(growing, growth.space(), options.perception, options.competitors, markers);
+    double greatest = 0.0; // of the enabled ones
+    double least = std::numeric_limits<double>::infinity();
+    for (auto rest = buds.begin(); rest != buds.end();) {
+        // Where all of the stronger ones are hemmed in, the next ones get their turn.
+        if (greatest == 0.0)
+            least = std::min(least / 2.0,
+                             std::ranges::max_element(rest, buds.end(), {}, &VigorousBud::vigour)->vigour /
+                                 longest);
+        const auto strong = rest;
+        rest = std::partition(rest, buds.end(), [&](const VigorousBud& bud) { return bud.vigour >= least; });
+        if (rest == strong)
+            break;
+        std::sort(strong, rest, [](const VigorousBud& a, const VigorousBud& b) {
+            return a.vigour != b.vigour ? a.vigour > b.vigour : a.bud < b.bud;
+        });
+        std::vector<BudRef> perceivers;
+        for (const VigorousBud& bud : std::ranges::subrange(strong, rest)) {
+            const std::size_t count = layBudMarkers(growing, bud.bud, options.perception, markers);
+            perceivers.insert(perceivers.end(), count, bud.bud);
+        }
+        competition.admit(perceivers);
+        competition.forEachOwner(
+            [&](const BudRef& owner) { greatest = std::max(greatest, flow.ofBud(owner.node, owner.slot)); });
         if (greatest > 0.0)
             least = greatest / longest;
-        else if (seeded < buds.size())
-            least = std::min(least / 2.0, buds[seeded].vigour / longest);
     }
-    growShoots(growing, growth, flow, enabled, markers, options, workspace);
+    growShoots(growing, growth, flow, competition, options, workspace);
     return growing.takeDelta();
 }
 

@@ -35,9 +35,9 @@ void shedBranches(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& f
         }
     }
     std::vector<InternodeId> candidates;
-    growth.space().forEachShaded(growing.newCells(), [&](InternodeId first) {
-        for (InternodeId node = first; node != kNoInternode; node = growth.space().nextInCell(node)) {
-            for (InternodeId axis = index.axis(node); marks.setOnce(axis, kCandidate);
+    growth.space().forEachShaded(growing.newCells(), [&](VoxelSpace::Residents residents) {
+        for (const Resident& resident : residents) {
+            for (InternodeId axis = index.axis(resident.id); marks.setOnce(axis, kCandidate);
                  axis = index.axis(tree.parent(axis)))
                 candidates.push_back(axis);
         }

@@ -2,6 +2,7 @@
 #include "model/growth/VoxelSpace.h"
 
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace espalier {
@@ -41,37 +42,72 @@ Vec3 VoxelSpace::centreOf(const Cell& cell) const
                          static_cast<float>(cell.z) + 0.5F);
 }
 
-void VoxelSpace::insert(InternodeId id, const Vec3& position)
+void VoxelSpace::move(InternodeId id, const Vec3& position, int count)
 {
-    if (id >= m_next.size())
-        m_next.resize(std::max<std::size_t>(id + std::size_t{1}, m_next.size() + m_next.size() / 2),
-                      kNoInternode);
     const Cell cell = cellAt(position);
-    Brick& brick = *m_bricks[makeBrick(cell.x >> 3, cell.y >> 3, cell.z >> 3)];
-    InternodeId& first = brick.first[voxelOf(cell)];
-    m_next[id] = first;
-    first = id;
-    ++brick.nodes;
-    brick.occupied[voxelOf(cell) / 64] |= std::uint64_t{1} << (voxelOf(cell) % 64);
-    m_pending.push_back({cell, 1});
+    const std::uint32_t brick = makeBrick(cell.x >> 3, cell.y >> 3, cell.z >> 3);
+    m_moves.push_back({brick,
+                       static_cast<std::uint32_t>(voxelOf(cell)),
+                       {position.x(), position.y(), position.z(), id},
+                       count});
+    m_pending.push_back({cell, count});
 }
 
-void VoxelSpace::remove(InternodeId id, const Vec3& position)
+void VoxelSpace::settle()
 {
-    const Cell cell = cellAt(position);
-    Brick& brick = *m_bricks[m_index.at(keyOf(cell.x >> 3, cell.y >> 3, cell.z >> 3))];
-    InternodeId* place = &brick.first[voxelOf(cell)];
-    while (*place != id)
-        place = &m_next[*place];
-    *place = std::exchange(m_next[id], kNoInternode);
-    --brick.nodes;
-    if (brick.first[voxelOf(cell)] == kNoInternode)
-        brick.occupied[voxelOf(cell) / 64] &= ~(std::uint64_t{1} << (voxelOf(cell) % 64));
-    m_pending.push_back({cell, -1});
+    std::ranges::sort(m_moves, {}, [](const Move& move) {
+        return std::tuple(move.brick, move.voxel, move.resident.id, move.count);
+    });
+    for (auto first = m_moves.begin(); first != m_moves.end();) {
+        const auto last =
+            std::find_if(first, m_moves.end(), [&](const Move& move) { return move.brick != first->brick; });
+        settle(*m_bricks[first->brick], {first, last});
+        first = last;
+    }
+    m_moves.clear();
+}
+
+void VoxelSpace::settle(Brick& brick, std::span<const Move> moves)
+{
+    m_merged.clear();
+    m_merged.reserve(brick.residents.size() + moves.size());
+    auto kept = brick.residents.begin(); // what lies before it has been merged
+    std::uint32_t shift = 0;             // modulo 2^32
+    std::uint32_t from = 0;              // of the voxel at hand, before the moves
+    std::size_t voxel = 0;
+    for (std::size_t i = 0; i < moves.size();) {
+        const Move& move = moves[i];
+        for (; voxel <= move.voxel; ++voxel) {
+            from = brick.begin[voxel];
+            brick.begin[voxel] += shift;
+        }
+        // Whoever came and went again since the last time has not moved.
+        int count = 0;
+        for (; i < moves.size() && moves[i].voxel == move.voxel && moves[i].resident.id == move.resident.id;
+             ++i)
+            count += moves[i].count;
+        if (count == 0)
+            continue;
+        const auto place = std::ranges::lower_bound(std::max(kept, brick.residents.begin() + from),
+                                                    brick.residents.begin() + brick.begin[move.voxel + 1],
+                                                    move.resident.id, {}, &Resident::id);
+        m_merged.insert(m_merged.end(), kept, place);
+        kept = place;
+        if (count > 0)
+            m_merged.push_back(move.resident);
+        else
+            ++kept;
+        shift += static_cast<std::uint32_t>(count);
+    }
+    for (; voxel < brick.begin.size(); ++voxel)
+        brick.begin[voxel] += shift;
+    m_merged.insert(m_merged.end(), kept, brick.residents.end());
+    brick.residents.assign(m_merged.begin(), m_merged.end());
 }
 
 void VoxelSpace::castPending()
 {
+    settle();
     std::ranges::sort(m_pending, {}, &Caster::cell);
     for (std::size_t i = 0; i < m_pending.size();) {
         const Cell cell = m_pending[i].cell;
@@ -83,17 +119,23 @@ void VoxelSpace::castPending()
         if (isOverfull())
             break;
         makeBricksBelow(cell);
-        forEachPyramidRow(cell, [&](std::uint32_t index, std::size_t row, int from, int to, int layer) {
-            Brick& brick = *m_bricks[index];
-            // Modulo 2^32, so that lifting a shadow is adding its complement.
+        forEachPyramidSlab(cell, [&](const Slab& slab) {
+            Brick& brick = *m_bricks[slab.brick];
+            // Modulo 2^32, so that lifting a shadow is adding its complement. Whole rows, which is faster
+            // than loops of varying length.
             const std::uint32_t shadow =
-                static_cast<std::uint32_t>(count) * m_layerShadow[static_cast<std::size_t>(layer)];
-            for (std::size_t voxel = row * 8 + static_cast<std::size_t>(from);
-                 voxel <= row * 8 + static_cast<std::size_t>(to); ++voxel)
-                brick.shadow[voxel] += shadow;
-            brick.dirty[row / 8] |= rowBits(row, from, to);
+                static_cast<std::uint32_t>(count) * m_layerShadow[static_cast<std::size_t>(slab.layer)];
+            std::array<std::uint32_t, kBrickEdge> row{};
+            std::fill(row.begin() + slab.xFrom, row.begin() + slab.xTo + 1, shadow);
+            std::uint32_t* voxels =
+                brick.shadow.data() + slab.y * 64 + static_cast<std::size_t>(slab.zFrom) * 8;
+            for (int z = slab.zFrom; z <= slab.zTo; ++z) {
+                for (const std::uint32_t added : row)
+                    *voxels++ += added;
+            }
+            brick.dirty[slab.y] |= slab.bits();
             if (!std::exchange(brick.listed, true))
-                m_dirtyBricks.push_back(index);
+                m_dirtyBricks.push_back(slab.brick);
         });
     }
     m_pending.clear();
@@ -126,7 +168,6 @@ std::uint32_t VoxelSpace::makeBrick(int bx, int by, int bz)
         m_index.try_emplace(keyOf(bx, by, bz), static_cast<std::uint32_t>(m_bricks.size()));
     if (isNew) {
         m_bricks.push_back(std::make_unique<Brick>());
-        m_bricks.back()->first.fill(kNoInternode);
         m_coordinates.push_back({bx, by, bz});
     }
     return place->second;
@@ -183,8 +224,10 @@ VoxelSpace::Bounds VoxelSpace::bounds() const
 
 std::size_t VoxelSpace::bytes() const
 {
-    return m_bricks.size() * (sizeof(Brick) + sizeof(void*) + sizeof(Cell) + 48) +
-           m_next.capacity() * sizeof(InternodeId);
+    std::size_t bytes = m_bricks.size() * (sizeof(Brick) + sizeof(void*) + sizeof(Cell) + 48);
+    for (const auto& brick : m_bricks)
+        bytes += brick->residents.capacity() * sizeof(Resident);
+    return bytes;
 }
 
 } // namespace espalier

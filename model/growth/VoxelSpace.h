@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -31,11 +32,31 @@ struct ShadowPyramid {
     bool operator==(const ShadowPyramid&) const = default;
 };
 
+/// A node in the voxel space: its position, m, and its id.
+struct Resident {
+    float x;
+    float y;
+    float z;
+    InternodeId id;
+
+    float squaredDistance(const Vec3& point) const
+    {
+        const float dx = point.x() - x;
+        const float dy = point.y() - y;
+        const float dz = point.z() - z;
+        return dx * dx + dy * dy + dz * dz;
+    }
+    bool operator==(const Resident&) const = default;
+};
+
 /// The voxel space that growth happens in: which nodes are in a voxel, and how deep in shadow it lies. Voxels
-/// are kept in bricks of 8³ that exist only where something is or was. Shadow is a sum of integers, so that
-/// taking a caster out restores it exactly.
+/// are kept in bricks of 8³ that exist only where something is or was, a brick's nodes in one array by voxel
+/// and id, so that to look around is to read along. Shadow is a sum of integers, so that taking a caster out
+/// restores it exactly.
 class VoxelSpace {
 public:
+    using Residents = std::span<const Resident>;
+
     /// Shadow 1.0 in the integer unit of the sums.
     static constexpr double kShadowUnit = 1 << 18;
     static constexpr int kBrickEdge = 8;
@@ -53,11 +74,15 @@ public:
     Cell cellAt(const Vec3& position) const;
     Vec3 centreOf(const Cell& cell) const;
 
-    /// Puts a node in, or takes it out. Its shadow is cast or lifted by the next castShadows().
-    void insert(InternodeId id, const Vec3& position);
-    void remove(InternodeId id, const Vec3& position);
-    /// Casts and lifts the shadows that are due, then calls @p visit(firstNode, shadow) once for each voxel
-    /// that holds a node and whose shadow changed, in an order that depends on the set of changes alone.
+    /// Puts a node in, or takes it out: found, and its shadow cast, from the next settle() or castShadows()
+    /// on.
+    void insert(InternodeId id, const Vec3& position) { move(id, position, 1); }
+    void remove(InternodeId id, const Vec3& position) { move(id, position, -1); }
+    /// Brings the nodes that came and went to their places.
+    void settle();
+    /// Settles, casts and lifts the shadows that are due, then calls @p visit(residents, shadow) once for
+    /// each voxel that holds a node and whose shadow changed, in an order that depends on the set of changes
+    /// alone.
     template <class Visit>
     void castShadows(Visit&& visit)
     {
@@ -65,43 +90,41 @@ public:
         for (const std::uint32_t index : m_dirtyBricks) {
             Brick& brick = *m_bricks[index];
             forEachBit(brick.dirty, [&](std::size_t voxel) {
-                if (brick.first[voxel] != kNoInternode)
-                    visit(brick.first[voxel], brick.shadow[voxel]);
+                if (const Residents residents = brick.in(voxel, voxel); !residents.empty())
+                    visit(residents, brick.shadow[voxel]);
             });
             brick.dirty = {};
         }
         m_dirtyBricks.clear();
     }
 
-    /// Calls @p visit(firstNode) for each voxel with a node that shadows of casters in @p cells fall on, once
+    /// Calls @p visit(residents) for each voxel with a node that shadows of casters in @p cells fall on, once
     /// each.
     template <class Visit>
     void forEachShaded(const std::vector<Cell>& cells, Visit&& visit) const
     {
         std::vector<BitSet> marks(m_bricks.size(), BitSet{});
         for (const Cell& cell : cells) {
-            forEachPyramidRow(cell, [&](std::uint32_t brick, std::size_t row, int from, int to, int) {
-                marks[brick][row / 8] |= rowBits(row, from, to);
-            });
+            forEachPyramidSlab(cell, [&](const Slab& slab) { marks[slab.brick][slab.y] |= slab.bits(); });
         }
         for (std::size_t brick = 0; brick < marks.size(); ++brick) {
             forEachBit(marks[brick], [&](std::size_t voxel) {
-                if (m_bricks[brick]->first[voxel] != kNoInternode)
-                    visit(m_bricks[brick]->first[voxel]);
+                if (const Residents residents = m_bricks[brick]->in(voxel, voxel); !residents.empty())
+                    visit(residents);
             });
         }
     }
 
-    /// Calls @p visit(firstNode) for each voxel with a node among those of the box @p lower … @p upper,
-    /// inclusive, until it says true; whether it did.
+    /// Calls @p visit(residents) for all nodes in the voxels @p lower … @p upper, inclusive, in runs of
+    /// neighbours, until it says true; whether it did.
     template <class Visit>
-    bool anyOccupied(const Cell& lower, const Cell& upper, Visit&& visit) const
+    bool anyRun(const Cell& lower, const Cell& upper, Visit&& visit) const
     {
         for (int by = lower.y >> 3; by <= upper.y >> 3; ++by) {
             for (int bz = lower.z >> 3; bz <= upper.z >> 3; ++bz) {
                 for (int bx = lower.x >> 3; bx <= upper.x >> 3; ++bx) {
                     const Brick* brick = findBrick(bx, by, bz);
-                    if (brick != nullptr && brick->nodes > 0 &&
+                    if (brick != nullptr && !brick->residents.empty() &&
                         anyInBox(*brick, {bx, by, bz}, lower, upper, visit))
                         return true;
                 }
@@ -109,8 +132,16 @@ public:
         }
         return false;
     }
-
-    InternodeId nextInCell(InternodeId id) const { return m_next[id]; }
+    /// Likewise for all nodes at most @p radius from @p point, and some beyond.
+    template <class Visit>
+    bool anyNear(const Vec3& point, float radius, Visit&& visit) const
+    {
+        // A little more, lest rounding leaves out what lies at the very border.
+        if (m_bricks.empty())
+            return false;
+        const Vec3 reach = Vec3::Constant(radius + 1e-3F * m_edge);
+        return anyRun(cellAt(point - reach), cellAt(point + reach), visit);
+    }
 
     /// Shadow of a voxel, in units of 1 / kShadowUnit.
     std::uint32_t shadow(const Cell& cell) const;
@@ -136,13 +167,24 @@ private:
 
     struct Brick {
         std::array<std::uint32_t, kVoxels> shadow{};
-        std::array<InternodeId, kVoxels> first;
+        std::array<std::uint32_t, kVoxels + 1> begin{}; ///< Of each voxel's residents
+        std::vector<Resident> residents;                ///< By voxel and id
         BitSet dirty{};
-        BitSet occupied{}; ///< Voxels with a node
-        std::uint32_t nodes = 0;
         bool listed = false; ///< in m_dirtyBricks
+
+        Residents in(std::size_t firstVoxel, std::size_t lastVoxel) const
+        {
+            return {residents.data() + begin[firstVoxel], residents.data() + begin[lastVoxel + 1]};
+        }
     };
 
+    /// A node that comes (+1) or goes (-1).
+    struct Move {
+        std::uint32_t brick;
+        std::uint32_t voxel;
+        Resident resident;
+        int count;
+    };
     struct Caster {
         Cell cell;
         int count;
@@ -153,11 +195,25 @@ private:
     {
         return static_cast<std::size_t>((((cell.y & 7) << 3 | (cell.z & 7)) << 3) | (cell.x & 7));
     }
-    static std::uint64_t rowBits(std::size_t row, int from, int to)
-    {
-        return ((std::uint64_t{1} << (to - from + 1)) - 1)
-               << ((row % 8) * 8 + static_cast<std::size_t>(from));
-    }
+    /// Voxels of one brick at the same height: the rectangle [xFrom, xTo] × [zFrom, zTo], inclusive.
+    struct Slab {
+        std::uint32_t brick;
+        std::size_t y;
+        int xFrom;
+        int xTo;
+        int zFrom;
+        int zTo;
+        int layer; ///< q
+
+        /// Of the brick's voxels at that height: bit 8 z + x.
+        std::uint64_t bits() const
+        {
+            const std::uint64_t row = ((std::uint64_t{1} << (xTo - xFrom + 1)) - 1) << xFrom;
+            const std::uint64_t rows = ~std::uint64_t{0} >> (8 * (7 - zTo)) & ~std::uint64_t{0}
+                                                                                  << (8 * zFrom);
+            return row * 0x0101010101010101U & rows;
+        }
+    };
     template <class Visit>
     static void forEachBit(const BitSet& bits, Visit&& visit)
     {
@@ -173,13 +229,15 @@ private:
         return found == m_index.end() ? nullptr : m_bricks[found->second].get();
     }
     std::uint32_t makeBrick(int bx, int by, int bz);
+    void move(InternodeId id, const Vec3& position, int count);
+    void settle(Brick& brick, std::span<const Move> moves);
     void castPending();
     void makeBricksBelow(const Cell& cell);
 
-    /// Calls @p visit(brick, row, from, to, layer) for each run of voxels along x that a caster in @p cell
-    /// shades; row is y·8 + z within the brick. Bricks that do not exist are passed over.
+    /// Calls @p visit(slab) for all voxels that a caster in @p cell shades. Bricks that do not exist are
+    /// passed over.
     template <class Visit>
-    void forEachPyramidRow(const Cell& cell, Visit&& visit) const
+    void forEachPyramidSlab(const Cell& cell, Visit&& visit) const
     {
         for (int q = 0; q <= m_pyramid.depth; ++q) {
             const int y = cell.y - q;
@@ -188,12 +246,9 @@ private:
                     const auto found = m_index.find(keyOf(bx, y >> 3, bz));
                     if (found == m_index.end())
                         continue;
-                    const int zFrom = std::max(cell.z - q, bz * 8) & 7;
-                    const int zTo = std::min(cell.z + q, bz * 8 + 7) & 7;
-                    const int xFrom = std::max(cell.x - q, bx * 8) & 7;
-                    const int xTo = std::min(cell.x + q, bx * 8 + 7) & 7;
-                    for (int z = zFrom; z <= zTo; ++z)
-                        visit(found->second, static_cast<std::size_t>((y & 7) * 8 + z), xFrom, xTo, q);
+                    visit(Slab{found->second, static_cast<std::size_t>(y & 7),
+                               std::max(cell.x - q, bx * 8) & 7, std::min(cell.x + q, bx * 8 + 7) & 7,
+                               std::max(cell.z - q, bz * 8) & 7, std::min(cell.z + q, bz * 8 + 7) & 7, q});
                 }
             }
         }
@@ -215,13 +270,15 @@ private:
         const int zTo = high(b.z, upper.z);
         const int yTo = high(b.y, upper.y);
         for (int y = low(b.y, lower.y); y <= yTo; ++y) {
+            const std::size_t layer = static_cast<std::size_t>(y) * 64;
+            if (brick.in(layer, layer + 63).empty())
+                continue;
             for (int z = zFrom; z <= zTo; ++z) {
-                const auto row = static_cast<std::size_t>(y * 8 + z);
-                for (std::uint64_t rest = brick.occupied[row / 8] & rowBits(row, xFrom, xTo); rest != 0;
-                     rest &= rest - 1) {
-                    if (visit(brick.first[row / 8 * 64 + static_cast<std::size_t>(std::countr_zero(rest))]))
-                        return true;
-                }
+                const std::size_t row = layer + static_cast<std::size_t>(z) * 8;
+                const Residents run =
+                    brick.in(row + static_cast<std::size_t>(xFrom), row + static_cast<std::size_t>(xTo));
+                if (!run.empty() && visit(run))
+                    return true;
             }
         }
         return false;
@@ -233,7 +290,8 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> m_index;
     std::vector<std::unique_ptr<Brick>> m_bricks;
     std::vector<Cell> m_coordinates; ///< Of the bricks
-    std::vector<InternodeId> m_next;
+    std::vector<Move> m_moves;
+    std::vector<Resident> m_merged; ///< Scratch
     std::vector<Caster> m_pending;
     std::vector<std::uint32_t> m_dirtyBricks;
 };

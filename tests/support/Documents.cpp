@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/Documents.h"
 
-#include <map>
-#include <set>
-
 namespace espalier::test {
 
 namespace {
@@ -13,15 +10,11 @@ QString at(const char* what, InternodeId id)
     return QStringLiteral("%1 of internode %2").arg(QLatin1String(what)).arg(id);
 }
 
-/// Nodes by voxel.
-std::map<Cell, std::set<InternodeId>> nodes(const VoxelSpace& space, const VoxelSpace::Bounds& bounds)
+std::vector<Resident> residents(const VoxelSpace& space, const VoxelSpace::Bounds& bounds)
 {
-    std::map<Cell, std::set<InternodeId>> result;
-    space.anyOccupied(bounds.lower, bounds.upper, [&, voxel = 0](InternodeId first) mutable {
-        // Which voxel it is follows from its nodes; here it is enough to keep those of one together.
-        std::set<InternodeId>& members = result[{voxel++, 0, 0}];
-        for (InternodeId id = first; id != kNoInternode; id = space.nextInCell(id))
-            members.insert(id);
+    std::vector<Resident> result;
+    space.anyRun(bounds.lower, bounds.upper, [&](VoxelSpace::Residents run) {
+        result.insert(result.end(), run.begin(), run.end());
         return false;
     });
     return result;
@@ -94,7 +87,7 @@ QString indexFault(const TreeDocument& document)
             }
         }
     }
-    if (nodes(space, bounds) != nodes(fresh.space(), bounds))
+    if (residents(space, bounds) != residents(fresh.space(), bounds))
         return QStringLiteral("nodes in their voxels");
     return {};
 }

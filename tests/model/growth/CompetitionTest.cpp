@@ -49,6 +49,16 @@ MarkerSet setOf(std::initializer_list<Vec3> positions)
     return {positions, std::vector<Step>(positions.size(), 0)};
 }
 
+/// The first round of a growth step.
+std::vector<EnabledBud> compete(const TreeDocument& document, GrowingTree& growing,
+                                const Perception& perception, const Competitors& competitors,
+                                MarkerSet& markers)
+{
+    Competition competition(growing, document.growthIndex().space(), perception, competitors, markers);
+    competition.admit();
+    return competition.enabled();
+}
+
 /// A seedling of which only the terminal bud at (0, l, 0) lives.
 struct Seedling {
     explicit Seedling(double perceptionAngle)
@@ -63,9 +73,8 @@ struct Seedling {
     std::vector<EnabledBud> compete(MarkerSet markers)
     {
         GrowthWorkspace workspace;
-        const GrowingTree growing(document.tree(), document.index(), workspace);
-        return competeForSpace(growing, document.growthIndex().space(),
-                               Perception::of(document.parameters().growth), {}, markers);
+        GrowingTree growing(document.tree(), document.index(), workspace);
+        return test::compete(document, growing, Perception::of(document.parameters().growth), {}, markers);
     }
     bool perceives(double angle, float distance)
     {
@@ -126,8 +135,7 @@ void CompetitionTest::marker_goesToTheNearestBudThatPerceivesIt()
     const Vec3 side = growing.rotation(lower) * Vec3(Vec3::UnitX()); // where the lower node's lateral is
     const Vec3 marker = growing.nodePosition(upper) + 1.5F * side + 0.2F * up();
     MarkerSet markers = setOf({marker});
-    const auto enabled =
-        competeForSpace(growing, document.growthIndex().space(), Perception::of(p), {}, markers);
+    const auto enabled = compete(document, growing, Perception::of(p), {}, markers);
     QCOMPARE(enabled.size(), std::size_t{1});
     QVERIFY(enabled[0].bud == (BudRef{lower, 0}));
     QVERIFY((enabled[0].space - (marker - growing.nodePosition(lower)).normalized()).norm() < 1e-5F);
@@ -154,8 +162,7 @@ void CompetitionTest::budsOfOneNode_shareByDirection()
                                     budDirection(1, node, slot, growing.rotation(node), p));
         markers.born.push_back(0);
     }
-    const auto enabled =
-        competeForSpace(growing, document.growthIndex().space(), Perception::of(p), {}, markers);
+    const auto enabled = compete(document, growing, Perception::of(p), {}, markers);
     QCOMPARE(enabled.size(), std::size_t{5});
     for (std::size_t i = 0; i < enabled.size(); ++i) {
         const BudRef bud = enabled[i].bud;
@@ -184,11 +191,11 @@ void CompetitionTest::competition_isWhatBruteForceFinds()
         Random random(seed, 1, 0, Purpose::BrushMarker);
         const Perception perception = Perception::of(document.parameters().growth);
         GrowthWorkspace workspace;
-        const GrowingTree growing(document.tree(), document.index(), workspace);
+        GrowingTree growing(document.tree(), document.index(), workspace);
         MarkerSet markers = clearCut(
             growing, perception, markersAround(document.index(), document.tree(), perception, random, 300));
         const BruteCompetition expected = bruteCompetition(growing, perception, {}, markers);
-        const auto found = competeForSpace(growing, document.growthIndex().space(), perception, {}, markers);
+        const auto found = compete(document, growing, perception, {}, markers);
         QVERIFY(markers.positions == expected.freeMarkers);
         compare(found, expected.enabled, seed);
         seen += found.size();
@@ -207,24 +214,39 @@ void CompetitionTest::laterRounds_areWhatBruteForceFinds()
         const Perception perception = Perception::of(p);
         GrowthWorkspace workspace;
         GrowingTree growing(document.tree(), document.index(), workspace);
-        MarkerSet markers = markersAround(document.index(), document.tree(), perception, random, 400);
-        auto enabled = competeForSpace(growing, document.growthIndex().space(), perception, {}, markers);
+        MarkerSet markers = clearCut(
+            growing, perception, markersAround(document.index(), document.tree(), perception, random, 400));
+        // Some of them come later than others.
+        MarkerSet late;
+        for (std::size_t i = markers.size() / 2; i < markers.size(); ++i) {
+            late.positions.push_back(markers.positions[i]);
+            late.born.push_back(markers.born[i]);
+        }
+        markers.filter([&](std::size_t i) { return i < markers.size() / 2; });
+        Competition competition(growing, document.growthIndex().space(), perception, {}, markers);
+        competition.admit();
+        markers.positions.insert(markers.positions.end(), late.positions.begin(), late.positions.end());
+        markers.born.insert(markers.born.end(), late.born.begin(), late.born.end());
+        competition.admit();
+        auto enabled = competition.enabled();
         for (int round = 0; round < 3; ++round) {
-            std::vector<BudRef> tips;
             for (std::size_t i = 0; i < enabled.size(); i += 1 + random.bits() % 2) {
                 const auto [node, slot] = enabled[i].bud;
                 const Vec3 direction = (enabled[i].space + 0.3F * random.direction()).normalized();
-                tips.push_back({growing.grow(node, slot, direction, p.phyllotaxis, p.internodeLength, 1.0),
-                                kTerminalSlot});
+                growing.grow(node, slot, direction, p.phyllotaxis, p.internodeLength, 1.0);
             }
-            markers = clearCut(growing, perception, markers);
             const BruteCompetition expected = bruteCompetition(growing, perception, {}, markers);
-            enabled = competeAgain(growing, document.growthIndex().space(), perception, {}, tips, markers);
+            const bool isClear = clearCut(growing, perception, markers).size() == markers.size();
+            competition.repeat();
+            enabled = competition.enabled();
+            if (!isClear)
+                break; // a marker lies where rounding decides
             QVERIFY(markers.positions == expected.freeMarkers);
-            std::vector<EnabledBud> ofTips = expected.enabled;
-            std::erase_if(ofTips,
-                          [&](const EnabledBud& bud) { return !std::ranges::binary_search(tips, bud.bud); });
-            compare(enabled, ofTips, seed);
+            compare(enabled, expected.enabled, seed);
+            std::erase_if(enabled,
+                          [&](const EnabledBud& bud) { return bud.bud.node < growing.tree().size(); });
+            const auto ofNewNodes = competition.enabled(growing.tree().size());
+            QVERIFY(std::ranges::equal(ofNewNodes, enabled, {}, &EnabledBud::bud, &EnabledBud::bud));
             seen += enabled.size();
         }
     }
@@ -251,13 +273,12 @@ void CompetitionTest::selected_competeWhileAllClear()
         }
         const Perception perception = Perception::of(document.parameters().growth);
         GrowthWorkspace workspace;
-        const GrowingTree growing(tree, document.index(), workspace);
+        GrowingTree growing(tree, document.index(), workspace);
         MarkerSet markers =
             clearCut(growing, perception, markersAround(document.index(), tree, perception, random, 300));
         const BruteCompetition everybody = bruteCompetition(growing, perception, {}, markers);
         const BruteCompetition expected = bruteCompetition(growing, perception, competitors, markers);
-        const auto found =
-            competeForSpace(growing, document.growthIndex().space(), perception, competitors, markers);
+        const auto found = compete(document, growing, perception, competitors, markers);
         QVERIFY(markers.positions == everybody.freeMarkers);
         compare(found, expected.enabled, seed);
         seen += found.size();
@@ -274,10 +295,10 @@ void CompetitionTest::afterTheRound_noMarkerIsNearABud()
         Random random(seed, 1, 0, Purpose::BrushMarker);
         const Perception perception = Perception::of(document.parameters().growth);
         GrowthWorkspace workspace;
-        const GrowingTree growing(tree, document.index(), workspace);
+        GrowingTree growing(tree, document.index(), workspace);
         MarkerSet markers = markersAround(document.index(), tree, perception, random, 1500);
         const std::size_t before = markers.size();
-        competeForSpace(growing, document.growthIndex().space(), perception, {}, markers);
+        compete(document, growing, perception, {}, markers);
         QVERIFY(markers.size() < before);
         for (const Vec3& marker : markers.positions) {
             for (InternodeId id = 0; id < tree.size(); ++id) {
@@ -294,19 +315,19 @@ void CompetitionTest::result_doesNotDependOnThreads()
     TreeDocument document;
     growAtRandom(document, 500, 200, 400);
     const Perception perception = Perception::of(document.parameters().growth);
-    const auto compete = [&](std::size_t threads) {
+    const auto competeOn = [&](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         Random random(1, 1, 0, Purpose::BrushMarker);
         GrowthWorkspace workspace;
-        const GrowingTree growing(document.tree(), document.index(), workspace);
+        GrowingTree growing(document.tree(), document.index(), workspace);
         MarkerSet markers = markersAround(document.index(), document.tree(), perception, random, 20000);
-        auto enabled = competeForSpace(growing, document.growthIndex().space(), perception, {}, markers);
+        auto enabled = compete(document, growing, perception, {}, markers);
         return std::pair(enabled, markers.positions);
     };
-    const auto [one, oneMarkers] = compete(1);
+    const auto [one, oneMarkers] = competeOn(1);
     QVERIFY(!one.empty());
     for (const std::size_t threads : {2, 4}) {
-        const auto [many, manyMarkers] = compete(threads);
+        const auto [many, manyMarkers] = competeOn(threads);
         QVERIFY(manyMarkers == oneMarkers);
         QCOMPARE(many.size(), one.size());
         for (std::size_t i = 0; i < one.size(); ++i) {

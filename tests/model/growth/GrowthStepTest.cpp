@@ -222,9 +222,10 @@ void GrowthStepTest::shoots_withMarkersInPlenty_areExactlyAsLong()
             MarkerSet markers =
                 markersIn({0.0F, 0.6F, 0.0F}, 1.6F, 120000, seed + static_cast<std::uint64_t>(step));
             MarkerSet same = markers;
-            const GrowingTree growing(document.tree(), document.index(), workspace);
-            const auto enabled =
-                competeForSpace(growing, document.growthIndex().space(), options.perception, {}, same);
+            GrowingTree growing(document.tree(), document.index(), workspace);
+            Competition competition(growing, document.growthIndex().space(), options.perception, {}, same);
+            competition.admit();
+            const auto enabled = competition.enabled();
             VigourFlow flow(document.tree(), document.index(), document.growthIndex(), workspace.vigour);
             double greatest = 0.0;
             for (const EnabledBud& bud : enabled)

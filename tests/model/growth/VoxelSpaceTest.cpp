@@ -48,7 +48,7 @@ void forEachCell(int reach, Visit&& visit)
 
 void cast(VoxelSpace& space)
 {
-    space.castShadows([](InternodeId, std::uint32_t) {});
+    space.castShadows([](VoxelSpace::Residents, std::uint32_t) {});
 }
 
 std::vector<Vec3> randomPositions(std::uint64_t seed, int count, float spread)
@@ -210,8 +210,8 @@ void VoxelSpaceTest::castShadows_visitsOccupiedVoxelsWhoseShadowChanged()
     for (InternodeId id = 0; id < 20; ++id)
         space.remove(id, positions[id]);
     std::set<Cell> visited;
-    space.castShadows([&](InternodeId first, std::uint32_t shadow) {
-        const Cell cell = space.cellAt(positions[first]);
+    space.castShadows([&](VoxelSpace::Residents residents, std::uint32_t shadow) {
+        const Cell cell = space.cellAt(positions[residents.front().id]);
         QVERIFY(visited.insert(cell).second);
         QCOMPARE(shadow, space.shadow(cell));
     });
@@ -221,7 +221,7 @@ void VoxelSpaceTest::castShadows_visitsOccupiedVoxelsWhoseShadowChanged()
             QVERIFY(visited.contains(cell));
     }
     // Nothing is due any more.
-    space.castShadows([&](InternodeId, std::uint32_t) { QFAIL("visited without a change"); });
+    space.castShadows([&](VoxelSpace::Residents, std::uint32_t) { QFAIL("visited without a change"); });
 }
 
 void VoxelSpaceTest::light_betweenVoxelCentresIsInterpolated()
@@ -261,8 +261,15 @@ void VoxelSpaceTest::nodes_areFoundInTheBoxThatHoldsThem()
     const auto positions = randomPositions(6, 400, 4.0F);
     for (InternodeId id = 0; id < 400; ++id)
         space.insert(id, positions[id]);
+    space.settle();
     for (InternodeId id = 0; id < 400; id += 3)
         space.remove(id, positions[id]);
+    // Gone and back, and come and gone, is nothing.
+    space.remove(1, positions[1]);
+    space.insert(1, positions[1]);
+    space.insert(400, positions[2]);
+    space.remove(400, positions[2]);
+    space.settle();
     Random random(7, 0, 0, Purpose::Direction);
     for (int box = 0; box < 100; ++box) {
         const Cell lower = space.cellAt(4.0F * random.inBall());
@@ -270,9 +277,9 @@ void VoxelSpaceTest::nodes_areFoundInTheBoxThatHoldsThem()
                          lower.y + static_cast<int>(random.bits() % 12),
                          lower.z + static_cast<int>(random.bits() % 12)};
         std::set<InternodeId> found;
-        const bool any = space.anyOccupied(lower, upper, [&](InternodeId first) {
-            for (InternodeId id = first; id != kNoInternode; id = space.nextInCell(id))
-                found.insert(id);
+        const bool any = space.anyRun(lower, upper, [&](VoxelSpace::Residents residents) {
+            for (const Resident& resident : residents)
+                found.insert(resident.id);
             return false;
         });
         QVERIFY(!any);
@@ -284,7 +291,7 @@ void VoxelSpaceTest::nodes_areFoundInTheBoxThatHoldsThem()
                 expected.insert(id);
         }
         QVERIFY(found == expected);
-        QCOMPARE(space.anyOccupied(lower, upper, [](InternodeId) { return true; }), !expected.empty());
+        QCOMPARE(space.anyRun(lower, upper, [](VoxelSpace::Residents) { return true; }), !expected.empty());
     }
 }
 
@@ -299,8 +306,9 @@ void VoxelSpaceTest::shaded_areTheOccupiedVoxelsBelowTheCasters()
     for (const Vec3& position : randomPositions(9, 6, 3.0F))
         casters.push_back(space.cellAt(position));
     std::set<Cell> found;
-    space.forEachShaded(
-        casters, [&](InternodeId first) { QVERIFY(found.insert(space.cellAt(positions[first])).second); });
+    space.forEachShaded(casters, [&](VoxelSpace::Residents residents) {
+        QVERIFY(found.insert(space.cellAt(positions[residents.front().id])).second);
+    });
     std::set<Cell> expected;
     for (const Vec3& position : positions) {
         for (const Cell& caster : casters) {
