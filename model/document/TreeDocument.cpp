@@ -29,7 +29,7 @@ void TreeDocument::apply(std::shared_ptr<TreeDelta> delta)
 {
     m_tree.apply(*delta);
     m_index.update(m_tree, *delta);
-    m_growthIndex.update(m_tree, m_index, *delta);
+    m_growthIndex.follow(m_tree, m_index, *delta);
     m_journal.push_back(std::move(delta));
     Q_EMIT changed({TreeChange::Kind::Applied, m_journal.back().get()});
 }
@@ -41,7 +41,7 @@ void TreeDocument::revertLast()
     m_journal.pop_back();
     m_tree.revert(*delta);
     m_index.update(m_tree, *delta);
-    m_growthIndex.update(m_tree, m_index, *delta);
+    m_growthIndex.follow(m_tree, m_index, *delta);
     Q_EMIT changed({TreeChange::Kind::Reverted, delta.get()});
 }
 

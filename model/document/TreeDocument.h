@@ -38,7 +38,12 @@ public:
 
     const Tree& tree() const { return m_tree; }
     const TreeIndex& index() const { return m_index; }
-    const GrowthIndex& growthIndex() const { return m_growthIndex; }
+    /// Not for other threads: it is brought up to date when it is asked for.
+    const GrowthIndex& growthIndex() const
+    {
+        m_growthIndex.settle(m_tree, m_index);
+        return m_growthIndex;
+    }
     const TreeParameters& parameters() const { return m_tree.parameters(); }
     const Journal& journal() const { return m_journal; }
     QUndoStack& undoStack() { return m_undoStack; }
@@ -67,7 +72,7 @@ Q_SIGNALS:
 private:
     Tree m_tree;
     TreeIndex m_index;
-    GrowthIndex m_growthIndex;
+    mutable GrowthIndex m_growthIndex;
     Journal m_journal;
     QUndoStack m_undoStack;
 };

@@ -4,6 +4,7 @@
 #include "model/growth/Buds.h"
 
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 
@@ -28,7 +29,9 @@ void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
 bool GrowthIndex::fill(const Tree& tree, const TreeIndex& index, float edge)
 {
     m_space = VoxelSpace(edge, m_settings.pyramid);
-    m_inSpace.assign(tree.size(), 0);
+    m_place.assign(tree.size(), kNowhere);
+    m_isNoted.assign(tree.size(), 0);
+    m_noted.clear();
     m_sensed.assign(tree.size(), 0);
     m_own.assign(tree.size(), 0);
     m_basipetal.assign(tree.size(), 0);
@@ -39,41 +42,55 @@ bool GrowthIndex::fill(const Tree& tree, const TreeIndex& index, float edge)
             continue;
         if (m_space.isOverfull())
             return false;
-        m_space.insert(id, index.nodePosition(id));
-        m_inSpace[id] = 1;
+        m_place[id] = m_space.insert(id, index.nodePosition(id));
     }
     castAndSweep(tree, index);
     return !m_space.isOverfull();
 }
 
-void GrowthIndex::update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
+void GrowthIndex::follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
-    if (delta.parametersBefore != delta.parametersAfter &&
-        settingsOf(tree.parameters().growth) != m_settings) {
+    m_isNoted.resize(tree.size(), 0);
+    const auto note = [&](InternodeId id) {
+        if (std::exchange(m_isNoted[id], 1) == 0)
+            m_noted.push_back(id);
+    };
+    delta.forEachTouched(note);
+    for (const InternodeId id : index.recentlyMoved())
+        note(id);
+}
+
+void GrowthIndex::settle(const Tree& tree, const TreeIndex& index)
+{
+    if (settingsOf(tree.parameters().growth) != m_settings) {
         rebuild(tree, index);
         return;
     }
-    m_inSpace.resize(tree.size(), 0);
+    if (m_noted.empty())
+        return;
+    m_place.resize(tree.size(), kNowhere);
     m_sensed.resize(tree.size(), 0);
     m_own.resize(tree.size(), 0);
     m_basipetal.resize(tree.size(), 0);
     m_pending.resize(tree.size(), 0);
-    delta.forEachTouched([&](InternodeId id) {
-        const bool alive = tree.isAlive(id);
-        if (alive == (m_inSpace[id] != 0))
-            return;
-        m_inSpace[id] = alive ? 1 : 0;
-        if (alive)
-            m_space.insert(id, index.nodePosition(id));
-        else
-            m_space.remove(id, index.nodePosition(id));
-    });
-    // Light follows with the shadows cast below; buds that came or went change their node's sum where the
-    // light does not.
-    delta.forEachTouched([&](InternodeId id) {
+    for (const InternodeId id : m_noted) {
+        m_isNoted[id] = 0;
+        const Vec3& position = index.nodePosition(id);
+        const bool isAlive = tree.isAlive(id);
+        if (m_place[id] != kNowhere && !(isAlive && m_space.isAt(id, m_place[id], position))) {
+            m_space.remove(id, m_place[id]);
+            m_place[id] = kNowhere;
+        }
+        if (m_place[id] == kNowhere && isAlive)
+            m_place[id] = m_space.insert(id, position);
+    }
+    // Light follows with the shadows cast below; buds that came or went, or turned, change their node's sum
+    // where the light does not.
+    for (const InternodeId id : m_noted) {
         m_sensed[id] = sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id))));
         refresh(tree, index, id);
-    });
+    }
+    m_noted.clear();
     castAndSweep(tree, index);
     if (m_space.isOverfull())
         rebuild(tree, index);
@@ -136,7 +153,8 @@ std::int64_t GrowthIndex::lateralQ(const Tree& tree, const TreeIndex& index, Int
 
 std::size_t GrowthIndex::bytes() const
 {
-    return m_space.bytes() + m_inSpace.capacity() + 2 * m_own.capacity() * sizeof(std::int32_t) +
+    return m_space.bytes() + m_place.capacity() * sizeof(VoxelSpace::Place) + m_isNoted.capacity() +
+           m_noted.capacity() * sizeof(InternodeId) + 2 * m_own.capacity() * sizeof(std::int32_t) +
            (m_basipetal.capacity() + m_pending.capacity()) * sizeof(std::int64_t);
 }
 

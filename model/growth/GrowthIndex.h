@@ -23,8 +23,11 @@ public:
     GrowthIndex(const Tree& tree, const TreeIndex& index) { rebuild(tree, index); }
 
     void rebuild(const Tree& tree, const TreeIndex& index);
-    /// Follows @p delta, which @p tree and @p index have just applied or reverted.
-    void update(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
+    /// Notes what @p delta, which @p tree and @p index have just applied or reverted, has changed. To be
+    /// called for each delta, and settle() before the next question: what many deltas change is worked out
+    /// once.
+    void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
+    void settle(const Tree& tree, const TreeIndex& index);
 
     const VoxelSpace& space() const { return m_space; }
 
@@ -62,9 +65,13 @@ private:
     void refresh(const Tree& tree, const TreeIndex& index, InternodeId id);
     void castAndSweep(const Tree& tree, const TreeIndex& index);
 
+    static constexpr VoxelSpace::Place kNowhere = ~VoxelSpace::Place{0};
+
     Settings m_settings;
     VoxelSpace m_space;
-    std::vector<std::uint8_t> m_inSpace;
+    std::vector<VoxelSpace::Place> m_place;
+    std::vector<std::uint8_t> m_isNoted;
+    std::vector<InternodeId> m_noted;   ///< Until settle()
     std::vector<std::int32_t> m_sensed; ///< L^κ at the node
     std::vector<std::int32_t> m_own;    ///< Sum over the node's own buds
     std::vector<std::int64_t> m_basipetal;

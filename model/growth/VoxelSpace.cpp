@@ -42,15 +42,30 @@ Vec3 VoxelSpace::centreOf(const Cell& cell) const
                          static_cast<float>(cell.z) + 0.5F);
 }
 
-void VoxelSpace::move(InternodeId id, const Vec3& position, int count)
+VoxelSpace::Place VoxelSpace::insert(InternodeId id, const Vec3& position)
 {
     const Cell cell = cellAt(position);
     const std::uint32_t brick = makeBrick(cell.x >> 3, cell.y >> 3, cell.z >> 3);
-    m_moves.push_back({brick,
-                       static_cast<std::uint32_t>(voxelOf(cell)),
-                       {position.x(), position.y(), position.z(), id},
-                       count});
-    m_pending.push_back({cell, count});
+    const auto voxel = static_cast<std::uint32_t>(voxelOf(cell));
+    m_moves.push_back({brick, voxel, {position.x(), position.y(), position.z(), id}, 1});
+    m_pending.push_back({cell, 1});
+    return brick * static_cast<std::uint32_t>(kVoxels) + voxel;
+}
+
+void VoxelSpace::remove(InternodeId id, Place place)
+{
+    const auto brick = place / static_cast<std::uint32_t>(kVoxels);
+    const auto voxel = static_cast<int>(place % kVoxels);
+    m_moves.push_back({brick, static_cast<std::uint32_t>(voxel), {0.0F, 0.0F, 0.0F, id}, -1});
+    const Cell& b = m_coordinates[brick];
+    m_pending.push_back({{b.x * 8 + voxel % 8, b.y * 8 + voxel / 64, b.z * 8 + voxel / 8 % 8}, -1});
+}
+
+bool VoxelSpace::isAt(InternodeId id, Place place, const Vec3& position) const
+{
+    const Residents residents = m_bricks[place / kVoxels]->in(place % kVoxels, place % kVoxels);
+    const auto found = std::ranges::lower_bound(residents, id, {}, &Resident::id);
+    return *found == Resident{position.x(), position.y(), position.z(), id};
 }
 
 void VoxelSpace::settle()
@@ -81,22 +96,25 @@ void VoxelSpace::settle(Brick& brick, std::span<const Move> moves)
             from = brick.begin[voxel];
             brick.begin[voxel] += shift;
         }
-        // Whoever came and went again since the last time has not moved.
         int count = 0;
+        const Resident* arrived = nullptr;
         for (; i < moves.size() && moves[i].voxel == move.voxel && moves[i].resident.id == move.resident.id;
-             ++i)
+             ++i) {
             count += moves[i].count;
-        if (count == 0)
-            continue;
+            if (moves[i].count > 0)
+                arrived = &moves[i].resident;
+        }
         const auto place = std::ranges::lower_bound(std::max(kept, brick.residents.begin() + from),
                                                     brick.residents.begin() + brick.begin[move.voxel + 1],
                                                     move.resident.id, {}, &Resident::id);
+        const bool wasThere = place != brick.residents.end() &&
+                              place - brick.residents.begin() < brick.begin[move.voxel + 1] &&
+                              place->id == move.resident.id;
+        const bool isThere = static_cast<int>(wasThere) + count > 0;
         m_merged.insert(m_merged.end(), kept, place);
-        kept = place;
-        if (count > 0)
-            m_merged.push_back(move.resident);
-        else
-            ++kept;
+        kept = wasThere ? place + 1 : place;
+        if (isThere)
+            m_merged.push_back(arrived != nullptr ? *arrived : *place);
         shift += static_cast<std::uint32_t>(count);
     }
     for (; voxel < brick.begin.size(); ++voxel)

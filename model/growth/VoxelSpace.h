@@ -74,10 +74,15 @@ public:
     Cell cellAt(const Vec3& position) const;
     Vec3 centreOf(const Cell& cell) const;
 
-    /// Puts a node in, or takes it out: found, and its shadow cast, from the next settle() or castShadows()
-    /// on.
-    void insert(InternodeId id, const Vec3& position) { move(id, position, 1); }
-    void remove(InternodeId id, const Vec3& position) { move(id, position, -1); }
+    /// Where a node was put.
+    using Place = std::uint32_t;
+
+    /// Puts a node in: found, and its shadow cast, from the next settle() or castShadows() on.
+    Place insert(InternodeId id, const Vec3& position);
+    /// Takes it out, likewise; to put it in again moves it.
+    void remove(InternodeId id, Place place);
+    /// Whether a settled node that was put at @p place stands at @p position.
+    bool isAt(InternodeId id, Place place, const Vec3& position) const;
     /// Brings the nodes that came and went to their places.
     void settle();
     /// Settles, casts and lifts the shadows that are due, then calls @p visit(residents, shadow) once for
@@ -229,7 +234,6 @@ private:
         return found == m_index.end() ? nullptr : m_bricks[found->second].get();
     }
     std::uint32_t makeBrick(int bx, int by, int bz);
-    void move(InternodeId id, const Vec3& position, int count);
     void settle(Brick& brick, std::span<const Move> moves);
     void castPending();
     void makeBricksBelow(const Cell& cell);

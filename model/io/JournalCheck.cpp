@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <map>
 #include <vector>
 
 namespace espalier {
@@ -33,6 +34,8 @@ private:
     enum State : std::uint8_t { Absent, Alive, Dead };
 
     QString revertBuds(const TreeDelta& delta);
+    QString revertFrames(const TreeDelta& delta);
+    QString revertWidths(const TreeDelta& delta);
     QString revertDeaths(const TreeDelta& delta);
     QString revertBirths(const TreeDelta& delta);
     QString checkStateBefore(const TreeDelta& delta) const;
@@ -43,11 +46,15 @@ private:
     std::uint32_t m_parameters;
     InternodeId m_bornEnd; ///< Rows from here on are accounted for
     QList<BudMask> m_buds;
+    QList<Rotation> m_rotations;
+    QList<float> m_lengths;
+    std::map<InternodeId, float> m_widths;
     std::vector<State> m_state;
     std::vector<std::uint32_t> m_children;      ///< Living ones
     std::vector<std::uint32_t> m_continuations; ///< Living children that continue the axis; two are too many
     std::vector<std::uint32_t>
         m_changedBuds; ///< Number of the last delta, counted from the end, that changed an id's buds
+    std::vector<std::uint32_t> m_changedFrames; ///< Likewise, its frame
     std::uint32_t m_round = 0;
 };
 
@@ -58,11 +65,16 @@ Rewind::Rewind(const Tree& tree)
       m_parameters(tree.currentParameterSet()),
       m_bornEnd(tree.size()),
       m_buds(tree.columns().buds),
+      m_rotations(tree.columns().rotation),
+      m_lengths(tree.columns().length),
       m_state(tree.size(), Absent),
       m_children(tree.size(), 0),
       m_continuations(tree.size(), 0),
-      m_changedBuds(tree.size(), 0)
+      m_changedBuds(tree.size(), 0),
+      m_changedFrames(tree.size(), 0)
 {
+    for (const auto [id, diameter] : tree.widthConstraints())
+        m_widths[id] = diameter;
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (m_columns.present[id] == 0)
             continue;
@@ -88,6 +100,10 @@ QString Rewind::revert(const TreeDelta& delta)
     ++m_round;
     if (QString fault = revertBuds(delta); !fault.isEmpty())
         return fault;
+    if (QString fault = revertFrames(delta); !fault.isEmpty())
+        return fault;
+    if (QString fault = revertWidths(delta); !fault.isEmpty())
+        return fault;
     if (QString fault = revertDeaths(delta); !fault.isEmpty())
         return fault;
     if (QString fault = revertBirths(delta); !fault.isEmpty())
@@ -110,6 +126,38 @@ QString Rewind::revertBuds(const TreeDelta& delta)
             return Text::tr("it changes buds in a way that cannot be");
         m_buds[id] = change.before;
         m_changedBuds[id] = m_round;
+    }
+    return {};
+}
+
+QString Rewind::revertFrames(const TreeDelta& delta)
+{
+    for (const TreeDelta::FrameChange& change : delta.frames) {
+        const InternodeId id = change.id;
+        if (id >= m_tree.size() || delta.born.contains(id) || m_state[id] == Absent ||
+            m_changedFrames[id] == m_round)
+            return Text::tr("it bends an internode that was not there");
+        if (change.after.coeffs() != m_rotations[id].coeffs() || change.lengthAfter != m_lengths[id] ||
+            !isFrame(change.before, change.lengthBefore))
+            return Text::tr("it bends an internode in a way that cannot be");
+        m_rotations[id] = change.before;
+        m_lengths[id] = change.lengthBefore;
+        m_changedFrames[id] = m_round;
+    }
+    return {};
+}
+
+QString Rewind::revertWidths(const TreeDelta& delta)
+{
+    for (const TreeDelta::WidthChange& change : delta.widths) {
+        const auto found = m_widths.find(change.id);
+        if (change.id >= m_tree.size() || (found == m_widths.end() ? 0.0F : found->second) != change.after ||
+            !(change.before >= 0.0F && change.before <= kGreatestDiameter) || change.before == change.after)
+            return Text::tr("it sets a width in a way that cannot be");
+        if (change.before > 0.0F)
+            m_widths[change.id] = change.before;
+        else
+            m_widths.erase(change.id);
     }
     return {};
 }

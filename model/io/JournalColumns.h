@@ -14,11 +14,13 @@ struct JournalCounts {
     std::uint32_t deltas = 0;
     std::uint32_t died = 0;       ///< Of all deltas together
     std::uint32_t budChanges = 0; ///< Likewise
+    std::uint32_t frames = 0;     ///< Likewise
+    std::uint32_t widths = 0;     ///< Likewise
 
     static JournalCounts of(const Journal& journal);
 };
 
-/// A journal as columns: a row a delta, then all deaths and all bud changes in the same order.
+/// A journal as columns: a row a delta, then all deaths, and all changes of a kind, in the same order.
 struct JournalColumns {
     QList<Step> stepBefore;
     QList<Step> stepAfter;
@@ -28,10 +30,20 @@ struct JournalColumns {
     QList<std::uint32_t> bornCount;
     QList<std::uint32_t> diedCount;
     QList<std::uint32_t> budCount;
+    QList<std::uint32_t> frameCount;
+    QList<std::uint32_t> widthCount;
     QList<InternodeId> died;
     QList<InternodeId> budId;
     QList<BudMask> budBefore;
     QList<BudMask> budAfter;
+    QList<InternodeId> frameId;
+    QList<Rotation> rotationBefore;
+    QList<Rotation> rotationAfter;
+    QList<float> lengthBefore;
+    QList<float> lengthAfter;
+    QList<InternodeId> widthId;
+    QList<float> widthBefore;
+    QList<float> widthAfter;
 
     static JournalColumns of(const Journal& journal);
     /// Nothing if the counts of the deltas do not add up to the rows. Precondition: the columns are of the
@@ -50,10 +62,20 @@ struct JournalColumns {
         visitor("bornCount", self.bornCount, counts.deltas);
         visitor("diedCount", self.diedCount, counts.deltas);
         visitor("budCount", self.budCount, counts.deltas);
+        visitor("frameCount", self.frameCount, counts.deltas);
+        visitor("widthCount", self.widthCount, counts.deltas);
         visitor("died", self.died, counts.died);
         visitor("budId", self.budId, counts.budChanges);
         visitor("budBefore", self.budBefore, counts.budChanges);
         visitor("budAfter", self.budAfter, counts.budChanges);
+        visitor("frameId", self.frameId, counts.frames);
+        visitor("rotationBefore", self.rotationBefore, counts.frames);
+        visitor("rotationAfter", self.rotationAfter, counts.frames);
+        visitor("lengthBefore", self.lengthBefore, counts.frames);
+        visitor("lengthAfter", self.lengthAfter, counts.frames);
+        visitor("widthId", self.widthId, counts.widths);
+        visitor("widthBefore", self.widthBefore, counts.widths);
+        visitor("widthAfter", self.widthAfter, counts.widths);
     }
 };
 

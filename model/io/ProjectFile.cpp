@@ -44,6 +44,7 @@ struct Description {
     Step step = 0;
     std::uint32_t internodes = 1;
     JournalCounts journal;
+    std::vector<WidthConstraint> widths;
     QList<TreeParameters> parameterSets;
     std::uint32_t currentParameters = 0;
 };
@@ -78,7 +79,12 @@ QByteArray describe(const Project& project, const JournalCounts& counts)
     }
     const QJsonObject journal{{QStringLiteral("deltas"), qint64{counts.deltas}},
                               {QStringLiteral("died"), qint64{counts.died}},
-                              {QStringLiteral("budChanges"), qint64{counts.budChanges}}};
+                              {QStringLiteral("budChanges"), qint64{counts.budChanges}},
+                              {QStringLiteral("frames"), qint64{counts.frames}},
+                              {QStringLiteral("widths"), qint64{counts.widths}}};
+    QJsonArray widths;
+    for (const auto [id, diameter] : tree.widthConstraints())
+        widths.append(QJsonArray{qint64{id}, static_cast<double>(diameter)});
     const QJsonObject json{{QStringLiteral("format"), QString(kFormat)},
                            {QStringLiteral("version"), projectLimits::kVersion},
                            {QStringLiteral("program"), QStringLiteral(ESPALIER_VERSION)},
@@ -87,6 +93,7 @@ QByteArray describe(const Project& project, const JournalCounts& counts)
                            {QStringLiteral("step"), qint64{tree.step()}},
                            {QStringLiteral("internodes"), qint64{tree.size()}},
                            {QStringLiteral("journal"), journal},
+                           {QStringLiteral("widths"), widths},
                            {QStringLiteral("currentParameters"), qint64{tree.currentParameterSet()}},
                            {QStringLiteral("parameterSets"), sets}};
     return QJsonDocument(json).toJson();
@@ -105,9 +112,30 @@ JournalCounts readJournalCounts(JsonReader& parent, std::uint32_t internodes)
     counts.deltas = readCount(reader, "deltas", 0, projectLimits::kDeltas);
     counts.died = readCount(reader, "died", 0, internodes);
     counts.budChanges = readCount(reader, "budChanges", 0, projectLimits::kBudChanges);
+    counts.frames = readCount(reader, "frames", 0, projectLimits::kFrames);
+    counts.widths = readCount(reader, "widths", 0, projectLimits::kWidths);
     if (const Result<void> end = reader.finish(); !end)
         parent.fail(end.error());
     return counts;
+}
+
+/// Pairs of an internode and a diameter in m; Tree::fromColumns looks at the values.
+std::vector<WidthConstraint> readWidths(JsonReader& reader)
+{
+    const QLatin1StringView key("widths");
+    const QJsonArray array = reader.array(key);
+    std::vector<WidthConstraint> widths;
+    for (const QJsonValue& value : array) {
+        const QJsonArray pair = value.toArray();
+        const double id = pair.at(0).toDouble(-1.0);
+        const double diameter = pair.at(1).toDouble();
+        if (pair.size() != 2 || !(id >= 0.0 && id < projectLimits::kInternodes) || !(diameter < 1e6)) {
+            reader.fail(key, Text::tr("pairs of an internode and a diameter are expected"));
+            break;
+        }
+        widths.push_back({static_cast<InternodeId>(id), static_cast<float>(diameter)});
+    }
+    return widths;
 }
 
 Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array)
@@ -153,6 +181,7 @@ Result<Description> readDescription(const QByteArray& text)
     description.step = static_cast<Step>(reader.integer(QLatin1StringView("step"), 0, kNever - 1));
     description.internodes = readCount(reader, "internodes", 1, projectLimits::kInternodes);
     description.journal = readJournalCounts(reader, description.internodes);
+    description.widths = readWidths(reader);
     const QJsonArray sets = reader.array(QLatin1StringView("parameterSets"));
     if (sets.isEmpty() || sets.size() > projectLimits::kParameterSets)
         reader.fail(QLatin1StringView("parameterSets"),
@@ -194,9 +223,9 @@ Result<Tree> readTree(const ZipReader& archive, Description description)
     });
     if (!read)
         return read.error();
-    Result<Tree> tree =
-        Tree::fromColumns(description.seed, description.step, std::move(columns),
-                          std::move(description.parameterSets), description.currentParameters);
+    Result<Tree> tree = Tree::fromColumns(description.seed, description.step, std::move(columns),
+                                          std::move(description.parameterSets), description.currentParameters,
+                                          std::move(description.widths));
     if (tree) {
         if (const Result<void> positions = checkPositions(*tree); !positions)
             return positions.error();
@@ -251,7 +280,8 @@ Result<QByteArray> packProject(const Project& project)
 {
     const JournalCounts counts = JournalCounts::of(project.journal);
     if (project.tree.size() > projectLimits::kInternodes || counts.deltas > projectLimits::kDeltas ||
-        counts.budChanges > projectLimits::kBudChanges)
+        counts.budChanges > projectLimits::kBudChanges || counts.frames > projectLimits::kFrames ||
+        counts.widths > projectLimits::kWidths)
         return Error{Error::Kind::Output,
                      Text::tr("the tree or its history is too large for a project file")};
     ZipWriter archive;

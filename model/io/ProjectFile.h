@@ -30,6 +30,8 @@ inline constexpr int kVersion = 1;
 inline constexpr std::uint32_t kInternodes = 20'000'000;
 inline constexpr std::uint32_t kDeltas = 4'000'000;
 inline constexpr std::uint32_t kBudChanges = 100'000'000;
+inline constexpr std::uint32_t kFrames = 100'000'000;
+inline constexpr std::uint32_t kWidths = 10'000'000;
 inline constexpr std::uint32_t kParameterSets = 65'536;
 inline constexpr float kWorld = 10'000.0F; ///< m; no node may be further away from the origin along an axis
 } // namespace projectLimits

@@ -160,7 +160,7 @@ void MeshPool::resize(std::uint32_t size)
     m_visited.resize(size, 0);
 }
 
-/// Born, dead or back to life: their tubes and those of their parents.
+/// Born, dead, back to life or moved: their tubes and those of their parents.
 void MeshPool::collectTouched(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
     const auto touch = [&](InternodeId id) {
@@ -178,6 +178,15 @@ void MeshPool::collectTouched(const Tree& tree, const TreeIndex& index, const Tr
         touch(id);
     for (const InternodeId id : delta.died)
         touch(id);
+    for (const InternodeId id : index.recentlyMoved()) {
+        if (tree.isAlive(id))
+            m_dirty.push_back(id);
+    }
+    // What a bent internode stands on has another bend at its end.
+    for (const TreeDelta::FrameChange& change : delta.frames) {
+        if (const InternodeId parent = tree.parent(change.id); parent != kNoInternode && tree.isAlive(parent))
+            m_dirty.push_back(parent);
+    }
 }
 
 /// Internodes that carry more or less than before.

@@ -40,6 +40,11 @@ bool isUnit(const Rotation& rotation)
     return std::abs(squaredNorm - 1.0F) < 1e-3F; // false for NaN
 }
 
+bool isLength(float length)
+{
+    return length > 0.0F && length <= kGreatestLength;
+}
+
 /// What is wrong with row @p id, or nothing.
 QString faultOf(const InternodeColumns& c, InternodeId id, std::uint32_t parameterSets, Step step)
 {
@@ -47,7 +52,7 @@ QString faultOf(const InternodeColumns& c, InternodeId id, std::uint32_t paramet
         return tr("its parent does not come before it");
     if (!isUnit(c.rotation[id]))
         return tr("its rotation is not one");
-    if (!(c.length[id] > 0.0F && c.length[id] <= 1000.0F))
+    if (!isLength(c.length[id]))
         return tr("its length is out of range");
     if (!(c.vigour[id] >= 0.0F && c.vigour[id] <= 1.0F))
         return tr("its vigour is out of range");
@@ -68,6 +73,11 @@ QString faultOf(const InternodeColumns& c, InternodeId id, std::uint32_t paramet
 
 } // namespace
 
+bool isFrame(const Rotation& rotation, float length)
+{
+    return isUnit(rotation) && isLength(length);
+}
+
 Tree::Tree(std::uint64_t seed, const TreeParameters& parameters) : m_seed(seed)
 {
     m_parameterSets.append(parameters);
@@ -85,7 +95,8 @@ Tree::Tree(std::uint64_t seed, const TreeParameters& parameters) : m_seed(seed)
 }
 
 Result<Tree> Tree::fromColumns(std::uint64_t seed, Step step, InternodeColumns columns,
-                               QList<TreeParameters> parameterSets, std::uint32_t currentParameters)
+                               QList<TreeParameters> parameterSets, std::uint32_t currentParameters,
+                               std::vector<WidthConstraint> widths)
 {
     const std::uint32_t count = columns.size();
     bool equalSizes = true;
@@ -117,8 +128,15 @@ Result<Tree> Tree::fromColumns(std::uint64_t seed, Step step, InternodeColumns c
         if (!fault.isEmpty())
             return Error{Error::Kind::Input, tr("internode %1: %2").arg(id).arg(fault)};
     }
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const auto [id, diameter] = widths[i];
+        if (id >= count || (i > 0 && id <= widths[i - 1].id) ||
+            !(diameter > 0.0F && diameter <= kGreatestDiameter))
+            return Error{Error::Kind::Input, tr("width %1 cannot be").arg(i)};
+    }
 
     Tree tree;
+    tree.m_widths = std::move(widths);
     tree.m_columns = std::move(columns);
     tree.m_parameterSets = std::move(parameterSets);
     tree.m_currentParameters = currentParameters;
@@ -156,6 +174,12 @@ void Tree::apply(TreeDelta& delta)
         m_columns.death[id] = delta.stepAfter;
     for (const TreeDelta::BudChange& change : delta.buds)
         m_columns.buds[change.id] = change.after;
+    for (const TreeDelta::FrameChange& change : delta.frames) {
+        m_columns.rotation[change.id] = change.after;
+        m_columns.length[change.id] = change.lengthAfter;
+    }
+    for (const TreeDelta::WidthChange& change : delta.widths)
+        setWidth(change.id, change.after);
     m_currentParameters = delta.parametersAfter;
     m_step = delta.stepAfter;
 }
@@ -163,6 +187,12 @@ void Tree::apply(TreeDelta& delta)
 void Tree::revert(const TreeDelta& delta)
 {
     Q_ASSERT(m_step == delta.stepAfter && !delta.rows);
+    for (const TreeDelta::WidthChange& change : delta.widths)
+        setWidth(change.id, change.before);
+    for (const TreeDelta::FrameChange& change : delta.frames) {
+        m_columns.rotation[change.id] = change.before;
+        m_columns.length[change.id] = change.lengthBefore;
+    }
     for (const TreeDelta::BudChange& change : delta.buds)
         m_columns.buds[change.id] = change.before;
     for (const InternodeId id : delta.died)
@@ -177,7 +207,7 @@ bool Tree::operator==(const Tree& other) const
     const InternodeColumns& a = m_columns;
     const InternodeColumns& b = other.m_columns;
     const auto sameRotation = [](const Rotation& r, const Rotation& s) { return r.coeffs() == s.coeffs(); };
-    return m_seed == other.m_seed && m_step == other.m_step &&
+    return m_seed == other.m_seed && m_step == other.m_step && m_widths == other.m_widths &&
            m_currentParameters == other.m_currentParameters && m_parameterSets == other.m_parameterSets &&
            a.parent == b.parent && std::ranges::equal(a.rotation, b.rotation, sameRotation) &&
            a.length == b.length && a.vigour == b.vigour && a.slot == b.slot && a.buds == b.buds &&
@@ -185,9 +215,28 @@ bool Tree::operator==(const Tree& other) const
            a.parameterSet == b.parameterSet;
 }
 
+float Tree::widthConstraint(InternodeId id) const
+{
+    const auto found = std::ranges::lower_bound(m_widths, id, {}, &WidthConstraint::id);
+    return found != m_widths.end() && found->id == id ? found->diameter : 0.0F;
+}
+
+void Tree::setWidth(InternodeId id, float diameter)
+{
+    const auto place = std::ranges::lower_bound(m_widths, id, {}, &WidthConstraint::id);
+    const bool isSet = place != m_widths.end() && place->id == id;
+    if (diameter <= 0.0F && isSet)
+        m_widths.erase(place);
+    else if (diameter > 0.0F && isSet)
+        place->diameter = diameter;
+    else if (diameter > 0.0F)
+        m_widths.insert(place, {id, diameter});
+}
+
 std::size_t Tree::bytes() const
 {
-    std::size_t sum = static_cast<std::size_t>(m_parameterSets.size()) * sizeof(TreeParameters);
+    std::size_t sum = m_widths.capacity() * sizeof(WidthConstraint) +
+                      static_cast<std::size_t>(m_parameterSets.size()) * sizeof(TreeParameters);
     InternodeColumns::visit(m_columns, [&](const char*, const auto& column) {
         sum += static_cast<std::size_t>(column.capacity()) * sizeof(*column.constData());
     });
@@ -206,12 +255,13 @@ TreeDelta TreeDelta::startingAt(const Tree& tree)
 bool TreeDelta::isEmpty() const
 {
     return stepBefore == stepAfter && parametersBefore == parametersAfter && born.count == 0 &&
-           died.empty() && buds.empty();
+           died.empty() && buds.empty() && frames.empty() && widths.empty();
 }
 
 std::size_t TreeDelta::bytes() const
 {
-    return sizeof(*this) + died.capacity() * sizeof(InternodeId) + buds.capacity() * sizeof(BudChange);
+    return sizeof(*this) + died.capacity() * sizeof(InternodeId) + buds.capacity() * sizeof(BudChange) +
+           frames.capacity() * sizeof(FrameChange) + widths.capacity() * sizeof(WidthChange);
 }
 
 } // namespace espalier

@@ -5,8 +5,18 @@
 #include "model/tree/InternodeColumns.h"
 #include "model/tree/Parameters.h"
 #include "model/tree/TreeDelta.h"
+#include "model/tree/WidthConstraint.h"
+
+#include <span>
 
 namespace espalier {
+
+/// Limits of what a tree may hold, m.
+inline constexpr float kGreatestLength = 1000.0F;  ///< Of an internode
+inline constexpr float kGreatestDiameter = 100.0F; ///< Of a width constraint
+
+/// Whether an internode may have such a local frame and length.
+bool isFrame(const Rotation& rotation, float length);
 
 /// The plant graph. An internode is a row of the columns; its upper end is a node, which carries buds; an
 /// axis is a chain of internodes that each continue the one before (slot kTerminalSlot). Nothing is erased:
@@ -21,9 +31,10 @@ public:
 
     /// A tree read from elsewhere. Fails unless the columns agree with each other: equal sizes, parents
     /// before children, at most one living continuation a node, living parents of living internodes, finite
-    /// numbers, known parameter sets.
+    /// numbers, known parameter sets, positive widths by ascending id.
     static Result<Tree> fromColumns(std::uint64_t seed, Step step, InternodeColumns columns,
-                                    QList<TreeParameters> parameterSets, std::uint32_t currentParameters);
+                                    QList<TreeParameters> parameterSets, std::uint32_t currentParameters,
+                                    std::vector<WidthConstraint> widths = {});
 
     std::uint64_t seed() const { return m_seed; }
     Step step() const { return m_step; }
@@ -38,6 +49,11 @@ public:
     Step birth(InternodeId id) const { return m_columns.birth[id]; }
     bool isAlive(InternodeId id) const { return m_columns.present[id] != 0 && m_columns.death[id] == kNever; }
     bool continuesAxis(InternodeId id) const { return m_columns.slot[id] == kTerminalSlot; }
+
+    /// The widths that a person has set, by ascending id; those of dead internodes count for nothing.
+    std::span<const WidthConstraint> widthConstraints() const { return m_widths; }
+    /// m; 0 if none is set there.
+    float widthConstraint(InternodeId id) const;
 
     const QList<TreeParameters>& parameterSets() const { return m_parameterSets; }
     std::uint32_t currentParameterSet() const { return m_currentParameters; }
@@ -65,7 +81,10 @@ public:
     std::size_t bytes() const;
 
 private:
+    void setWidth(InternodeId id, float diameter);
+
     InternodeColumns m_columns;
+    std::vector<WidthConstraint> m_widths;
     QList<TreeParameters> m_parameterSets;
     std::uint32_t m_currentParameters = 0;
     std::uint64_t m_seed = 1;

@@ -19,13 +19,31 @@ struct TreeDelta {
         bool operator==(const BudChange&) const = default;
     };
 
+    /// An internode that was bent or stretched, with all that hangs on it.
+    struct FrameChange {
+        InternodeId id;
+        Rotation before; ///< Local frame
+        Rotation after;
+        float lengthBefore; ///< m
+        float lengthAfter;  ///< m
+    };
+    /// A width constraint that was set, moved or taken away.
+    struct WidthChange {
+        InternodeId id;
+        float before; ///< Diameter, m; 0 for none
+        float after;
+        bool operator==(const WidthChange&) const = default;
+    };
+
     Step stepBefore = 0;
     Step stepAfter = 0;
     std::uint32_t parametersBefore = 0; ///< Index of the parameter set in force
     std::uint32_t parametersAfter = 0;
     IdRange born;
-    std::vector<InternodeId> died; ///< At stepAfter; the whole of each shed or pruned branch
-    std::vector<BudChange> buds;   ///< Of internodes that lived before; each id at most once
+    std::vector<InternodeId> died;   ///< At stepAfter; the whole of each shed or pruned branch
+    std::vector<BudChange> buds;     ///< Of internodes that lived before; each id at most once
+    std::vector<FrameChange> frames; ///< Likewise
+    std::vector<WidthChange> widths; ///< Each id at most once
     /// The new internodes' rows on their way into the tree: the first apply takes them, and they stay in its
     /// columns from then on.
     std::unique_ptr<InternodeColumns> rows;
@@ -36,7 +54,8 @@ struct TreeDelta {
     bool isEmpty() const;
     std::size_t bytes() const;
 
-    /// Calls @p visit(id) for each internode whose rows, life or buds differ; not for their neighbours.
+    /// Calls @p visit(id) for each internode whose birth, life or buds differ; not for their neighbours, nor
+    /// for those that only moved.
     template <class Visit>
     void forEachTouched(Visit&& visit) const
     {

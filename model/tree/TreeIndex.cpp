@@ -42,6 +42,7 @@ void TreeIndex::rebuild(const Tree& tree)
 void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
 {
     appendRows(tree);
+    moveAll(tree, delta);
     delta.forEachTouched([&](InternodeId id) {
         const bool linked = (m_own[id] & kOwnAlive) != 0;
         if (tree.isAlive(id) == linked)
@@ -104,11 +105,42 @@ void TreeIndex::appendRows(const Tree& tree)
         const InternodeId parent = c.parent[id];
         const bool isBase = parent == kNoInternode;
         m_axis[id] = isBase || c.slot[id] != kTerminalSlot ? id : m_axis[parent];
-        const Placement placement = placeOn(isBase ? Vec3(Vec3::Zero()) : m_position[parent],
-                                            isBase ? Rotation(Rotation::Identity()) : m_rotation[parent],
-                                            c.rotation[id], c.length[id]);
-        m_position[id] = placement.node;
-        m_rotation[id] = placement.rotation;
+        place(tree, id);
+    }
+}
+
+void TreeIndex::place(const Tree& tree, InternodeId id)
+{
+    const InternodeColumns& c = tree.columns();
+    const InternodeId parent = c.parent[id];
+    const bool isBase = parent == kNoInternode;
+    const Placement placement =
+        placeOn(isBase ? Vec3(Vec3::Zero()) : m_position[parent],
+                isBase ? Rotation(Rotation::Identity()) : m_rotation[parent], c.rotation[id], c.length[id]);
+    m_position[id] = placement.node;
+    m_rotation[id] = placement.rotation;
+}
+
+/// What hangs on a bent internode follows it, the dead as well: they may come back.
+void TreeIndex::moveAll(const Tree& tree, const TreeDelta& delta)
+{
+    m_moved.clear();
+    if (delta.frames.empty())
+        return;
+    m_moves.assign(tree.size(), 0);
+    InternodeId first = tree.size();
+    for (const TreeDelta::FrameChange& change : delta.frames) {
+        m_moves[change.id] = 1;
+        first = std::min(first, change.id);
+    }
+    // Parents come before their children.
+    for (InternodeId id = first; id < tree.size(); ++id) {
+        if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
+            m_moves[id] |= m_moves[parent];
+        if (m_moves[id] == 0)
+            continue;
+        place(tree, id);
+        m_moved.push_back(id);
     }
 }
 

@@ -50,6 +50,8 @@ public:
 
     /// Ids whose subtreeSize or tipCount changed in the last update, descending.
     std::span<const InternodeId> recentlyChanged() const { return m_changed; }
+    /// Ids, the dead included, that the last update moved to another place or turned, ascending.
+    std::span<const InternodeId> recentlyMoved() const { return m_moved; }
 
     std::size_t bytes() const;
 
@@ -61,6 +63,8 @@ private:
     };
 
     void appendRows(const Tree& tree);
+    void place(const Tree& tree, InternodeId id);
+    void moveAll(const Tree& tree, const TreeDelta& delta);
     void link(const Tree& tree, InternodeId id);
     void unlink(const Tree& tree, InternodeId id);
     void refreshOwn(const Tree& tree, InternodeId id);
@@ -76,6 +80,8 @@ private:
     std::vector<Sums> m_pending;     ///< Differences on their way down, modulo 2^32
     AncestorSweep m_sweep;
     std::vector<InternodeId> m_changed;
+    std::vector<InternodeId> m_moved;
+    std::vector<std::uint8_t> m_moves; ///< Scratch
 };
 
 /// World frame and node position of an internode that stands on the given base with the given local row.

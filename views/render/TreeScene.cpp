@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TreeScene.h"
 
+#include <utility>
+
 namespace espalier {
 
 namespace {
@@ -40,12 +42,16 @@ void TreeScene::follow(const TreeChange& change)
     for (const InternodeId id : delta.died)
         relight(id);
     m_boundsAreOld = true;
-    // Other parameters may be another kind of shadow.
+    // Other parameters may be another kind of shadow. A bent branch takes its shadow along, which is too much
+    // to work out while a hand moves it.
     m_lightIsOld = m_lightIsOld || delta.parametersBefore != delta.parametersAfter;
+    m_lightWaits = m_lightWaits || !delta.frames.empty();
 }
 
 bool TreeScene::settle()
 {
+    if (std::exchange(m_lightWaits, false))
+        m_lightIsOld = true;
     return m_mesh.settle(m_document.tree(), m_document.index());
 }
 
@@ -64,13 +70,15 @@ std::vector<Vec3> TreeScene::outline() const
 void TreeScene::prepare()
 {
     m_mesh.finish(m_document.tree(), m_document.index());
-    const VoxelSpace& space = m_document.growthIndex().space();
-    if (m_lightIsOld)
-        m_light.rebuild(space);
-    else
-        m_light.update(space, m_relit);
-    m_lightIsOld = false;
-    m_relit.setEmpty();
+    if (!m_lightWaits) {
+        const VoxelSpace& space = m_document.growthIndex().space();
+        if (m_lightIsOld)
+            m_light.rebuild(space);
+        else
+            m_light.update(space, m_relit);
+        m_lightIsOld = false;
+        m_relit.setEmpty();
+    }
 
     if (!m_boundsAreOld)
         return;

@@ -43,6 +43,7 @@ private:
     Box3 m_bounds;
     Box3 m_relit; ///< Where nodes came or went since prepare()
     bool m_lightIsOld = false;
+    bool m_lightWaits = false; ///< Until settle()
     bool m_boundsAreOld = false;
 };
 

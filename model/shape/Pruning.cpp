@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/shape/Pruning.h"
+
+#include <algorithm>
+
+namespace espalier {
+
+InternodeId cutBelow(const Tree& tree, const TreeIndex& index, InternodeId id)
+{
+    if (!tree.isAlive(id))
+        return 0;
+    while (id != 0) {
+        const InternodeId parent = tree.parent(id);
+        const bool branches = index.nextSibling(index.firstChild(parent)) != kNoInternode;
+        if (branches || parent == 0 || tree.widthConstraint(parent) > 0.0F)
+            break;
+        id = parent;
+    }
+    return id;
+}
+
+std::vector<InternodeId> falling(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> cuts)
+{
+    std::vector<InternodeId> fallen;
+    for (const InternodeId cut : cuts) {
+        if (cut != 0 && cut < tree.size() && tree.isAlive(cut))
+            fallen.push_back(cut);
+    }
+    std::ranges::sort(fallen);
+    // Cuts above other cuts come again as what those carry.
+    std::vector<InternodeId> all;
+    std::vector<InternodeId> branch;
+    for (const InternodeId cut : fallen) {
+        branch.push_back(cut);
+        while (!branch.empty()) {
+            const InternodeId id = branch.back();
+            branch.pop_back();
+            all.push_back(id);
+            for (InternodeId child = index.firstChild(id); child != kNoInternode;
+                 child = index.nextSibling(child))
+                branch.push_back(child);
+        }
+    }
+    std::ranges::sort(all);
+    const auto repeated = std::ranges::unique(all);
+    all.erase(repeated.begin(), repeated.end());
+    return all;
+}
+
+TreeDelta prune(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> cuts)
+{
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.died = falling(tree, index, cuts);
+    return delta;
+}
+
+} // namespace espalier
