@@ -5,13 +5,17 @@
 Usage: yardsticks.py TREE.csv... [--cut MILLIMETRES] [--json] [--check]
 
 A tree is a skeleton: lines "id,parent,x0,y0,z0,x1,y1,z1,radius" in metres, z up, below a header; a parent of -1 is the base.
-Prints a table of what each tree measures beside what real trees do; --json prints the same as JSON. --cut leaves out all that is
-thinner than that radius, so that trees known to different depths can be compared. --check ends with 1 if a measure is out
-of its range.
+Prints a table of what each tree measures beside what real trees do; --json prints the same as JSON. --check ends with 1 if a measure is
+out of its range.
+
+The ranges come from scanned trees, from photographs and from measures taken in the field, and each measure is taken of what its
+source saw. Scans end at twigs of about 4.7 mm radius: what lies in the branching (orders, ratios, angles, spacing, taper, box
+dimension) is measured on the tree without all that is thinner, or orders and spacings would count twigs that the ranges never knew.
+--cut sets another radius, 0 measures the whole tree. Height, crown, twigs and sky are always those of the whole tree; a
+scanned tree without its twigs therefore lets more light through than the photographs that the range of sky comes from.
 
 How each measure is taken stands in its function. The main axis at a fork is the child of the greatest radius, of those the one that
-carries the most length. The ranges of sky are those of photographs, which show twigs that scans miss: a scanned tree lets
-more light through.
+carries the most length.
 """
 
 import argparse
@@ -50,11 +54,13 @@ RANGES = {
     "box dimension": (1.4, 2.0),
 }
 
+SCANNED = 0.0047  # m, radius of the thinnest twigs of the scanned trees
+
 
 class Skeleton:
     """Segments by rows, each parent before its children."""
 
-    def __init__(self, path, cut=0.0):
+    def __init__(self, path):
         try:
             table = np.genfromtxt(path, delimiter=",", names=True, dtype=float)
             columns = [np.atleast_1d(table[name]) for name in ("id", "parent", "x0", "y0", "z0", "x1", "y1", "z1", "radius")]
@@ -71,14 +77,24 @@ class Skeleton:
         for row in order:  # unknown radii are their bearer's
             if radius[row] <= 0.0:
                 radius[row] = radius[parent[row]] if parent[row] >= 0 else radius.max()
-        kept = np.zeros(len(ids), dtype=bool)
-        for row in order:
-            kept[row] = radius[row] >= cut and (parent[row] < 0 or kept[parent[row]])
-        order = [row for row in order if kept[row]]
-        if not order:
-            raise SystemExit(f"{path}: nothing is as thick as that")
+        self.path = path
+        self.take(order, parent, start, end, radius)
+
+    def without(self, cut):
+        """The same tree without all that is thinner than that radius."""
+        kept = np.zeros(len(self.parent), dtype=bool)
+        for row, above in enumerate(self.parent):
+            kept[row] = self.radius[row] >= cut and (above < 0 or kept[above])
+        if not kept.any():
+            raise SystemExit(f"{self.path}: nothing is as thick as {1000.0 * cut:g} mm")
+        result = Skeleton.__new__(Skeleton)
+        result.path = self.path
+        result.take(np.nonzero(kept)[0], self.parent, self.start, self.end, self.radius)
+        return result
+
+    def take(self, order, parent, start, end, radius):
+        """Keeps the rows named, in that order, and finds what follows from them."""
         place = {row: i for i, row in enumerate(order)}
-        self.cut = cut
         self.parent = np.array([place.get(parent[row], -1) for row in order])
         self.start, self.end, self.radius = start[order], end[order], radius[order]
         self.direction = self.end - self.start
@@ -250,22 +266,31 @@ def widths(tree):
     logs = np.log(tree.radius)
     classes = np.floor(logs / 0.2).astype(int)
     means = [(logs[classes == k].mean(), np.log(tree.tips[classes == k]).mean()) for k in np.unique(classes)]
-    twigs = tree.radius[[not c for c in tree.children]]
     return {
         "diameter exponent": float(np.median(exponents)) if len(exponents) else math.nan,
         "tips against radius": slope(*zip(*means)) if len(means) > 2 else math.nan,
         "child / parent radius": float(np.median(ratios)) if ratios else math.nan,
-        "twig radius (mm)": float(1000.0 * np.median(twigs)) if tree.cut == 0.0 else math.nan,
     }
 
 
-def trunk(tree):
-    """The trunk's radius grows as its distance from the top to the power of the taper. Diameter is that at 1.3 m, for trees of less
-    than 4 m at a third of the height; the crown begins where the lowest limb with a fiftieth of the tips leaves the trunk."""
+def twigs(tree):
+    return {"twig radius (mm)": float(1000.0 * np.median(tree.radius[[not c for c in tree.children]]))}
+
+
+def taper(tree):
+    """The trunk's radius grows as its distance from the top to the power of the taper: a line through the logarithms over the whole
+    trunk, but for the last fiftieth."""
     rows = np.array(tree.trunk)
     along = np.cumsum(tree.length[rows])
     left = along[-1] - along + 0.5 * tree.length[rows]
     usable = left > 0.02 * along[-1]
+    return {"trunk taper": slope(np.log(left[usable]), np.log(tree.radius[rows][usable]))}
+
+
+def build(tree):
+    """Diameter is that at 1.3 m, for trees of less than 4 m at a third of the height; the crown begins where the lowest limb with
+    a fiftieth of the tips leaves the trunk."""
+    rows = np.array(tree.trunk)
     breast = 1.3 if tree.height >= 4.0 else tree.height / 3.0
     diameter = tree.diameter_at(breast)
     limbs = [c for row in rows for c in tree.laterals(row) if tree.tips[c] >= 0.02 * tree.tips[0]]
@@ -273,7 +298,6 @@ def trunk(tree):
     in_crown = tree.end[:, 2] - tree.base >= crown_base
     width = crown_width(tree.end[in_crown, :2])
     return {
-        "trunk taper": slope(np.log(left[usable]), np.log(tree.radius[rows][usable])),
         "height / diameter": tree.height / diameter,
         "crown width / trunk diameter": width / diameter,
         "crown width / height": width / tree.height,
@@ -348,29 +372,37 @@ def angles(tree):
 
 # Pictures ----------------------------------------------------------------------------------------------------------
 
-def silhouette(tree, rows, axes, pixels=1000):
-    """How much of each pixel the segments leave open, seen along the axis that is not among axes. What is thinner than a pixel covers
-    its share of it, as if by chance."""
-    start, end, radius = tree.start[rows][:, axes], tree.end[rows][:, axes], tree.radius[rows]
-    low = np.minimum(start, end).min(axis=0)
-    extent = (np.maximum(start, end).max(axis=0) - low).max()
-    pixel = max(extent / pixels, 1e-9)
-    margin = pixels // 8
-    side = pixels + 2 * margin + 1
-    picture = np.ones(side * side)
+def points_along(tree, chosen, step):
+    """Points on the axes of the chosen segments, no further than a step apart."""
+    chosen = np.nonzero(chosen)[0]
+    counts = np.maximum(1, np.ceil(tree.length[chosen] / step).astype(int))
+    rows = np.repeat(chosen, counts)
+    part = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / np.repeat(counts, counts)
+    return tree.start[rows] + part[:, None] * (tree.end - tree.start)[rows]
+
+
+def silhouette(tree, axes, picture, low, pixel):
+    """How much of each pixel the segments leave open, seen along the axis that is not among axes. What is thinner than what a line
+    touches covers its share of it, as if by chance."""
+    side = picture.shape[0]
+    start, end = tree.start[:, axes], tree.end[:, axes]
     along = end - start
     length = np.linalg.norm(along, axis=1)
     across = np.stack([-along[:, 1], along[:, 0]], axis=1) / np.maximum(length, 1e-12)[:, None]
-    for i, half in enumerate(radius):
-        s = np.linspace(0.0, 1.0, int(1.5 * length[i] / pixel) + 2)
-        is_wide = 2.0 * half >= pixel
-        reach = max(0.0, half - 0.5 * pixel)  # pixels that are touched count whole
-        t = np.linspace(-reach, reach, int(3.0 * reach / pixel) + 1)
+    touched = 4.0 / math.pi * pixel  # mean breadth of the pixels that a line touches, over all its directions
+    share = np.minimum(1.0, 2.0 * tree.radius / touched)
+    flat = picture.reshape(-1)
+    for i, half in enumerate(tree.radius):
+        s = (np.arange(int(2.5 * length[i] / pixel) + 1) + 0.5) / (int(2.5 * length[i] / pixel) + 1)
+        reach = max(0.0, half - 0.5 * touched)
+        t = np.linspace(-reach, reach, int(5.0 * reach / pixel) + 1) if reach > 0.0 else np.zeros(1)
         points = start[i] + s[:, None, None] * along[i] + t[None, :, None] * across[i]
-        index = np.clip(((points - low) / pixel).astype(int) + margin, 0, side - 1).reshape(-1, 2)
-        covered = np.unique(index[:, 0] * side + index[:, 1])
-        picture[covered] *= 0.0 if is_wide else 1.0 - 2.0 * half / pixel
-    return picture.reshape(side, side)
+        index = np.clip(((points - low) / pixel).astype(np.int32), 0, side - 1).reshape(-1, 2)
+        index = index[:, 0] * side + index[:, 1]
+        if share[i] >= 1.0:
+            flat[index] = 0.0
+        else:
+            flat[np.unique(index)] *= 1.0 - share[i]
 
 
 def dilated(picture, reach):
@@ -389,31 +421,36 @@ def dilated(picture, reach):
     return result
 
 
-def sky(tree):
-    """Share of the crown's outline through which one sees the sky, the crown being what the trunk's limbs carry and the outline
-    what closes gaps of up to a tenth of its extent."""
-    is_trunk = np.zeros(len(tree.parent), dtype=bool)
-    is_trunk[tree.trunk] = True
-    rows = np.nonzero(~is_trunk)[0]
+def sky(tree, pixels=2400):
+    """Share of the crown's outline through which one sees the sky, as on a photograph: past twigs, limbs and what of the trunk stands
+    in the crown. The outline is that of what the trunk's limbs carry and closes gaps of up to a tenth of its extent."""
+    is_crown = np.ones(len(tree.parent), dtype=bool)
+    is_crown[tree.trunk] = False
     result = {}
     for name, axes in (("sky from the side", (0, 2)), ("sky from below", (0, 1))):
-        if len(rows) < 10:
+        if is_crown.sum() < 10:
             result[name] = math.nan
             continue
-        picture = silhouette(tree, rows, axes)
-        reach = picture.shape[0] // 25
-        outline = ~dilated(~dilated(picture < 1.0, reach), reach)
-        result[name] = float(picture[outline].mean())
+        ends = np.concatenate([tree.start[is_crown][:, axes], tree.end[is_crown][:, axes]])
+        extent = (ends.max(axis=0) - ends.min(axis=0)).max()
+        pixel = max(extent / pixels, 1e-9)
+        margin = pixels // 8
+        side = pixels + 2 * margin
+        low = ends.min(axis=0) - margin * pixel
+        picture = np.ones((side, side), dtype=np.float32)
+        silhouette(tree, axes, picture, low, pixel)
+        coarse = np.zeros((side // 4, side // 4), dtype=bool)  # the outline needs no detail
+        index = ((points_along(tree, is_crown, 2.0 * pixel)[:, axes] - low) / (4.0 * pixel)).astype(int)
+        coarse[index[:, 0], index[:, 1]] = True
+        reach = coarse.shape[0] // 25
+        outline = ~dilated(~dilated(coarse, reach), reach)
+        result[name] = float(picture.reshape(side // 4, 4, side // 4, 4).mean(axis=(1, 3))[outline].mean())
     return result
 
 
 def box_dimension(tree):
     """Slope of the number of occupied boxes against their size, from a sixth of the height to a ninetieth."""
-    step = tree.height / 400.0
-    counts = np.maximum(1, np.ceil(tree.length / step).astype(int))
-    rows = np.repeat(np.arange(len(counts)), counts)
-    part = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / counts[rows]
-    points = tree.start[rows] + part[:, None] * (tree.end - tree.start)[rows]
+    points = points_along(tree, np.ones(len(tree.parent), dtype=bool), tree.height / 400.0)
     sizes = tree.height / np.geomspace(6, 90, 9)
     numbers = []
     for size in sizes:
@@ -426,29 +463,33 @@ def box_dimension(tree):
     return {"box dimension": -slope(np.log(sizes), np.log(numbers))}
 
 
-def measure(tree):
-    """All measures by name; what a tree is too small for, or was cut off, is NaN."""
+def measure(tree, cut=SCANNED):
+    """All measures by name; what a tree is too small for is NaN."""
     values = {}
-    for part in (order_ratios, path_fraction, widths, trunk, angles, sky, box_dimension):
+    scanned = tree.without(cut)
+    for part in (order_ratios, path_fraction, widths, taper, angles, box_dimension):
+        values.update(part(scanned))
+    for part in (build, twigs, sky):
         values.update(part(tree))
     return {name: values[name] for name in RANGES}
 
 
-def verdict(name, value):
+def verdict(name, value, bounds=None):
     if not math.isfinite(value):
         return "-"
-    low, high = RANGES[name]
+    low, high = bounds or RANGES[name]
     return "ok" if low <= round(value, 2) <= high else "OUT"
 
 
 def main():
     parser = argparse.ArgumentParser(description="Measures trees by the yardsticks of real ones.")
     parser.add_argument("trees", nargs="+", metavar="TREE.csv", type=Path)
-    parser.add_argument("--cut", type=float, default=0.0, metavar="MILLIMETRES", help="leave out what is thinner")
+    parser.add_argument("--cut", type=float, default=1000.0 * SCANNED, metavar="MILLIMETRES",
+                        help="radius down to which branching is measured (default: %(default)g)")
     parser.add_argument("--json", action="store_true", help="print JSON")
     parser.add_argument("--check", action="store_true", help="end with 1 if a measure is out of its range")
     arguments = parser.parse_args()
-    measured = {str(path): measure(Skeleton(path, arguments.cut / 1000.0)) for path in arguments.trees}
+    measured = {str(path): measure(Skeleton(path), arguments.cut / 1000.0) for path in arguments.trees}
 
     if arguments.json:
         print(json.dumps({path: {name: {"value": None if math.isnan(value) else round(value, 4), "range": RANGES[name],

@@ -37,7 +37,7 @@ class Builder:
 
     def measure(self, cut=0.0):
         with tempfile.TemporaryDirectory() as folder:
-            return yardsticks.measure(yardsticks.Skeleton(self.write(folder), cut))
+            return yardsticks.measure(yardsticks.Skeleton(self.write(folder)), cut)
 
 
 def binary_tree(levels=7):
@@ -82,6 +82,16 @@ class YardsticksTest(unittest.TestCase):
     def test_cut_leavesOutWhatIsThinner(self):
         values = binary_tree().measure(cut=0.1 * 2 ** -1.6)
         self.assertEqual(values["Strahler order"], 4)
+
+    def test_cut_concernsTheBranchingAlone(self):
+        whole, cut = binary_tree().measure(), binary_tree().measure(cut=0.1 * 2 ** -1.6)
+        for name in ("height / diameter", "crown width / height", "twig radius (mm)", "sky from the side", "sky from below"):
+            self.assertEqual(cut[name], whole[name], name)
+        self.assertNotEqual(cut["box dimension"], whole["box dimension"])
+
+    def test_cut_ofTheWholeTree_isRefusedInWords(self):
+        with self.assertRaisesRegex(SystemExit, "nothing is as thick as 500 mm"):
+            binary_tree(3).measure(cut=0.5)
 
     def test_orderOfLinesAndIds_doesNotMatter(self):
         tree = binary_tree(5)
