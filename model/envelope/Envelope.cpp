@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace espalier {
 
@@ -157,8 +158,10 @@ Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, con
         return inputError(QT_TRANSLATE_NOOP("Envelope", "The lasso encloses no area."));
 
     content.measure();
+    const bool tooFar =
+        std::numeric_limits<float>::epsilon() * content.corner.cwiseAbs().maxCoeff() > content.spacing;
     Envelope envelope(std::make_shared<const Content>(std::move(content)));
-    if (!envelope.contains(envelope.deepest()))
+    if (tooFar || !envelope.contains(envelope.deepest()))
         return inputError(
             QT_TRANSLATE_NOOP("Envelope", "The lasso is too small for how far it is from the origin."));
     return envelope;

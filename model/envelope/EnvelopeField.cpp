@@ -12,7 +12,7 @@ namespace espalier {
 namespace {
 
 /// Width of the bell with which the balls' creases are rounded, nodes.
-constexpr double kSmoothing = 2.0;
+constexpr double kSmoothing = 4.0;
 
 /// The distance rises by 1 a node but at its ridges: there by the sine of half the angle of the corner that
 /// they lead to, here 137 degrees.
@@ -23,23 +23,47 @@ double square(double value)
     return value * value;
 }
 
-/// Along rows and columns with a symmetric kernel (its centre first); the values at the edge go on beyond it.
-Grid<float> convolved(const Grid<float>& values, const std::vector<double>& kernel)
+/// What values go on as, @p steps beyond the edge, with a constant second derivative.
+double beyond(double edge, double inner, double curvature, int steps)
+{
+    const double slope = inner - edge - 0.5 * curvature;
+    return edge - slope * steps + 0.5 * curvature * steps * steps;
+}
+
+/// Along rows and columns with a symmetric kernel (its centre first). The values go on beyond the edge with
+/// the given second derivative along rows and along columns.
+Grid<float> convolved(const Grid<float>& values, const std::vector<double>& kernel, double curvature)
 {
     const int width = values.width();
     const int height = values.height();
     const int reach = static_cast<int>(kernel.size()) - 1;
-    Grid<float> across(width, height);
+    const auto row = [&](int y) {
+        return static_cast<std::size_t>(y + reach) * static_cast<std::size_t>(width);
+    };
+    std::vector<double> across(static_cast<std::size_t>(height + 2 * reach) *
+                               static_cast<std::size_t>(width));
     std::vector<double> padded(static_cast<std::size_t>(width + 2 * reach));
     for (int y = 0; y < height; ++y) {
-        for (int x = -reach; x < width + reach; ++x)
-            padded[static_cast<std::size_t>(x + reach)] = double{values(std::clamp(x, 0, width - 1), y)};
+        double* const line = padded.data() + reach;
+        for (int x = 0; x < width; ++x)
+            line[x] = double{values(x, y)};
+        for (int k = 1; k <= reach; ++k) {
+            line[-k] = beyond(line[0], line[1], curvature, k);
+            line[width - 1 + k] = beyond(line[width - 1], line[width - 2], curvature, k);
+        }
+        double* const sums = across.data() + row(y);
         for (int x = 0; x < width; ++x) {
-            const auto centre = static_cast<std::size_t>(x + reach);
-            double sum = kernel[0] * padded[centre];
-            for (std::size_t k = 1; k < kernel.size(); ++k)
-                sum += kernel[k] * (padded[centre - k] + padded[centre + k]);
-            across(x, y) = static_cast<float>(sum);
+            double sum = kernel[0] * line[x];
+            for (int k = 1; k <= reach; ++k)
+                sum += kernel[static_cast<std::size_t>(k)] * (line[x - k] + line[x + k]);
+            sums[x] = sum;
+        }
+    }
+    for (int k = 1; k <= reach; ++k) {
+        for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
+            across[row(-k) + x] = beyond(across[row(0) + x], across[row(1) + x], curvature, k);
+            across[row(height - 1 + k) + x] =
+                beyond(across[row(height - 1) + x], across[row(height - 2) + x], curvature, k);
         }
     }
     Grid<float> result(width, height);
@@ -48,9 +72,8 @@ Grid<float> convolved(const Grid<float>& values, const std::vector<double>& kern
         std::ranges::fill(sums, 0.0);
         for (int k = -reach; k <= reach; ++k) {
             const double weight = kernel[static_cast<std::size_t>(std::abs(k))];
-            const std::size_t row = across.index(0, std::clamp(y + k, 0, height - 1));
             for (std::size_t x = 0; x < sums.size(); ++x)
-                sums[x] += weight * double{across[row + x]};
+                sums[x] += weight * across[row(y + k) + x];
         }
         for (std::size_t x = 0; x < sums.size(); ++x)
             result[result.index(0, y) + x] = static_cast<float>(sums[x]);
@@ -75,9 +98,10 @@ std::vector<double> bell(double deviation)
 /// one, and a plain bell would lower thin bars to nothing.
 Grid<float> smoothed(const Grid<float>& values)
 {
+    constexpr double kCurvature = -2.0; // of R² - |p - s|²
     const std::vector<double> kernel = bell(kSmoothing);
-    Grid<float> once = convolved(values, kernel);
-    const Grid<float> twice = convolved(once, kernel);
+    Grid<float> once = convolved(values, kernel, kCurvature);
+    const Grid<float> twice = convolved(once, kernel, kCurvature);
     for (std::size_t i = 0; i < once.size(); ++i)
         once[i] = 2.0F * once[i] - twice[i];
     return once;
@@ -149,12 +173,53 @@ Mask chordalAxes(const Grid<float>& distance)
     return thinned(thinned(inside, ridges));
 }
 
+/// The axes run between nodes, so balls belong to the inner nodes beside theirs too.
+Mask withNeighbours(const Mask& axes, const Grid<float>& distance)
+{
+    Mask result(axes.width(), axes.height());
+    for (int y = 1; y + 1 < axes.height(); ++y)
+        for (int x = 1; x + 1 < axes.width(); ++x)
+            for (int k = 0; axes(x, y) != 0 && k < 9; ++k)
+                if (distance(x + k % 3 - 1, y + k / 3 - 1) > 0.0F)
+                    result(x + k % 3 - 1, y + k / 3 - 1) = 1;
+    return result;
+}
+
+/// Smoothing lifts the surface off the outline in notches and lowers it below in corners. Brings it back,
+/// within a few nodes of the outline, by as much as it is off at the nearest point of that.
+Grid<float> sewnToOutline(const Grid<float>& squaredHeight, const Grid<float>& distance)
+{
+    const int width = distance.width();
+    const int height = distance.height();
+    Grid<float> result(width, height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double inside = double{distance(x, y)};
+            double sewn = double{squaredHeight(x, y)};
+            const double share = 1.0 - std::abs(inside) / kFieldMargin;
+            if (share > 0.0) {
+                const Eigen::Vector2d rise(double{distance(std::min(x + 1, width - 1), y)} -
+                                               double{distance(std::max(x - 1, 0), y)},
+                                           double{distance(x, std::min(y + 1, height - 1))} -
+                                               double{distance(x, std::max(y - 1, 0))});
+                const Eigen::Vector2d foot = Eigen::Vector2d(x, y) - inside * rise.stableNormalized();
+                const int left = std::clamp(static_cast<int>(foot.x()), 0, width - 2);
+                const int below = std::clamp(static_cast<int>(foot.y()), 0, height - 2);
+                sewn -= share * interpolate(squaredHeight, {left, below, foot.x() - left, foot.y() - below});
+            }
+            result(x, y) =
+                static_cast<float>(inside > 0.0 ? std::max(sewn, inside * inside) : std::min(sewn, 0.0));
+        }
+    }
+    return result;
+}
+
 } // namespace
 
 EnvelopeField inflate(std::span<const Loop> loops, int width, int height)
 {
     // Half a node's blur takes the steps out of the outline.
-    const Grid<float> filled = convolved(coverage(loops, width, height), {0.5, 0.25});
+    const Grid<float> filled = convolved(coverage(loops, width, height), {0.5, 0.25}, 0.0);
     constexpr float kHalf = 0.5F;
     const Contours contours(filled, kHalf);
     EnvelopeField field;
@@ -164,21 +229,14 @@ EnvelopeField inflate(std::span<const Loop> loops, int width, int height)
     field.distance = signedDistance(filled, kHalf, contours);
     field.axes = chordalAxes(field.distance);
 
-    const Grid<float> aroundAxes = balls(field.distance, field.axes);
-    Mask centres = field.axes;
+    Mask centres = withNeighbours(field.axes, field.distance);
+    const Grid<float> aroundAxes = balls(field.distance, centres);
     for (std::size_t i = 0; i < centres.size(); ++i) {
         const float inside = field.distance[i];
         if (inside > 0.0F && aroundAxes[i] < inside * inside)
             centres[i] = 1;
     }
-    field.squaredHeight = smoothed(balls(field.distance, centres));
-    for (std::size_t i = 0; i < field.squaredHeight.size(); ++i) {
-        // Smoothing lifts the surface off its outline in notches; within one node it is brought back.
-        const float inside = field.distance[i];
-        float& height2 = field.squaredHeight[i];
-        height2 = inside > 0.0F ? std::max(height2 * std::min(inside, 1.0F), inside * inside)
-                                : -std::abs(height2) * std::min(-inside, 1.0F);
-    }
+    field.squaredHeight = sewnToOutline(smoothed(balls(field.distance, centres)), field.distance);
     return field;
 }
 

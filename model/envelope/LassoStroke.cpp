@@ -11,6 +11,9 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
+/// The simplified lines of scribbles may be off by this share of their side.
+constexpr double kLargestTolerance = 0.01;
+
 double cross(const Point& a, const Point& b)
 {
     return a.x() * b.y() - a.y() * b.x();
@@ -61,6 +64,15 @@ private:
     Point m_left = Point::Zero();
 };
 
+/// The length of a line up to each of its points.
+std::vector<double> lengthsAlong(const std::vector<Vec2>& points)
+{
+    std::vector<double> along(points.size(), 0.0);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        along[i] = along[i - 1] + (points[i] - points[i - 1]).cast<double>().norm();
+    return along;
+}
+
 std::vector<Vec2> simplifiedWithin(const std::vector<Vec2>& points, double tolerance)
 {
     std::vector<Vec2> kept{points.front()};
@@ -74,6 +86,23 @@ std::vector<Vec2> simplifiedWithin(const std::vector<Vec2>& points, double toler
     }
     kept.push_back(points.back());
     return kept;
+}
+
+/// Points of a line at equal distances along it, its ends among them.
+std::vector<Vec2> evenlySpaced(const std::vector<Vec2>& points, std::size_t count)
+{
+    const std::vector<double> along = lengthsAlong(points);
+    std::vector<Vec2> result{points.front()};
+    std::size_t next = 1;
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+        const double length = along.back() * static_cast<double>(i) / static_cast<double>(count - 1);
+        while (next + 1 < points.size() && along[next] < length)
+            ++next;
+        const double part = (length - along[next - 1]) / (along[next] - along[next - 1]);
+        result.push_back(points[next - 1] + static_cast<float>(part) * (points[next] - points[next - 1]));
+    }
+    result.push_back(points.back());
+    return result;
 }
 
 /// How far along a (0...1) and along b the segments a and b cross.
@@ -102,20 +131,21 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance)
     Eigen::AlignedBox2d box;
     for (const Vec2& point : sane)
         box.extend(point.cast<double>());
-    for (double within = std::max(tolerance, 1e-7) * box.sizes().maxCoeff();; within *= 2.0) {
-        std::vector<Vec2> kept = simplifiedWithin(sane, within);
-        if (kept.size() <= kMostLassoPoints)
-            return kept;
+    const double side = box.sizes().maxCoeff();
+    std::vector<Vec2> kept = simplifiedWithin(sane, std::max(tolerance, 0.0) * side);
+    for (double share = std::max(tolerance, 1e-6);
+         kept.size() > kMostLassoPoints && share < kLargestTolerance;) {
+        share = std::min(2.0 * share, kLargestTolerance);
+        kept = simplifiedWithin(sane, share * side);
     }
+    return kept.size() <= kMostLassoPoints ? kept : evenlySpaced(kept, kMostLassoPoints);
 }
 
 std::vector<Vec2> closedLoop(const std::vector<Vec2>& points, double longestTails)
 {
     if (points.size() < 4)
         return points;
-    std::vector<double> along(points.size(), 0.0);
-    for (std::size_t i = 1; i < points.size(); ++i)
-        along[i] = along[i - 1] + (points[i] - points[i - 1]).cast<double>().norm();
+    const std::vector<double> along = lengthsAlong(points);
 
     // The pair of segments, one in each tail, that cross with the least to cut off.
     const double length = along.back();

@@ -26,8 +26,9 @@ inline constexpr float kFarthestLassoPoint = 1e7F;
 /// The points of a raw stroke with which it keeps its form: those that are not finite (or absurdly far) and
 /// those that repeat their predecessor go, and so do those that lie within @p tolerance (a share of the
 /// stroke's longer side) of the line that is left. Should more than kMostLassoPoints be left, the tolerance
-/// is doubled until they are few enough. No removed point is farther than 1.5 tolerances from the new line,
-/// whose ends are the stroke's. Linear in the number of points.
+/// is doubled until they are few enough, up to a hundredth of the side. No removed point is farther than 1.5
+/// tolerances from the new line, whose ends are the stroke's. Of a scribble that is too long even so, evenly
+/// spaced points are left. Linear in the number of points.
 std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance = 1.0 / 2048.0);
 
 /// The loop that a simplified stroke means, its last point joined to its first. Hands close a loop by
