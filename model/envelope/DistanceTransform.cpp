@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/envelope/DistanceTransform.h"
 
+#include "model/envelope/GridLines.h"
+
 #include <algorithm>
 
 namespace espalier {
@@ -78,24 +80,28 @@ DistanceTransform distanceTransform(const Grid<double>& cost)
     Grid<double> value(width, height);
     Grid<int> row(width, height);
 
-    Parabolas column(height);
-    for (int x = 0; x < width; ++x) {
-        for (int y = 0; y < height; ++y)
-            column.cost(y) = cost(x, y);
-        column.each([&](int y, double least, int centre) {
-            value(x, y) = least;
-            row(x, y) = centre;
-        });
-    }
-    Parabolas line(width);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x)
-            line.cost(x) = value(x, y);
-        line.each([&](int x, double least, int centre) {
-            result.value(x, y) = least;
-            result.site(x, y) = centre < 0 ? -1 : static_cast<int>(cost.index(centre, row(centre, y)));
-        });
-    }
+    forLines(width, [&](int begin, int end) {
+        Parabolas column(height);
+        for (int x = begin; x < end; ++x) {
+            for (int y = 0; y < height; ++y)
+                column.cost(y) = cost(x, y);
+            column.each([&](int y, double least, int centre) {
+                value(x, y) = least;
+                row(x, y) = centre;
+            });
+        }
+    });
+    forLines(height, [&](int begin, int end) {
+        Parabolas line(width);
+        for (int y = begin; y < end; ++y) {
+            for (int x = 0; x < width; ++x)
+                line.cost(x) = value(x, y);
+            line.each([&](int x, double least, int centre) {
+                result.value(x, y) = least;
+                result.site(x, y) = centre < 0 ? -1 : static_cast<int>(cost.index(centre, row(centre, y)));
+            });
+        }
+    });
     return result;
 }
 

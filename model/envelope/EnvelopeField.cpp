@@ -3,6 +3,7 @@
 
 #include "model/envelope/Contours.h"
 #include "model/envelope/DistanceTransform.h"
+#include "model/envelope/GridLines.h"
 #include "model/envelope/Thinning.h"
 
 #include <cmath>
@@ -42,23 +43,25 @@ Grid<float> convolved(const Grid<float>& values, const std::vector<double>& kern
     };
     std::vector<double> across(static_cast<std::size_t>(height + 2 * reach) *
                                static_cast<std::size_t>(width));
-    std::vector<double> padded(static_cast<std::size_t>(width + 2 * reach));
-    for (int y = 0; y < height; ++y) {
-        double* const line = padded.data() + reach;
-        for (int x = 0; x < width; ++x)
-            line[x] = double{values(x, y)};
-        for (int k = 1; k <= reach; ++k) {
-            line[-k] = beyond(line[0], line[1], curvature, k);
-            line[width - 1 + k] = beyond(line[width - 1], line[width - 2], curvature, k);
+    forLines(height, [&](int begin, int end) {
+        std::vector<double> padded(static_cast<std::size_t>(width + 2 * reach));
+        for (int y = begin; y < end; ++y) {
+            double* const line = padded.data() + reach;
+            for (int x = 0; x < width; ++x)
+                line[x] = double{values(x, y)};
+            for (int k = 1; k <= reach; ++k) {
+                line[-k] = beyond(line[0], line[1], curvature, k);
+                line[width - 1 + k] = beyond(line[width - 1], line[width - 2], curvature, k);
+            }
+            double* const sums = across.data() + row(y);
+            for (int x = 0; x < width; ++x) {
+                double sum = kernel[0] * line[x];
+                for (int k = 1; k <= reach; ++k)
+                    sum += kernel[static_cast<std::size_t>(k)] * (line[x - k] + line[x + k]);
+                sums[x] = sum;
+            }
         }
-        double* const sums = across.data() + row(y);
-        for (int x = 0; x < width; ++x) {
-            double sum = kernel[0] * line[x];
-            for (int k = 1; k <= reach; ++k)
-                sum += kernel[static_cast<std::size_t>(k)] * (line[x - k] + line[x + k]);
-            sums[x] = sum;
-        }
-    }
+    });
     for (int k = 1; k <= reach; ++k) {
         for (std::size_t x = 0; x < static_cast<std::size_t>(width); ++x) {
             across[row(-k) + x] = beyond(across[row(0) + x], across[row(1) + x], curvature, k);
@@ -67,17 +70,19 @@ Grid<float> convolved(const Grid<float>& values, const std::vector<double>& kern
         }
     }
     Grid<float> result(width, height);
-    std::vector<double> sums(static_cast<std::size_t>(width));
-    for (int y = 0; y < height; ++y) {
-        std::ranges::fill(sums, 0.0);
-        for (int k = -reach; k <= reach; ++k) {
-            const double weight = kernel[static_cast<std::size_t>(std::abs(k))];
+    forLines(height, [&](int begin, int end) {
+        std::vector<double> sums(static_cast<std::size_t>(width));
+        for (int y = begin; y < end; ++y) {
+            std::ranges::fill(sums, 0.0);
+            for (int k = -reach; k <= reach; ++k) {
+                const double weight = kernel[static_cast<std::size_t>(std::abs(k))];
+                for (std::size_t x = 0; x < sums.size(); ++x)
+                    sums[x] += weight * across[row(y + k) + x];
+            }
             for (std::size_t x = 0; x < sums.size(); ++x)
-                sums[x] += weight * across[row(y + k) + x];
+                result[result.index(0, y) + x] = static_cast<float>(sums[x]);
         }
-        for (std::size_t x = 0; x < sums.size(); ++x)
-            result[result.index(0, y) + x] = static_cast<float>(sums[x]);
-    }
+    });
     return result;
 }
 
@@ -120,18 +125,20 @@ Grid<float> signedDistance(const Grid<float>& values, float level, const Contour
     const DistanceTransform nearest = distanceTransform(nearLine);
 
     Grid<float> result(width, height);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const bool inside = values(x, y) > level;
-            double squared = nearest.value(x, y);
-            if (inside || squared <= square(kFieldMargin)) {
-                // The nearest part of the line lies beside the nearest node that has the line beside it.
-                const int site = nearest.site(x, y);
-                squared = contours.squaredDistance({x, y}, site % width, site / width, 2);
+    forLines(height, [&](int begin, int end) {
+        for (int y = begin; y < end; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const bool inside = values(x, y) > level;
+                double squared = nearest.value(x, y);
+                if (inside || squared <= square(kFieldMargin)) {
+                    // The nearest part of the line lies beside the nearest node that has the line beside it.
+                    const int site = nearest.site(x, y);
+                    squared = contours.squaredDistance({x, y}, site % width, site / width, 2);
+                }
+                result(x, y) = static_cast<float>(inside ? std::sqrt(squared) : -std::sqrt(squared));
             }
-            result(x, y) = static_cast<float>(inside ? std::sqrt(squared) : -std::sqrt(squared));
         }
-    }
+    });
     return result;
 }
 

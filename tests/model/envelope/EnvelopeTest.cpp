@@ -153,7 +153,7 @@ void EnvelopeTest::silhouette_isKept()
     const Points points = shapes()[static_cast<std::size_t>(shape)].second;
     const Envelope envelope = envelopeOf(points);
     const double kept = overlap(
-        points, 400, [&](double x, double y) { return containsAt(envelope, x, y); },
+        points, 250, [&](double x, double y) { return containsAt(envelope, x, y); },
         [&](double x, double y) { return encloses(points, x, y); });
     qInfo("intersection over union: %.4f", kept);
     QVERIFY(kept >= 0.98);
@@ -204,7 +204,7 @@ void EnvelopeTest::silhouette_ofPeoplesDrawings_isKept()
         ++closed;
         const Envelope envelope = envelopeOf(largest);
         const double kept = overlap(
-            largest, 300, [&](double x, double y) { return containsAt(envelope, x, y); },
+            largest, 200, [&](double x, double y) { return containsAt(envelope, x, y); },
             [&](double x, double y) { return encloses(largest, x, y); });
         worst = std::min(worst, kept);
         sum += kept;
