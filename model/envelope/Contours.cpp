@@ -43,8 +43,8 @@ std::array<std::array<int, 2>, 2> crossedSides(const std::array<bool, 4>& inside
 Contours::Contours(const Grid<float>& values, float level) : m_begin(values.width(), values.height() + 1)
 {
     const auto crossing = [&](int x, int y, int nextX, int nextY) {
-        const double from = double{values(x, y)};
-        const double to = double{values(nextX, nextY)};
+        const auto from = double{values(x, y)};
+        const auto to = double{values(nextX, nextY)};
         const double place = (double{level} - from) / (to - from);
         return Eigen::Vector2d(x + place * (nextX - x), y + place * (nextY - y));
     };

@@ -230,7 +230,8 @@ std::optional<Vec3> Envelope::propose(Random& random) const
     const int width = content.field.distance.width();
     const double rise = content.boxHeight(square);
     const double x = square % width + random.uniform();
-    const double y = square / width + random.uniform();
+    const int row = square / width;
+    const double y = row + random.uniform();
     const Vec3 point = toWorld(x, y, random.uniform(-rise, rise));
     // Tested where it lies after rounding, so that whoever asks gets the same answer.
     return contains(point) ? std::optional(point) : std::nullopt;

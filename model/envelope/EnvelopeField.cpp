@@ -201,8 +201,8 @@ Grid<float> sewnToOutline(const Grid<float>& squaredHeight, const Grid<float>& d
     Grid<float> result(width, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const double inside = double{distance(x, y)};
-            double sewn = double{squaredHeight(x, y)};
+            const auto inside = double{distance(x, y)};
+            auto sewn = double{squaredHeight(x, y)};
             const double share = 1.0 - std::abs(inside) / kFieldMargin;
             if (share > 0.0) {
                 const Eigen::Vector2d rise(double{distance(std::min(x + 1, width - 1), y)} -

@@ -99,7 +99,7 @@ std::vector<Vec2> evenlySpaced(const std::vector<Vec2>& points, std::size_t coun
         while (next + 1 < points.size() && along[next] < length)
             ++next;
         const double part = (length - along[next - 1]) / (along[next] - along[next - 1]);
-        result.push_back(points[next - 1] + static_cast<float>(part) * (points[next] - points[next - 1]));
+        result.emplace_back(points[next - 1] + static_cast<float>(part) * (points[next] - points[next - 1]));
     }
     result.push_back(points.back());
     return result;
@@ -125,7 +125,7 @@ std::optional<std::pair<double, double>> crossing(const Point& a0, const Point& 
 
 std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance)
 {
-    const std::vector<Vec2> sane = withoutNonsense(points);
+    std::vector<Vec2> sane = withoutNonsense(points);
     if (sane.size() <= 2)
         return sane;
     Eigen::AlignedBox2d box;
