@@ -47,7 +47,7 @@ public:
     double spacing() const; ///< Between nodes of the field, m
     /// Where a place in the field's grid lies, @p z spacings in front of the plane.
     Vec3 toWorld(double x, double y, double z) const;
-    /// Unit, from the front (toward whom drew it): right × up.
+    /// Turns a direction from the field's axes to the world's; z is the front, right × up.
     Vec3 directionToWorld(const Vec3& inField) const;
 
 private:
