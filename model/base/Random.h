@@ -23,6 +23,7 @@ enum class Purpose : std::uint32_t {
     Direction,
     InternodeLength,
     Texture,
+    LassoMarker,
 };
 
 /// Counter-based random numbers: a pure function of (seed, step, id, purpose, counter), never of the order of
