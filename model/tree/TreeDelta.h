@@ -19,6 +19,16 @@ struct TreeDelta {
         bool operator==(const BudChange&) const = default;
     };
 
+    /// A bent or stretched internode: its local frame and its length.
+    struct FrameChange {
+        InternodeId id;
+        Rotation before;
+        Rotation after;
+        float lengthBefore; ///< m
+        float lengthAfter;
+        bool operator==(const FrameChange&) const = default;
+    };
+
     Step stepBefore = 0;
     Step stepAfter = 0;
     std::uint32_t parametersBefore = 0; ///< Index of the parameter set in force
