@@ -67,6 +67,7 @@ struct MeshPool::Needs {
 void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
 {
     MeshPool fresh(m_options);
+    fresh.m_constraints.swap(m_constraints);
     // Memory that has been used is faster than new.
     fresh.m_vertices.swap(m_vertices);
     fresh.m_indices.swap(m_indices);
@@ -77,7 +78,7 @@ void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
     m_leaves.clear();
     m_allIsDirty = false;
     m_parameters = tree.parameters();
-    m_widths.emplace(tree, index);
+    m_widths.emplace(tree, index, m_constraints);
     startRound();
     resize(tree.size());
     for (InternodeId id = 0; id < tree.size(); ++id) {
@@ -97,13 +98,24 @@ void MeshPool::follow(const Tree& tree, const TreeIndex& index, const TreeDelta&
     m_leavesAreDirty = m_leavesAreDirty || m_parameters.leaves != now.leaves ||
                        m_parameters.growth.irregularity != now.growth.irregularity;
     m_parameters = now;
-    // Without a base diameter, widths do not depend on the tree.
-    if (now.widths.baseDiameter > 0.0)
+    // With constraints, any edit may change widths anywhere: finish() computes and compares them all, once.
+    // With neither these nor a base diameter, they do not depend on the tree.
+    if (!m_constraints.empty())
+        m_widthsAreStale = true;
+    else if (now.widths.baseDiameter > 0.0)
         m_widths.emplace(tree, index);
     resize(tree.size());
     ++m_update;
     collectTouched(tree, index, delta);
     collectChanged(tree, index);
+}
+
+void MeshPool::setWidthConstraints(std::span<const WidthConstraint> constraints)
+{
+    if (std::ranges::equal(constraints, m_constraints))
+        return;
+    m_constraints.assign(constraints.begin(), constraints.end());
+    m_widthsAreStale = true;
 }
 
 void MeshPool::finish(const Tree& tree, const TreeIndex& index)
@@ -216,6 +228,13 @@ void MeshPool::startRound()
 /// all, each looks at some internodes, unless the drift becomes too great for that.
 void MeshPool::followWidths(const Tree& tree, const TreeIndex& index)
 {
+    if (std::exchange(m_widthsAreStale, false)) {
+        m_widths.emplace(tree, index, m_constraints);
+        ++m_update;
+        collectRange(tree, index, {0, tree.size()}, kTolerance);
+        startRound();
+        return;
+    }
     const double exponent = m_widths->exponent();
     if (exponent == m_roundExponent && exponent == m_checkedExponent)
         return;

@@ -32,6 +32,9 @@ public:
     /// force will change. To be called for each delta, and finish() before the next look at the mesh: what
     /// many deltas change is meshed once.
     void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
+    /// Puts other width constraints in force (see Widths), from the next finish() on: the tubes whose radii
+    /// these change are meshed anew.
+    void setWidthConstraints(std::span<const WidthConstraint> constraints);
     /// Meshes what follow() has noted.
     void finish(const Tree& tree, const TreeIndex& index);
     /// Meshes anew what is within the tolerance but not exact; returns whether there was any.
@@ -95,7 +98,9 @@ private:
 
     BranchMeshOptions m_options;
     TreeParameters m_parameters;
+    std::vector<WidthConstraint> m_constraints;
     std::optional<Widths> m_widths;
+    bool m_widthsAreStale = false; ///< Only with constraints, or where they were
     // Exponent of the widths when this round of checks began, and the one before: every radius has been
     // looked at since that one.
     double m_roundExponent = 0.0;

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-namespace espalier::bench {
 namespace {
 
+using namespace espalier;
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
@@ -78,4 +78,3 @@ void chainBend_worst(benchmark::State& state)
 BENCHMARK(chainBend_worst)->Unit(benchmark::kMillisecond);
 
 } // namespace
-} // namespace espalier::bench

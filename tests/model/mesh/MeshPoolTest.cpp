@@ -22,6 +22,8 @@ private Q_SLOTS:
     void pool_followsGrowthPruningAndReversal();
     void finish_afterManyChanges_isAsAfterEach();
     void pool_followsParameters();
+    void pool_followsWidthConstraints();
+    void widthConstraint_meshesWhatItChangesAlone();
     void changes_areAllReported();
     void changes_areSortedAndApart();
     void pool_isTheSameOnOneThreadAndMany();
@@ -32,11 +34,12 @@ private Q_SLOTS:
 namespace {
 
 /// What is wrong with the pool's bookkeeping, and with its wood and leaves as of @p tolerance, or nothing.
-QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float tolerance)
+QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float tolerance,
+                std::span<const WidthConstraint> constraints = {})
 {
     const Tree& tree = builder.tree;
     const TreeIndex& index = builder.index;
-    const Widths widths(tree, index);
+    const Widths widths(tree, index, constraints);
     const LeafPlacer placer(tree, index);
     TubeMesher mesher(tree, index, widths);
     std::vector<std::uint8_t> usedIndices(pool.indices().size(), 0);
@@ -319,6 +322,68 @@ void MeshPoolTest::pool_followsParameters()
     follower.revert();
     QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
     QCOMPARE(change([](TreeParameters& p) { p.growth.apicalDominance = 0.6; }), QString());
+}
+
+void MeshPoolTest::pool_followsWidthConstraints()
+{
+    for (const double baseDiameter : {0.0, 0.3}) {
+        TreeParameters parameters;
+        parameters.widths.baseDiameter = baseDiameter;
+        parameters.growth.lateralsPerNode = 2;
+        Follower follower(400, 12, parameters);
+        follower.waits = true;
+        std::vector<WidthConstraint> constraints;
+        for (int step = 0; step < 120; ++step) {
+            const std::uint64_t choice = follower.random.bits() % 8;
+            if (choice == 0) {
+                constraints.clear();
+            } else if (choice < 4) {
+                const auto id = static_cast<InternodeId>(follower.random.bits() % 300);
+                const auto diameter = static_cast<float>(follower.random.uniform(0.004, 0.2));
+                const auto place = std::ranges::lower_bound(constraints, id, {}, &WidthConstraint::id);
+                if (place != constraints.end() && place->id == id)
+                    place->diameter = diameter;
+                else
+                    constraints.insert(place, {id, diameter});
+            }
+            for (std::uint64_t i = 0; i < choice; ++i)
+                follower.actAtRandom();
+            follower.pool.setWidthConstraints(constraints);
+            for (std::uint64_t i = choice; i < 3; ++i)
+                follower.actAtRandom();
+            follower.pool.finish(follower.builder.tree, follower.builder.index);
+            QCOMPARE(faultOf(follower.pool, follower.builder, MeshPool::kTolerance + 0.001F, constraints),
+                     QString());
+            if (step % 10 == 9) {
+                follower.pool.settle(follower.builder.tree, follower.builder.index);
+                QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F, constraints), QString());
+            }
+        }
+    }
+}
+
+void MeshPoolTest::widthConstraint_meshesWhatItChangesAlone()
+{
+    Follower follower(3000, 13);
+    const TreeIndex& index = follower.builder.index;
+    InternodeId branch = 100;
+    while (index.tipCount(branch) < 4 || index.tipCount(branch) > 30)
+        ++branch;
+    // A constraint below it keeps the change from the trunk.
+    const InternodeId below = follower.builder.tree.parent(branch);
+    const float radius = Widths(follower.builder.tree, index).radius(index, below);
+    std::vector<WidthConstraint> constraints{{below, 2.0F * radius}, {branch, 1.2F * radius}};
+    follower.pool.setWidthConstraints(constraints);
+    follower.pool.settle(follower.builder.tree, index);
+    follower.pool.takeChanges();
+    constraints[1].diameter *= 1.3F;
+    follower.pool.setWidthConstraints(constraints);
+    follower.pool.finish(follower.builder.tree, index);
+    std::size_t sent = 0;
+    for (const MeshPool::Range& range : follower.pool.takeChanges().vertices)
+        sent += range.end - range.begin;
+    QVERIFY(sent > 0);
+    QVERIFY(sent < follower.pool.vertices().size() / 4);
 }
 
 void MeshPoolTest::changes_areAllReported()
