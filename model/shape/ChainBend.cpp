@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr double kFaceShare = 0.05;
 /// No internode counts as shorter than this, in mean internode lengths.
 constexpr double kLeastLength = 1e-3;
-/// Gaps above this, in lengths of what a joint stands for, call a chain taut.
+/// A chain with a gap above this, in mean internode lengths, is taut.
 constexpr double kTautGap = 0.05;
 /// rad, the most that a prism turns in a step.
 constexpr double kMostTurn = 0.5;
@@ -211,17 +211,21 @@ double ChainBend::energy() const
     return energy(m_motions);
 }
 
+Vector3d ChainBend::gap(const Motions& motions, std::size_t joint) const
+{
+    const Motion& lower = motions[joint];
+    const Motion& upper = motions[joint + 1];
+    return lower.centre + lower.rotation * m_prisms[joint].upper - upper.centre -
+           upper.rotation * m_prisms[joint + 1].lower;
+}
+
 double ChainBend::energy(const Motions& motions) const
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < m_joints.size(); ++i) {
         const Joint& joint = m_joints[i];
-        const Motion& lower = motions[i];
-        const Motion& upper = motions[i + 1];
-        const Vector3d gap = lower.centre + lower.rotation * m_prisms[i].upper - upper.centre -
-                             upper.rotation * m_prisms[i + 1].lower;
-        sum += joint.stretching * gap.squaredNorm() +
-               joint.bending * faceEnergy(lower.rotation, upper.rotation, joint.a, joint.b);
+        sum += joint.stretching * gap(motions, i).squaredNorm() +
+               joint.bending * faceEnergy(motions[i].rotation, motions[i + 1].rotation, joint.a, joint.b);
     }
     return sum;
 }
@@ -287,13 +291,9 @@ void ChainBend::unsettle()
 
 bool ChainBend::isTaut() const
 {
+    const double tautGap = kTautGap * m_length / static_cast<double>(m_joints.size());
     for (std::size_t i = 0; i < m_joints.size(); ++i) {
-        const Motion& lower = m_motions[i];
-        const Motion& upper = m_motions[i + 1];
-        const Vector3d gap = lower.centre + lower.rotation * m_prisms[i].upper - upper.centre -
-                             upper.rotation * m_prisms[i + 1].lower;
-        const double length = m_joints[i].a.norm() / kFaceShare / static_cast<double>(m_joints.size());
-        if (gap.norm() > kTautGap * length)
+        if (gap(m_motions, i).norm() > tautGap)
             return true;
     }
     return false;

@@ -121,6 +121,8 @@ private:
     void placeGrips(std::span<const ChainHandle> handles);
     void placeJoints(const BendOptions& options);
     std::vector<Eigen::Vector3d> reachable(std::span<const Eigen::Vector3d> targets) const;
+    /// From prism @p joint + 1 to the one below it.
+    Eigen::Vector3d gap(const Motions& motions, std::size_t joint) const;
     double energy(const Motions& motions) const;
     void unsettle();
     bool isTaut() const;
