@@ -97,8 +97,11 @@ void MeshPool::follow(const Tree& tree, const TreeIndex& index, const TreeDelta&
     m_leavesAreDirty = m_leavesAreDirty || m_parameters.leaves != now.leaves ||
                        m_parameters.growth.irregularity != now.growth.irregularity;
     m_parameters = now;
-    // Without a base diameter, widths do not depend on the tree.
-    if (now.widths.baseDiameter > 0.0)
+    // With constraints, any edit may change widths anywhere: finish() computes and compares them all, once.
+    // With neither these nor a base diameter, they do not depend on the tree.
+    if (!tree.widthConstraints().empty() || !delta.widths.empty())
+        m_widthsAreStale = true;
+    else if (now.widths.baseDiameter > 0.0)
         m_widths.emplace(tree, index);
     resize(tree.size());
     ++m_update;
@@ -225,6 +228,13 @@ void MeshPool::startRound()
 /// all, each looks at some internodes, unless the drift becomes too great for that.
 void MeshPool::followWidths(const Tree& tree, const TreeIndex& index)
 {
+    if (std::exchange(m_widthsAreStale, false)) {
+        m_widths.emplace(tree, index);
+        ++m_update;
+        collectRange(tree, index, {0, tree.size()}, kTolerance);
+        startRound();
+        return;
+    }
     const double exponent = m_widths->exponent();
     if (exponent == m_roundExponent && exponent == m_checkedExponent)
         return;

@@ -96,6 +96,7 @@ private:
     BranchMeshOptions m_options;
     TreeParameters m_parameters;
     std::optional<Widths> m_widths;
+    bool m_widthsAreStale = false; ///< Only with constraints, or where they were
     // Exponent of the widths when this round of checks began, and the one before: every radius has been
     // looked at since that one.
     double m_roundExponent = 0.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/shape/Widths.h"
 
+#include "model/shape/WidthRegions.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,6 +33,17 @@ Widths::Widths(const WidthParameters& parameters, std::uint32_t treeTips)
     m_table.reserve(kTableSize);
     for (std::uint32_t tips = 0; tips < std::min(kTableSize, treeTips + 1); ++tips)
         m_table.push_back(static_cast<float>(m_tipRadius * std::pow(tips, 1.0 / m_exponent)));
+}
+
+Widths::Widths(const Tree& tree, const TreeIndex& index, std::span<const WidthConstraint> constraints)
+    : Widths(tree.parameters().widths, index.tipCount(0))
+{
+    std::vector<WidthConstraint> living;
+    for (const WidthConstraint& constraint : constraints) {
+        if (constraint.id < tree.size() && tree.isAlive(constraint.id))
+            living.push_back(constraint);
+    }
+    m_radii = constrainedRadii(tree, index, living);
 }
 
 float Widths::radiusOfTips(std::uint32_t tips) const

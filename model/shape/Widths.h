@@ -2,7 +2,9 @@
 #pragma once
 
 #include "model/tree/TreeIndex.h"
+#include "model/tree/WidthConstraint.h"
 
+#include <span>
 #include <vector>
 
 namespace espalier {
@@ -14,22 +16,36 @@ namespace espalier {
 double widthExponent(std::uint32_t tips, double tipDiameter, double baseDiameter, double fallback);
 
 /// Branch radii by da Vinci's rule. With equal extremities an internode's radius depends on how many tips it
-/// carries alone, so it follows every edit through TreeIndex::tipCount at no cost of its own. A snapshot of
-/// the parameters: make a new one after they, or (with a base diameter) the number of tips, have changed.
+/// carries alone, so it follows every edit through TreeIndex::tipCount at no cost of its own.
+///
+/// Constraints divide a tree into regions: each is an extremity for the region below it and the base of the
+/// one above, and each region has its own exponent (see WidthRegions). Then all radii are computed at once.
+///
+/// A snapshot: make a new one after the parameters, or (with a base diameter) the number of tips, or (with
+/// constraints) anything has changed.
 class Widths {
 public:
     Widths(const WidthParameters& parameters, std::uint32_t treeTips);
-    Widths(const Tree& tree, const TreeIndex& index) : Widths(tree.parameters().widths, index.tipCount(0)) {}
+    /// With the tree's constraints.
+    Widths(const Tree& tree, const TreeIndex& index) : Widths(tree, index, tree.widthConstraints()) {}
+    /// @p constraints: ascending, at most one of an internode.
+    Widths(const Tree& tree, const TreeIndex& index, std::span<const WidthConstraint> constraints);
 
+    /// Of the region at the base of the tree, unless a constraint is there; then of what would be without.
     double exponent() const { return m_exponent; }
-    /// m; 0 for an internode that carries nothing (a dead one).
+    /// m, where there are no constraints; 0 for an internode that carries nothing (a dead one).
     float radiusOfTips(std::uint32_t tips) const;
-    float radius(const TreeIndex& index, InternodeId id) const { return radiusOfTips(index.tipCount(id)); }
+    /// m
+    float radius(const TreeIndex& index, InternodeId id) const
+    {
+        return id < m_radii.size() ? m_radii[id] : radiusOfTips(index.tipCount(id));
+    }
 
 private:
     double m_exponent;
     double m_tipRadius;
     std::vector<float> m_table; ///< Radii of small tip counts
+    std::vector<float> m_radii; ///< By internode; empty where there are no living constraints
 };
 
 } // namespace espalier

@@ -26,6 +26,7 @@ struct TreeDelta {
         Rotation after;
         float lengthBefore; ///< m
         float lengthAfter;  ///< m
+        bool operator==(const FrameChange&) const = default;
     };
     /// A width constraint that was set, moved or taken away.
     struct WidthChange {

@@ -5,10 +5,11 @@
 
 namespace espalier {
 
-/// A width that a person has set at an internode (TreeSketch §3.3).
+/// A diameter that a person has given to an internode (TreeSketch §3.3). It sleeps while the internode is
+/// dead.
 struct WidthConstraint {
-    InternodeId id = 0;
-    float diameter = 0.0F; ///< m, > 0
+    InternodeId id = kNoInternode;
+    float diameter = 0.0F; ///< m; what is not above 0 counts as a twig's
 
     bool operator==(const WidthConstraint&) const = default;
 };

@@ -7,7 +7,7 @@
 namespace espalier::test {
 
 /// A project of about @p count internodes with all that a history can hold: births, deaths, parameter
-/// changes, and steps that were taken back.
+/// changes, bends, widths, and steps that were taken back.
 inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
 {
     TreeParameters parameters;
@@ -25,6 +25,11 @@ inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
         }
     }
     builder.growTo(count, seed + 1);
+    const Rotation turn(Eigen::AngleAxisf(0.5F, Vec3::UnitX()));
+    builder.apply(bend(builder.tree, 1, turn, 1.3F));
+    builder.apply(widthChange(builder.tree, 1, 0.05F));
+    builder.apply(widthChange(builder.tree, 2, 0.03F));
+    builder.apply(widthChange(builder.tree, 1, 0.0F));
     // What is taken back stays in the columns, absent.
     builder.apply(randomGrowth(builder.tree, 5, seed));
     builder.revert();
@@ -41,7 +46,8 @@ inline bool operator==(const TreeDelta& a, const TreeDelta& b)
 {
     return a.stepBefore == b.stepBefore && a.stepAfter == b.stepAfter &&
            a.parametersBefore == b.parametersBefore && a.parametersAfter == b.parametersAfter &&
-           a.born == b.born && a.died == b.died && a.buds == b.buds;
+           a.born == b.born && a.died == b.died && a.buds == b.buds && a.widths == b.widths &&
+           a.frames == b.frames;
 }
 
 inline bool sameJournal(const Journal& a, const Journal& b)

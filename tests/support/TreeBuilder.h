@@ -102,6 +102,24 @@ inline TreeDelta parameterChange(Tree& tree, const TreeParameters& parameters)
     return delta;
 }
 
+/// An edit that turns an internode in its parent's frame and stretches it.
+inline TreeDelta bend(const Tree& tree, InternodeId id, const Rotation& turn, float stretch)
+{
+    const Rotation before = tree.columns().rotation[id];
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.frames.push_back(
+        {id, before, (turn * before).normalized(), tree.length(id), stretch * tree.length(id)});
+    return delta;
+}
+
+/// An edit that sets a width, m, or takes it away (0).
+inline TreeDelta widthChange(const Tree& tree, InternodeId id, float diameter)
+{
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.widths.push_back({id, tree.widthConstraint(id), diameter});
+    return delta;
+}
+
 /// One step of about @p count internodes on shoots of one to five, from random living buds; young internodes
 /// and terminal buds are preferred, so that axes become long. A pure function of the tree and @p seed.
 inline TreeDelta randomGrowth(const Tree& tree, std::uint32_t count, std::uint64_t seed = 1)

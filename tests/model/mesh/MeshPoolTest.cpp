@@ -22,6 +22,8 @@ private Q_SLOTS:
     void pool_followsGrowthPruningAndReversal();
     void finish_afterManyChanges_isAsAfterEach();
     void pool_followsParameters();
+    void pool_followsWidthConstraints();
+    void widthConstraint_meshesWhatItChangesAlone();
     void changes_areAllReported();
     void changes_areSortedAndApart();
     void pool_isTheSameOnOneThreadAndMany();
@@ -152,11 +154,31 @@ struct Follower {
             builder.index.subtreeSize(id) < builder.index.livingCount() / 3)
             apply(death(builder.tree, builder.index, id));
     }
-    /// Growth, pruning, undo or redo.
+    void bendAtRandom()
+    {
+        undone.clear();
+        const auto id = static_cast<InternodeId>(random.bits() % builder.tree.size());
+        const Rotation turn(Eigen::AngleAxisf(0.4F, random.direction()));
+        if (builder.tree.isAlive(id))
+            apply(bend(builder.tree, id, turn, 1.2F));
+    }
+    void setWidth(InternodeId id, float diameter)
+    {
+        undone.clear();
+        apply(widthChange(builder.tree, id, diameter));
+    }
+    void removeWidths()
+    {
+        while (!builder.tree.widthConstraints().empty())
+            setWidth(builder.tree.widthConstraints().front().id, 0.0F);
+    }
+    /// Growth, pruning, bending, undo or redo.
     void actAtRandom()
     {
-        const std::uint64_t choice = random.bits() % 10;
-        if (choice < 4)
+        const std::uint64_t choice = random.bits() % 11;
+        if (choice == 10)
+            bendAtRandom();
+        else if (choice < 4)
             grow(1 + static_cast<std::uint32_t>(random.bits() % 30));
         else if (choice < 6)
             prune();
@@ -319,6 +341,55 @@ void MeshPoolTest::pool_followsParameters()
     follower.revert();
     QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
     QCOMPARE(change([](TreeParameters& p) { p.growth.apicalDominance = 0.6; }), QString());
+}
+
+void MeshPoolTest::pool_followsWidthConstraints()
+{
+    for (const double baseDiameter : {0.0, 0.3}) {
+        TreeParameters parameters;
+        parameters.widths.baseDiameter = baseDiameter;
+        parameters.growth.lateralsPerNode = 2;
+        Follower follower(400, 12, parameters);
+        follower.waits = true;
+        for (int step = 0; step < 120; ++step) {
+            const std::uint64_t choice = follower.random.bits() % 8;
+            if (choice == 0)
+                follower.removeWidths();
+            else if (choice < 4)
+                follower.setWidth(static_cast<InternodeId>(follower.random.bits() % 300),
+                                  static_cast<float>(follower.random.uniform(0.004, 0.2)));
+            for (std::uint64_t i = 0; i < 3 + choice; ++i)
+                follower.actAtRandom();
+            follower.pool.finish(follower.builder.tree, follower.builder.index);
+            QCOMPARE(faultOf(follower.pool, follower.builder, MeshPool::kTolerance + 0.001F), QString());
+            if (step % 10 == 9) {
+                follower.pool.settle(follower.builder.tree, follower.builder.index);
+                QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
+            }
+        }
+    }
+}
+
+void MeshPoolTest::widthConstraint_meshesWhatItChangesAlone()
+{
+    Follower follower(3000, 13);
+    const TreeIndex& index = follower.builder.index;
+    InternodeId branch = 100;
+    while (index.tipCount(branch) < 4 || index.tipCount(branch) > 30)
+        ++branch;
+    // A constraint below it keeps the change from the trunk.
+    const InternodeId below = follower.builder.tree.parent(branch);
+    const float radius = Widths(follower.builder.tree, index).radius(index, below);
+    follower.setWidth(below, 2.0F * radius);
+    follower.setWidth(branch, 1.2F * radius);
+    follower.pool.settle(follower.builder.tree, index);
+    follower.pool.takeChanges();
+    follower.setWidth(branch, 1.56F * radius);
+    std::size_t sent = 0;
+    for (const MeshPool::Range& range : follower.pool.takeChanges().vertices)
+        sent += range.end - range.begin;
+    QVERIFY(sent > 0);
+    QVERIFY(sent < follower.pool.vertices().size() / 4);
 }
 
 void MeshPoolTest::changes_areAllReported()

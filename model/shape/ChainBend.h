@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace espalier {
+
+/// How a branch gives way to the hand that bends it. Only the ratio of the two weights matters for its form.
+struct BendOptions {
+    double stretching = 1.0;  ///< σ, 0.01...100, resistance of joints against being pulled apart
+    double bending = 1.0;     ///< β, 0.01...100, resistance of joints against bending and twisting
+    double mostStretch = 1.5; ///< 1...10, how far a target may be, in lengths of the path that leads there
+
+    bool operator==(const BendOptions&) const = default;
+};
+
+/// A path of internodes in the world: node i and i + 1 are the ends of internode i.
+struct ChainPose {
+    std::vector<Eigen::Vector3d> nodes; ///< m; one more than there are internodes
+    std::vector<Eigen::Quaterniond> rotations;
+};
+
+/// Where a hand holds a path.
+struct ChainHandle {
+    std::uint32_t internode = 0; ///< Index in the path
+    double along = 1.0;          ///< 0...1 from its lower to its upper node
+};
+
+/// The energy, per unit of weight, of the square faces that two prisms carry at their joint, if these are
+/// turned against each other by @p lower and @p upper and share the centre: the integral of the squared
+/// distance of corresponding points over the face's area, with half-extents @p a and @p b.
+double faceEnergy(const Eigen::Matrix3d& lower, const Eigen::Matrix3d& upper, const Eigen::Vector3d& a,
+                  const Eigen::Vector3d& b);
+
+/// Bends a path of internodes as a chain of rigid prisms with elastic joints (PriMo: Botsch et al. 2006;
+/// TreeSketch §3.3). The first internode stays where it is, handles pull points of others to their targets,
+/// and the rest settles where the energy of the joints
+///
+///     E = Σ w (σ |gap|² + β ∫ |distance of the two prisms' copies of the face|²)
+///
+/// is least; w is 1 over the length that a joint stands for, so that shorter internodes give the same form.
+/// Energy is measured from the rest pose: who brings the handles back gets that pose back.
+///
+/// Minimised by Gauss-Newton steps of all prisms at once, each turned about its own centre or the point that
+/// is held. Steps are halved until the energy falls; where the chain is taut, the part of the second
+/// derivative that keeps it so is added. A call makes a bounded number of steps and the next goes on from
+/// there, so that a path of 200 internodes can be dragged at 60 frames a second.
+class ChainBend {
+public:
+    /// @p rest needs one more node than rotations. Several handles of one internode act as one in their
+    /// middle; those of the first internode, or beyond the last, hold nothing.
+    ChainBend(ChainPose rest, std::span<const ChainHandle> handles, const BendOptions& options = {});
+
+    /// Pulls the handles (in the order given) to @p targets, m; what is out of reach is pulled in that
+    /// direction. A target that is not a number leaves its handle where it was. Returns whether the form has
+    /// settled; if not, more calls bring it nearer.
+    bool solve(std::span<const Eigen::Vector3d> targets);
+    /// Back to rest.
+    void reset();
+
+    const ChainPose& rest() const { return m_rest; }
+    /// What the last call has led to: gaps closed, each rotation's +Y along its internode, and turned about
+    /// it with its prism.
+    const ChainPose& pose() const { return m_pose; }
+
+    /// Of the prisms, with the gaps between them; 0 at rest.
+    double energy() const;
+    /// Before and after each step of the last call; a stage of it (handles move in several) begins with an
+    /// energy of its own.
+    struct Descent {
+        double before;
+        double after;
+    };
+    std::span<const Descent> descents() const { return m_descents; }
+    /// Rotation of prism @p internode away from rest, a rotation matrix.
+    const Eigen::Matrix3d& prismRotation(std::size_t internode) const
+    {
+        return m_motions[internode].rotation;
+    }
+
+private:
+    struct Prism {
+        Eigen::Vector3d centre;                          ///< m, what it turns about, at rest
+        Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< From there to its nodes
+        Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+    };
+    /// Of prism i and i + 1, at their common node.
+    struct Joint {
+        double stretching; ///< σ w
+        double bending;    ///< β w
+        Eigen::Vector3d a; ///< Half-extents of the face
+        Eigen::Vector3d b;
+    };
+    /// Where a prism is now.
+    struct Motion {
+        Eigen::Matrix3d rotation;
+        Eigen::Vector3d centre;
+    };
+    struct Grip {
+        std::size_t internode;
+        double along;
+        double reach; ///< m, from the grip below it or the first prism
+        double count; ///< Handles that it stands for
+        Eigen::Vector3d target;
+    };
+    using Motions = std::vector<Motion>;
+    using Matrix6 = Eigen::Matrix<double, 6, 6>;
+    using Vector6 = Eigen::Matrix<double, 6, 1>;
+    /// Of the quadratic model of the energy: prism i's own block, and that with prism i + 1.
+    struct Block {
+        Matrix6 own;
+        Matrix6 above;
+        Vector6 gradient;
+        Vector6 step; ///< Rotation vector, then shift
+    };
+
+    void placeGrips(std::span<const ChainHandle> handles);
+    void placeJoints(const BendOptions& options);
+    std::vector<Eigen::Vector3d> reachable(std::span<const Eigen::Vector3d> targets) const;
+    /// From prism @p joint + 1 to the one below it.
+    Eigen::Vector3d gap(const Motions& motions, std::size_t joint) const;
+    double energy(const Motions& motions) const;
+    void unsettle();
+    bool isTaut() const;
+    void buildModel(bool taut);
+    void solveModel();
+    bool makeStep(double& energyNow);
+    void closeGaps();
+
+    ChainPose m_rest;
+    std::vector<Eigen::Vector3d> m_directions; ///< Of internodes at rest, unit
+    double m_length = 0.0;                     ///< m, of all that can move
+    double m_mostStretch = 1.0;
+    std::vector<Prism> m_prisms;
+    std::vector<Joint> m_joints;
+    std::vector<Grip> m_grips;         ///< From the base up
+    std::vector<std::size_t> m_gripOf; ///< By handle; past the end if it holds nothing
+    Motions m_motions;
+    Motions m_trial;
+    std::vector<Block> m_blocks;
+    std::vector<Descent> m_descents;
+    ChainPose m_pose;
+};
+
+} // namespace espalier
