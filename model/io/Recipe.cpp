@@ -26,6 +26,25 @@ constexpr QLatin1StringView kSamplesKey("samples");
 constexpr QLatin1StringView kViews[] = {QLatin1StringView("front"), QLatin1StringView("side"),
                                         QLatin1StringView("top"), QLatin1StringView("three-quarter")};
 
+/// All buds, or the one that "only" names.
+Competitors parseCompetitors(JsonReader& parent)
+{
+    const QLatin1StringView key("only");
+    if (!parent.has(key))
+        return {};
+    JsonReader reader(parent.object(key), parent.placeOf(key));
+    Competitors competitors;
+    competitors.node =
+        static_cast<InternodeId>(reader.integer(QLatin1StringView("internode"), 0, kNoInternode - 1));
+    competitors.slot =
+        static_cast<int>(reader.integer(QLatin1StringView("bud"), 0, kTerminalSlot, kTerminalSlot));
+    if (competitors.slot >= kMaxLaterals && competitors.slot != kTerminalSlot)
+        reader.fail(QLatin1StringView("bud"), Text::tr("there is no such bud"));
+    if (const Result<void> end = reader.finish(); !end)
+        parent.fail(end.error());
+    return competitors;
+}
+
 /// Reads the operations in turn; each may lean on those before.
 class OperationsParser {
 public:
@@ -36,6 +55,7 @@ public:
 private:
     Result<RecipeOperation> parseParameters(JsonReader& reader);
     RecipeOperation parseStroke(JsonReader& reader);
+    RecipeOperation parsePrune(JsonReader& reader);
     std::optional<QString> parseSample(const QJsonValue& value, double previousTime,
                                        BrushSample& sample) const;
 
@@ -56,16 +76,17 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
         operation = parseStroke(reader);
     } else if (op == QLatin1StringView("grow")) {
         const auto steps = reader.integer(QLatin1StringView("steps"), 1, recipeLimits::kGrowSteps);
-        operation = RecipeOperation(GrowOperation{static_cast<int>(steps)});
+        operation = RecipeOperation(GrowOperation{static_cast<int>(steps), parseCompetitors(reader)});
+    } else if (op == QLatin1StringView("prune")) {
+        operation = parsePrune(reader);
     } else if (op == QLatin1StringView("undo") || op == QLatin1StringView("redo")) {
         const auto count = reader.integer(QLatin1StringView("count"), 1, recipeLimits::kUndoCount, 1);
         operation = op == QLatin1StringView("undo") ? RecipeOperation(UndoOperation{static_cast<int>(count)})
                                                     : RecipeOperation(RedoOperation{static_cast<int>(count)});
     } else {
-        reader.fail(
-            QLatin1StringView("op"),
-            Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, undo and redo")
-                .arg(op));
+        reader.fail(QLatin1StringView("op"), Text::tr("there is no operation “%1”; there are setParameters, "
+                                                      "brushStroke, grow, prune, undo and redo")
+                                                 .arg(op));
     }
     if (!operation)
         return operation;
@@ -92,6 +113,7 @@ RecipeOperation OperationsParser::parseStroke(JsonReader& reader)
     const QJsonArray array = reader.array(kSamplesKey);
     const QString place = reader.placeOf(kSamplesKey);
     BrushStrokeOperation stroke;
+    stroke.competitors = parseCompetitors(reader);
     if (array.isEmpty())
         reader.fail(kSamplesKey, Text::tr("a stroke has at least one sample"));
     m_samples += array.size();
@@ -109,6 +131,24 @@ RecipeOperation OperationsParser::parseStroke(JsonReader& reader)
         time = stroke.samples[i].time;
     }
     return stroke;
+}
+
+RecipeOperation OperationsParser::parsePrune(JsonReader& reader)
+{
+    const QLatin1StringView key("internodes");
+    const QJsonArray array = reader.array(key);
+    PruneOperation operation;
+    if (array.isEmpty() || array.size() > recipeLimits::kCuts)
+        reader.fail(key, Text::tr("1 to %1 internodes are expected").arg(recipeLimits::kCuts));
+    for (const QJsonValue& value : array) {
+        const double number = value.toDouble(-1.0);
+        if (!(number >= 0.0 && number < kNoInternode && number == std::floor(number))) {
+            reader.fail(key, Text::tr("a list of internodes' numbers is expected"));
+            break;
+        }
+        operation.internodes.push_back(static_cast<InternodeId>(number));
+    }
+    return operation;
 }
 
 std::optional<QString> OperationsParser::parseSample(const QJsonValue& value, double previousTime,
@@ -198,12 +238,29 @@ struct OperationWriter {
             }
             text += ']';
         }
-        text += "\n    ]}";
+        text += "\n    ]" + only(operation.competitors) + '}';
     }
-    void operator()(const GrowOperation& operation) const { write("grow", "steps", operation.steps); }
+    void operator()(const GrowOperation& operation) const
+    {
+        text += R"({"op":"grow","steps":)" + QByteArray::number(operation.steps) +
+                only(operation.competitors) + '}';
+    }
+    void operator()(const PruneOperation& operation) const
+    {
+        text += R"({"op":"prune","internodes":[)";
+        for (const InternodeId& id : operation.internodes)
+            text += (&id == operation.internodes.data() ? "" : ",") + QByteArray::number(id);
+        text += "]}";
+    }
     void operator()(const UndoOperation& operation) const { write("undo", "count", operation.count); }
     void operator()(const RedoOperation& operation) const { write("redo", "count", operation.count); }
 
+    static QByteArray only(const Competitors& competitors)
+    {
+        return competitors.areAll() ? QByteArray()
+                                    : R"(,"only":{"internode":)" + QByteArray::number(competitors.node) +
+                                          R"(,"bud":)" + QByteArray::number(competitors.slot) + '}';
+    }
     void write(const char* op, const char* key, int number) const
     {
         text += R"({"op":")" + QByteArray(op) + R"(",")" + key + R"(":)" + QByteArray::number(number) + '}';

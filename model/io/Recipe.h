@@ -2,7 +2,9 @@
 #pragma once
 
 #include "model/base/Error.h"
+#include "model/base/Ids.h"
 #include "model/growth/BrushSample.h"
+#include "model/growth/Competition.h"
 #include "model/tree/Parameters.h"
 
 #include <QByteArray>
@@ -21,11 +23,17 @@ struct SetParametersOperation {
 };
 struct BrushStrokeOperation {
     std::vector<BrushSample> samples; ///< At least one, times ascending
+    Competitors competitors{};        ///< Which buds grow
     bool operator==(const BrushStrokeOperation&) const = default;
 };
 struct GrowOperation {
     int steps = 1; ///< 1...10,000
+    Competitors competitors{};
     bool operator==(const GrowOperation&) const = default;
+};
+struct PruneOperation {
+    std::vector<InternodeId> internodes; ///< At least one; each goes with all that it carries
+    bool operator==(const PruneOperation&) const = default;
 };
 struct UndoOperation {
     int count = 1; ///< 1...100,000
@@ -35,8 +43,8 @@ struct RedoOperation {
     int count = 1; ///< 1...100,000
     bool operator==(const RedoOperation&) const = default;
 };
-using RecipeOperation =
-    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, UndoOperation, RedoOperation>;
+using RecipeOperation = std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation,
+                                     PruneOperation, UndoOperation, RedoOperation>;
 
 /// From where a picture is taken.
 struct RecipeCamera {
@@ -63,8 +71,9 @@ inline constexpr double kRadius = 100.0;         ///< m
 inline constexpr double kStrokeTime = 600.0;     ///< s
 inline constexpr qsizetype kSamples = 1'000'000; ///< in all
 inline constexpr qsizetype kOperations = 100'000;
-inline constexpr int kGrowSteps = 10'000;  ///< an operation
-inline constexpr int kUndoCount = 100'000; ///< an operation
+inline constexpr int kGrowSteps = 10'000;   ///< an operation
+inline constexpr int kUndoCount = 100'000;  ///< an operation
+inline constexpr qsizetype kCuts = 100'000; ///< an operation
 inline constexpr qsizetype kBytes = 64 << 20;
 } // namespace recipeLimits
 
