@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/RecipePlayer.h"
 
+#include "commands/BendGesture.h"
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
+#include "commands/WidthGesture.h"
 
 namespace espalier {
 
@@ -15,6 +17,20 @@ template <class... Handlers>
 struct Overloaded : Handlers... {
     using Handlers::operator()...;
 };
+
+void bend(TreeDocument& document, const BendOperation& operation)
+{
+    std::vector<BranchBend::Handle> handles;
+    std::vector<Vec3> targets;
+    for (const BendOperation::Handle& handle : operation.handles) {
+        handles.push_back({handle.internode, handle.along});
+        targets.push_back(handle.target);
+    }
+    BendGesture gesture(document, operation.base, std::move(handles),
+                        {.stretching = operation.stretching, .bending = operation.bending});
+    gesture.settleAt(targets);
+    gesture.finish();
+}
 
 } // namespace
 
@@ -71,6 +87,14 @@ void RecipePlayer::advance(double seconds)
             [&](const RedoOperation& operation) {
                 for (int i = 0; i < operation.count; ++i)
                     m_document.undoStack().redo();
+                return true;
+            },
+            [&](const BendOperation& operation) {
+                bend(m_document, operation);
+                return true;
+            },
+            [&](const SetWidthOperation& operation) {
+                setWidth(m_document, operation.internode, operation.diameter);
                 return true;
             },
         },

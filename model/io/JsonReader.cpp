@@ -84,6 +84,20 @@ std::int64_t JsonReader::integer(QLatin1StringView key, std::int64_t minimum, st
     return value.toInteger();
 }
 
+double JsonReader::number(QLatin1StringView key, double minimum, double maximum,
+                          std::optional<double> fallback)
+{
+    const QJsonValue value = take(key, !fallback);
+    if (value.isUndefined())
+        return fallback.value_or(minimum);
+    const double number = value.toDouble();
+    if (!value.isDouble() || !(number >= minimum && number <= maximum)) {
+        fail(key, Text::tr("a number from %1 to %2 is expected").arg(minimum).arg(maximum));
+        return minimum;
+    }
+    return number;
+}
+
 QString JsonReader::text(QLatin1StringView key, const std::optional<QString>& fallback)
 {
     const QJsonValue value = take(key, !fallback);

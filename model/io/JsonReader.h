@@ -33,6 +33,8 @@ public:
     /// A whole number within the limits; without a fallback it must be there.
     std::int64_t integer(QLatin1StringView key, std::int64_t minimum, std::int64_t maximum,
                          std::optional<std::int64_t> fallback = {});
+    /// A number within the limits; without a fallback it must be there.
+    double number(QLatin1StringView key, double minimum, double maximum, std::optional<double> fallback = {});
     QString text(QLatin1StringView key, const std::optional<QString>& fallback = {});
     /// A whole number of 64 bits: as a number up to 2^53, or as a string of decimal digits.
     std::uint64_t seed(QLatin1StringView key, std::optional<std::uint64_t> fallback = {});

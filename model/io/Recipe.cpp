@@ -56,6 +56,8 @@ private:
     Result<RecipeOperation> parseParameters(JsonReader& reader);
     RecipeOperation parseStroke(JsonReader& reader);
     RecipeOperation parsePrune(JsonReader& reader);
+    static RecipeOperation parseBend(JsonReader& reader);
+    static RecipeOperation parseWidth(JsonReader& reader);
     std::optional<QString> parseSample(const QJsonValue& value, double previousTime,
                                        BrushSample& sample) const;
 
@@ -83,10 +85,15 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
         const auto count = reader.integer(QLatin1StringView("count"), 1, recipeLimits::kUndoCount, 1);
         operation = op == QLatin1StringView("undo") ? RecipeOperation(UndoOperation{static_cast<int>(count)})
                                                     : RecipeOperation(RedoOperation{static_cast<int>(count)});
+    } else if (op == QLatin1StringView("bend")) {
+        operation = parseBend(reader);
+    } else if (op == QLatin1StringView("setWidth")) {
+        operation = parseWidth(reader);
     } else {
-        reader.fail(QLatin1StringView("op"), Text::tr("there is no operation “%1”; there are setParameters, "
-                                                      "brushStroke, grow, prune, undo and redo")
-                                                 .arg(op));
+        reader.fail(QLatin1StringView("op"),
+                    Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, prune, "
+                             "undo, redo, bend and setWidth")
+                        .arg(op));
     }
     if (!operation)
         return operation;
@@ -179,6 +186,64 @@ std::optional<QString> OperationsParser::parseSample(const QJsonValue& value, do
     return {};
 }
 
+InternodeId internode(JsonReader& reader, QLatin1StringView key)
+{
+    return static_cast<InternodeId>(reader.integer(key, 0, recipeLimits::kInternode));
+}
+
+std::optional<Vec3> point(const QJsonArray& array)
+{
+    Vec3 place;
+    for (qsizetype i = 0; i < 3; ++i) {
+        const double coordinate = array.at(i).toDouble(std::numeric_limits<double>::quiet_NaN());
+        if (array.size() != 3 || !(std::abs(coordinate) <= recipeLimits::kCoordinate))
+            return std::nullopt;
+        place[i] = static_cast<float>(coordinate);
+    }
+    return place;
+}
+
+RecipeOperation OperationsParser::parseBend(JsonReader& reader)
+{
+    const QLatin1StringView handlesKey("handles");
+    const QLatin1StringView targetKey("target");
+    BendOperation bend;
+    bend.base = internode(reader, QLatin1StringView("base"));
+    for (auto& [key, weight] : {std::pair(QLatin1StringView("bending"), &bend.bending),
+                                std::pair(QLatin1StringView("stretching"), &bend.stretching)})
+        *weight = reader.number(key, recipeLimits::kLeastWeight, recipeLimits::kGreatestWeight, *weight);
+    const QJsonArray handles = reader.array(handlesKey);
+    if (handles.isEmpty() || handles.size() > recipeLimits::kHandles)
+        reader.fail(handlesKey, Text::tr("a bend has from 1 to %1 handles").arg(recipeLimits::kHandles));
+    const QString place = reader.placeOf(handlesKey);
+    for (qsizetype i = 0; i < std::min(handles.size(), recipeLimits::kHandles); ++i) {
+        const QString placeHere = QStringLiteral("%1[%2]").arg(place).arg(i);
+        if (!handles.at(i).isObject()) {
+            reader.fail(inputError(placeHere, Text::tr("an object is expected")));
+            break;
+        }
+        JsonReader handle(handles.at(i).toObject(), placeHere);
+        BendOperation::Handle& held = bend.handles.emplace_back();
+        held.internode = internode(handle, QLatin1StringView("internode"));
+        held.along = handle.number(QLatin1StringView("along"), 0.0, 1.0, held.along);
+        if (const auto target = point(handle.array(targetKey)))
+            held.target = *target;
+        else
+            handle.fail(
+                targetKey,
+                Text::tr("an array of three numbers within ±%1 is expected").arg(recipeLimits::kCoordinate));
+        if (const Result<void> end = handle.finish(); !end)
+            reader.fail(end.error());
+    }
+    return bend;
+}
+
+RecipeOperation OperationsParser::parseWidth(JsonReader& reader)
+{
+    return SetWidthOperation{internode(reader, QLatin1StringView("internode")),
+                             reader.number(QLatin1StringView("diameter"), 0.0, recipeLimits::kDiameter)};
+}
+
 RecipeCamera parseCamera(JsonReader& parent)
 {
     const QLatin1StringView key("camera");
@@ -251,6 +316,33 @@ struct OperationWriter {
         for (const InternodeId& id : operation.internodes)
             text += (&id == operation.internodes.data() ? "" : ",") + QByteArray::number(id);
         text += "]}";
+    }
+    void operator()(const BendOperation& operation) const
+    {
+        text += R"({"op":"bend","base":)" + QByteArray::number(operation.base) + R"(,"handles":[)";
+        for (const BendOperation::Handle& handle : operation.handles) {
+            text += &handle == operation.handles.data() ? R"({"internode":)" : R"(,{"internode":)";
+            text += QByteArray::number(handle.internode) + R"(,"along":)";
+            appendNumber(text, handle.along);
+            text += R"(,"target":[)";
+            for (int i = 0; i < 3; ++i) {
+                text += i == 0 ? "" : ",";
+                appendNumber(text, handle.target[i]);
+            }
+            text += "]}";
+        }
+        text += R"(],"bending":)";
+        appendNumber(text, operation.bending);
+        text += R"(,"stretching":)";
+        appendNumber(text, operation.stretching);
+        text += '}';
+    }
+    void operator()(const SetWidthOperation& operation) const
+    {
+        text +=
+            R"({"op":"setWidth","internode":)" + QByteArray::number(operation.internode) + R"(,"diameter":)";
+        appendNumber(text, operation.diameter);
+        text += '}';
     }
     void operator()(const UndoOperation& operation) const { write("undo", "count", operation.count); }
     void operator()(const RedoOperation& operation) const { write("redo", "count", operation.count); }

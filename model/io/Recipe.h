@@ -43,8 +43,27 @@ struct RedoOperation {
     int count = 1; ///< 1...100,000
     bool operator==(const RedoOperation&) const = default;
 };
-using RecipeOperation = std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation,
-                                     PruneOperation, UndoOperation, RedoOperation>;
+struct BendOperation {
+    struct Handle {
+        InternodeId internode = 0;
+        double along = 1.0;         ///< 0...1 from its lower to its upper node
+        Vec3 target = Vec3::Zero(); ///< m
+        bool operator==(const Handle&) const = default;
+    };
+    InternodeId base = 0;
+    std::vector<Handle> handles; ///< 1...100
+    double bending = 1.0;        ///< Weight, 0.01...100
+    double stretching = 1.0;     ///< Weight, 0.01...100
+    bool operator==(const BendOperation&) const = default;
+};
+struct SetWidthOperation {
+    InternodeId internode = 0;
+    double diameter = 0.0; ///< m, 0...100; 0 takes the constraint away
+    bool operator==(const SetWidthOperation&) const = default;
+};
+using RecipeOperation =
+    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, UndoOperation,
+                 RedoOperation, BendOperation, SetWidthOperation>;
 
 /// From where a picture is taken.
 struct RecipeCamera {
@@ -71,9 +90,14 @@ inline constexpr double kRadius = 100.0;         ///< m
 inline constexpr double kStrokeTime = 600.0;     ///< s
 inline constexpr qsizetype kSamples = 1'000'000; ///< in all
 inline constexpr qsizetype kOperations = 100'000;
-inline constexpr int kGrowSteps = 10'000;   ///< an operation
-inline constexpr int kUndoCount = 100'000;  ///< an operation
+inline constexpr int kGrowSteps = 10'000;    ///< an operation
+inline constexpr int kUndoCount = 100'000;   ///< an operation
 inline constexpr qsizetype kCuts = 100'000; ///< an operation
+inline constexpr qsizetype kHandles = 100;   ///< of a bend
+inline constexpr double kLeastWeight = 0.01; ///< of bending and stretching
+inline constexpr double kGreatestWeight = 100.0;
+inline constexpr double kDiameter = 100.0; ///< m
+inline constexpr std::int64_t kInternode = 0xffff'fffe;
 inline constexpr qsizetype kBytes = 64 << 20;
 } // namespace recipeLimits
 

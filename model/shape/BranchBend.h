@@ -39,7 +39,8 @@ public:
     const ChainPose& pose() const { return m_chain.pose(); }
 
     /// What the rows of the path's internodes must become for the tree to stand as pose() says; none of those
-    /// that stay as they are, never the base's. A length is never less than a hundredth of what it was.
+    /// that stay as they are, never the base's. A length is never less than a hundredth of what it was, and
+    /// never beyond what a tree may hold.
     std::vector<TreeDelta::FrameChange> changes() const;
 
 private:

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/RecipePlayer.h"
 
+#include "commands/BendGesture.h"
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
+#include "commands/WidthGesture.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
@@ -53,6 +55,9 @@ Recipe recipe(std::uint64_t seed)
     recipe.operations.emplace_back(stroke(0.8, 4));
     recipe.operations.emplace_back(UndoOperation{2});
     recipe.operations.emplace_back(RedoOperation{1});
+    recipe.operations.emplace_back(
+        BendOperation{.base = 0, .handles = {{9, 0.5, Vec3(0.3F, 0.4F, -0.2F)}, {1, 1.0, Vec3::Zero()}}});
+    recipe.operations.emplace_back(SetWidthOperation{3, 0.06});
     recipe.operations.emplace_back(stroke(0.8, 9));
     recipe.operations.emplace_back(PruneOperation{{30, 41}});
     recipe.operations.emplace_back(GrowOperation{2, {1, 0}});
@@ -151,6 +156,19 @@ void RecipePlayerTest::hand_givesTheSameTreeAsTheRecipe()
             } else if (const auto* redo = std::get_if<RedoOperation>(&operation)) {
                 for (int i = 0; i < redo->count; ++i)
                     byHand.undoStack().redo();
+            } else if (const auto* bend = std::get_if<BendOperation>(&operation)) {
+                std::vector<BranchBend::Handle> handles;
+                std::vector<Vec3> targets;
+                for (const BendOperation::Handle& handle : bend->handles) {
+                    handles.push_back({handle.internode, handle.along});
+                    targets.push_back(handle.target);
+                }
+                BendGesture gesture(byHand, bend->base, std::move(handles));
+                while (!gesture.moveTo(targets)) {
+                }
+                gesture.finish();
+            } else if (const auto* width = std::get_if<SetWidthOperation>(&operation)) {
+                setWidth(byHand, width->internode, width->diameter);
             }
         }
         QVERIFY2(byHand.tree() == byRecipe.tree(), qPrintable(QStringLiteral("seed %1").arg(seed)));

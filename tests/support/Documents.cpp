@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/Documents.h"
 
+#include <algorithm>
+
 namespace espalier::test {
 
 namespace {
@@ -104,6 +106,8 @@ QString visibleDifference(const DocumentState& before, const TreeDocument& docum
         return QStringLiteral("the journal");
     if (document.undoStack().index() != before.undoIndex)
         return QStringLiteral("the undo stack");
+    if (!std::ranges::equal(b.widthConstraints(), a.widthConstraints()))
+        return QStringLiteral("the widths that were set");
     QString difference;
     for (InternodeId id = a.size(); id < b.size(); ++id) {
         if (b.columns().present[id] != 0)

@@ -67,6 +67,17 @@ Recipe randomRecipe(std::uint64_t seed)
         result.operations.emplace_back(PruneOperation{{7U, static_cast<InternodeId>(random.bits() % 1000)}});
         result.operations.emplace_back(UndoOperation{i + 2});
         result.operations.emplace_back(RedoOperation{i + 3});
+        BendOperation bend{.base = static_cast<InternodeId>(i),
+                           .handles = {},
+                           .bending = random.uniform(0.01, 100.0),
+                           .stretching = random.uniform(0.01, 100.0)};
+        for (int handle = 0; handle <= i; ++handle) {
+            bend.handles.push_back(
+                {static_cast<InternodeId>(i + 7 * handle), random.uniform(), 10.0F * random.inBall()});
+        }
+        result.operations.emplace_back(bend);
+        result.operations.emplace_back(
+            SetWidthOperation{0xffff'fffe - static_cast<InternodeId>(i), random.uniform(0.0, 100.0)});
     }
     return result;
 }
@@ -107,7 +118,10 @@ void RecipeTest::everyOperation_isRead()
             {"op": "brushStroke", "samples": [[0, 1, 2, 3, 0.5], [1.5, -1, 0, 0.1, 0]]},
             {"op": "grow", "steps": 7}, {"op": "prune", "internodes": [12, 3]},
             {"op": "grow", "steps": 2, "only": {"internode": 4, "bud": 1}}, {"op": "undo", "count": 2}, {"op": "redo"},
-            {"op": "setParameters", "parameters": {"widths": {"exponent": 3}}}])"));
+            {"op": "setParameters", "parameters": {"widths": {"exponent": 3}}},
+            {"op": "bend", "base": 2, "handles": [{"internode": 9, "along": 0.25, "target": [1, -2, 0.5]},
+                {"internode": 5, "target": [0, 1, 0]}], "bending": 0.5, "stretching": 8},
+            {"op": "setWidth", "internode": 4, "diameter": 0.125}])"));
     QVERIFY2(result, result ? "" : qPrintable(result.error().message));
     QCOMPARE(result->name, QStringLiteral("Oak"));
     QCOMPARE(result->description, QStringLiteral("d"));
@@ -122,8 +136,18 @@ void RecipeTest::everyOperation_isRead()
     TreeParameters later = result->parameters;
     later.widths.exponent = 3;
     const std::vector<RecipeOperation> expected{
-        stroke,           GrowOperation{7}, PruneOperation{{12, 3}},      GrowOperation{2, {4, 1}},
-        UndoOperation{2}, RedoOperation{1}, SetParametersOperation{later}};
+        stroke,
+        GrowOperation{7},
+        PruneOperation{{12, 3}},
+        GrowOperation{2, {4, 1}},
+        UndoOperation{2},
+        RedoOperation{1},
+        SetParametersOperation{later},
+        BendOperation{.base = 2,
+                      .handles = {{9, 0.25, Vec3(1, -2, 0.5F)}, {5, 1.0, Vec3(0, 1, 0)}},
+                      .bending = 0.5,
+                      .stretching = 8},
+        SetWidthOperation{4, 0.125}};
     QVERIFY(result->operations == expected);
 }
 
@@ -300,6 +324,38 @@ void RecipeTest::wrongRecipes_nameThePlace_data()
     row(stroke("[0,0,0,-1e300,1]"), "operations[0].samples[0]: a coordinate is not within ±1000");
     row(stroke("[0,0,0,0,-0.01]"), "operations[0].samples[0]: the radius is not within 0…100 m");
     row(stroke("[0,0,0,0,100.01]"), "operations[0].samples[0]: the radius is not within 0…100");
+
+    const auto bend = [](const QByteArray& handle, const QByteArray& rest = {}) {
+        return operations(R"({"op": "bend", "base": 0, "handles": [)" + handle + "]" + rest + "}");
+    };
+    const QByteArray held = R"({"internode": 3, "target": [0, 1, 2]})";
+    row(bend(""), "operations[0].handles: a bend has from 1 to 100 handles");
+    row(bend(QByteArray(held + ',').repeated(100) + held), "operations[0].handles: a bend has from 1 to 100");
+    row(operations(R"({"op": "bend", "handles": []})"), "operations[0].base: it is missing");
+    row(bend("5"), "operations[0].handles[0]: an object is expected");
+    row(bend(R"({"internode": -1, "target": [0, 1, 2]})"),
+        "operations[0].handles[0].internode: a whole number from 0 to 4294967294");
+    row(bend(R"({"internode": 3})"), "operations[0].handles[0].target: an array of three numbers");
+    row(bend(held + R"(, {"internode": 3, "target": [0, 1]})"),
+        "operations[0].handles[1].target: an array of three numbers within ±1000");
+    row(bend(R"({"internode": 3, "target": [0, 1, 2, 3]})"),
+        "operations[0].handles[0].target: an array of three numbers within");
+    row(bend(R"({"internode": 3, "target": [0, "1", 2]})"),
+        "operations[0].handles[0].target: an array of three numbers within ±");
+    row(bend(R"({"internode": 3, "target": [0, 1000.5, 2]})"),
+        "operations[0].handles[0].target: an array of three numbers within ±1000 is");
+    row(bend(R"({"internode": 3, "along": 1.01, "target": [0, 1, 2]})"),
+        "operations[0].handles[0].along: a number from 0 to 1 is expected");
+    row(bend(R"({"internode": 3, "target": [0, 1, 2], "x": 1})"),
+        "operations[0].handles[0]: “x” is not known");
+    row(bend(held, R"(, "bending": 0)"), "operations[0].bending: a number from 0.01 to 100 is expected");
+    row(bend(held, R"(, "stretching": "1")"),
+        "operations[0].stretching: a number from 0.01 to 100 is expected");
+    row(operations(R"({"op": "setWidth", "internode": 1})"), "operations[0].diameter: it is missing");
+    row(operations(R"({"op": "setWidth", "internode": 1, "diameter": -0.1})"),
+        "operations[0].diameter: a number from 0 to 100 is expected");
+    row(operations(R"({"op": "setWidth", "internode": 4294967295, "diameter": 1})"),
+        "operations[0].internode: a whole number from 0 to 4294967294 is");
 }
 
 void RecipeTest::wrongRecipes_nameThePlace()
@@ -456,6 +512,20 @@ void RecipeTest::schemaAndLimits_agree()
         QCOMPARE(sample.at(i)[QLatin1String("minimum")].toDouble(), limits[i][0]);
         QCOMPARE(sample.at(i)[QLatin1String("maximum")].toDouble(), limits[i][1]);
     }
+    const QJsonValue bend = defs[QLatin1String("bend")];
+    for (const char* weight : {"bending", "stretching"}) {
+        QCOMPARE(property(bend, weight)[QLatin1String("minimum")].toDouble(), recipeLimits::kLeastWeight);
+        QCOMPARE(property(bend, weight)[QLatin1String("maximum")].toDouble(), recipeLimits::kGreatestWeight);
+    }
+    const QJsonValue handles = property(bend, "handles");
+    QCOMPARE(handles[QLatin1String("maxItems")].toInteger(), recipeLimits::kHandles);
+    const QJsonValue target = property(handles[QLatin1String("items")], "target")[QLatin1String("items")];
+    QCOMPARE(target[QLatin1String("minimum")].toDouble(), -recipeLimits::kCoordinate);
+    QCOMPARE(target[QLatin1String("maximum")].toDouble(), recipeLimits::kCoordinate);
+    QCOMPARE(property(defs[QLatin1String("setWidth")], "diameter")[QLatin1String("maximum")].toDouble(),
+             recipeLimits::kDiameter);
+    QCOMPARE(defs[QLatin1String("internode")][QLatin1String("maximum")].toInteger(),
+             recipeLimits::kInternode);
     // The members that the schema names are those that the parser takes: each alone is no surplus to it.
     for (const QString& member : root[QLatin1String("properties")].toObject().keys()) {
         const QJsonObject json{{QStringLiteral("espalier-recipe"), 1}, {member, 1}};
