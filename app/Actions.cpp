@@ -45,6 +45,12 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
         {SelectBud, Group::Tools, "selectBud", QT_TRANSLATE_NOOP("Actions", "Bud"),
          QT_TRANSLATE_NOOP("Actions", "Tap a bud: it alone grows from now on, with what comes of it."), "U",
          "bud", true},
+        {Bend, Group::Tools, "bend", QT_TRANSLATE_NOOP("Actions", "Bend"),
+         QT_TRANSLATE_NOOP("Actions", "Pull at a branch to bend it; tap it to pin where it is held."),
+         "Shift+B", "bend", true},
+        {Width, Group::Tools, "width", QT_TRANSLATE_NOOP("Actions", "Width"),
+         QT_TRANSLATE_NOOP("Actions", "Tap a branch to hold its width, and draw the handle to change it."),
+         "W", "width", true},
         {GrowStep, Group::Tools, "growStep", QT_TRANSLATE_NOOP("Actions", "Grow One Step"),
          QT_TRANSLATE_NOOP("Actions", "Let the tree grow one step on its own."), "G", ""},
         {SmallerBrush, Group::Tools, "smallerBrush", QT_TRANSLATE_NOOP("Actions", "Smaller Brush"),
@@ -89,7 +95,7 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush, ActionId::Grow, ActionId::Prune, ActionId::SelectBud};
+    static constexpr std::array kTools{ActionId::Brush, ActionId::Grow, ActionId::Prune, ActionId::SelectBud, ActionId::Bend, ActionId::Width};
     return kTools;
 }
 

@@ -25,6 +25,8 @@ enum class ActionId {
     Grow,
     Prune,
     SelectBud,
+    Bend,
+    Width,
     GrowStep,
     SmallerBrush,
     LargerBrush,

@@ -9,9 +9,11 @@
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "views/Viewport.h"
+#include "views/tools/BendTool.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/SelectBudTool.h"
+#include "views/tools/WidthTool.h"
 
 #include <QActionGroup>
 #include <QCloseEvent>
@@ -278,6 +280,8 @@ void MainWindow::cancel()
         cancelAll();
         return;
     }
+    if (m_workspace->viewport().keyForTool(Qt::Key_Escape))
+        return;
     if (!m_document.competitors().areAll()) {
         m_document.setCompetitors({});
         return;
@@ -342,6 +346,13 @@ void MainWindow::takeTool()
         break;
     case ActionId::SelectBud:
         viewport.setTool(std::make_unique<SelectBudTool>(context));
+        break;
+    case ActionId::Bend:
+        viewport.setTool(std::make_unique<BendTool>(context));
+        popOut = Workspace::PopOut::Bend;
+        break;
+    case ActionId::Width:
+        viewport.setTool(std::make_unique<WidthTool>(context));
         break;
     default:
         viewport.setTool(std::make_unique<BrushTool>(context));

@@ -24,6 +24,8 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/pressureScales"), values.pressureScales);
     visit(QStringLiteral("view/markersShown"), values.markersShown);
     visit(QStringLiteral("view/planeShown"), values.planeShown);
+    visit(QStringLiteral("view/bendingWeight"), values.bendingWeight);
+    visit(QStringLiteral("view/stretchingWeight"), values.stretchingWeight);
     visit(QStringLiteral("view/groundShown"), values.groundShown);
     visit(QStringLiteral("view/shadowsShown"), values.shadowsShown);
 }

@@ -2,6 +2,7 @@
 #include "app/Workspace.h"
 
 #include "app/TreeCounts.h"
+#include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
@@ -34,6 +35,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_sideBar(new SideBar(actions, this)),
       m_brushPopOut(new BrushPopOut(document, settings, this)),
       m_growPopOut(new GrowPopOut(document, this)),
+      m_bendPopOut(new BendPopOut(settings, this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
       m_notice(new Notice(this)),
@@ -149,9 +151,9 @@ void Workspace::arrange()
     }
 
     m_viewport->setFrameMargins({0, y - kGap, 0, kStatusHeight});
-    QWidget* const popOuts[] = {m_brushPopOut, m_growPopOut};
-    for (QWidget* popOut : popOuts) {
-        const PopOut kind = popOut == m_brushPopOut ? PopOut::Brush : PopOut::Grow;
+    const std::pair<QWidget*, PopOut> popOuts[] = {
+        {m_brushPopOut, PopOut::Brush}, {m_growPopOut, PopOut::Grow}, {m_bendPopOut, PopOut::Bend}};
+    for (const auto& [popOut, kind] : popOuts) {
         const QSize size = popOut->sizeHint();
         popOut->setGeometry(QRect(QPoint(x, y), size));
         // A small window has room for a sheet or for a pop-out.

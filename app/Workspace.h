@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace espalier {
 
+class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
 class Notice;
@@ -28,7 +29,7 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow };
+    enum class PopOut { None, Brush, Grow, Bend };
     static constexpr int kSheetCount = 3;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -63,6 +64,7 @@ private:
     SideBar* m_sideBar;
     BrushPopOut* m_brushPopOut;
     GrowPopOut* m_growPopOut;
+    BendPopOut* m_bendPopOut;
     std::array<ParameterPanel*, kSheetCount> m_sheets{};
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows

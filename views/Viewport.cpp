@@ -11,6 +11,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QOpenGLContext>
+#include <QPainter>
 #include <QTimerEvent>
 
 #include <cmath>
@@ -140,6 +141,8 @@ void Viewport::followSettings()
     values.brushRadius = m_shown.brushRadius;
     values.pressureScales = m_shown.pressureScales;
     values.markersShown = m_shown.markersShown;
+    values.bendingWeight = m_shown.bendingWeight;
+    values.stretchingWeight = m_shown.stretchingWeight;
     values.planeShown = m_shown.planeShown;
     update();
     if (values == m_shown)
@@ -300,6 +303,30 @@ void Viewport::paintGL()
         paintSelectionRings(m_overlay, m_camera, place, m_pointers.now() - m_selectedAt);
     }
     m_overlayRenderer->render(m_overlay, m_camera, m_picture->depthTexture(), to, devicePixelRatioF());
+    paintLabels();
+}
+
+void Viewport::paintLabels()
+{
+    if (m_overlay.labels().empty())
+        return;
+    constexpr double kPadding = 6.0;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetricsF metrics(font());
+    for (const Overlay::Label& label : m_overlay.labels()) {
+        const auto place = m_camera.project(label.place);
+        if (!place)
+            continue;
+        const QPointF left = *place + label.offset;
+        const QRectF box(left.x(), left.y() - metrics.height() / 2.0 - 2.0,
+                         metrics.horizontalAdvance(label.text) + 2.0 * kPadding, metrics.height() + 4.0);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(24, 27, 32, 200));
+        painter.drawRoundedRect(box, 5.0, 5.0);
+        painter.setPen(label.colour);
+        painter.drawText(box, Qt::AlignCenter, label.text);
+    }
 }
 
 } // namespace espalier

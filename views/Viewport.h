@@ -61,6 +61,8 @@ public:
     /// before.
     bool isGestureActive() const { return m_hand->isActive(); }
     void cancelGesture();
+    /// A key for the tool, between gestures; whether it meant something to it.
+    bool keyForTool(int key) { return !isGestureActive() && m_hand->keyPressed(key); }
 
     /// Whether nothing moves and the picture is as good as it gets.
     bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld; }
@@ -102,6 +104,7 @@ private:
     void toolEnds(const PointerSample& sample) override;
     void toolIsCancelled() override;
     void toolHovers(const PointerSample& sample) override;
+    bool toolTakesFinger(const PointerSample& sample) override { return m_hand->takesFinger(sample); }
     void budIsAsked(const PointerSample& sample) override;
     void orbitBy(const QPointF& distance) override;
     void panBy(const QPointF& distance) override;
@@ -123,6 +126,7 @@ private:
     bool areRingsExpanding() const;
     void startTicking();
     void drawPicture();
+    void paintLabels();
     void releaseGl();
 
     TreeDocument& m_document;

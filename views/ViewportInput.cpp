@@ -91,7 +91,7 @@ void Viewport::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Escape:
         if (m_gestures.isBusy())
             cancelGesture();
-        else
+        else if (!keyForTool(event->key()))
             event->ignore();
         break;
     case Qt::Key_F:
@@ -99,7 +99,8 @@ void Viewport::keyPressEvent(QKeyEvent* event)
         frameAll();
         break;
     default:
-        QOpenGLWidget::keyPressEvent(event);
+        if (!keyForTool(event->key()))
+            QOpenGLWidget::keyPressEvent(event);
         break;
     }
 }

@@ -20,6 +20,8 @@ void ViewSettings::setValues(const ViewValues& values)
 {
     ViewValues wanted = values;
     wanted.brushRadius = std::clamp(wanted.brushRadius, 0.0, kMaxBrushRadius);
+    for (double* weight : {&wanted.bendingWeight, &wanted.stretchingWeight})
+        *weight = std::clamp(*weight, kLeastBendWeight, kMostBendWeight);
     wanted.sunElevation = std::clamp(wanted.sunElevation, radians(5), radians(90));
     if (wanted == m_values)
         return;

@@ -12,6 +12,10 @@ namespace espalier {
 /// Largest radius of the brush, m.
 inline constexpr double kMaxBrushRadius = 5.0;
 
+/// Limits of the weights of bending and stretching.
+inline constexpr double kLeastBendWeight = 0.01;
+inline constexpr double kMostBendWeight = 100.0;
+
 /// The next larger (@p notches > 0) or smaller radius, as a wheel or the keys [ and ] step through them: by
 /// a tenth a notch, down to an axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
@@ -29,6 +33,8 @@ struct ViewValues {
     bool pressureScales = true; ///< A pen's pressure scales the radius of the brush
     bool markersShown = true;   ///< Markers of free space while brushing
     bool planeShown = true;     ///< Hints of where the drawing plane is
+    double bendingWeight = 1.0;    ///< Resistance of branches against bending, kLeastBendWeight...kMostBendWeight
+    double stretchingWeight = 1.0; ///< Likewise, against stretching
     bool leavesShown = true;
     bool groundShown = true;
     bool shadowsShown = true;

@@ -23,6 +23,8 @@ public:
     struct Handle {
         InternodeId id = kNoInternode; ///< On the path, above the base; another holds nothing
         double along = 1.0;            ///< 0...1 from its lower to its upper node
+
+        bool operator==(const Handle&) const = default;
     };
 
     BranchBend(const Tree& tree, const TreeIndex& index, InternodeId base, InternodeId end,

@@ -54,6 +54,7 @@ protected:
     void toolMoves(const PointerSample& sample) override { note("move", sample); }
     void toolEnds(const PointerSample& sample) override { note("end", sample); }
     void toolIsCancelled() override { log << "cancel"; }
+    bool toolTakesFinger(const PointerSample&) override { return false; }
     void toolHovers(const PointerSample& sample) override { note("hover", sample); }
     void budIsAsked(const PointerSample& sample) override { note("bud", sample); }
     void orbitBy(const QPointF& distance) override { orbited += distance; }

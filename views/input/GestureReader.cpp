@@ -175,29 +175,50 @@ bool GestureReader::updateFingers(std::span<const PointerSample> samples)
     return changed;
 }
 
+/// Hands the fingers that the tool does not have yet to it; false if it does not take one of them.
+bool GestureReader::giveToTool(std::span<const PointerSample> samples)
+{
+    for (const Finger& finger : m_fingers) {
+        if (!finger.counts() || std::ranges::count(m_toolFingers, finger.id) > 0)
+            continue;
+        const PointerSample* sample = sampleOf(samples, finger.id);
+        const bool isAlone = m_toolFingers.empty() && fingerCount() == 1;
+        if (sample == nullptr || !(isAlone || m_target.toolTakesFinger(*sample)))
+            return false;
+        m_mode = Mode::Tool;
+        m_toolFingers.push_back(finger.id);
+        m_target.toolBegins(*sample);
+    }
+    return m_mode == Mode::Tool;
+}
+
+/// While the tool has fingers; false if it does not keep them.
+bool GestureReader::changeToolFingers(std::span<const PointerSample> samples)
+{
+    for (const PointerSample& sample : samples) {
+        if (sample.phase == PointerPhase::Release && std::ranges::count(m_toolFingers, sample.id) > 0) {
+            m_target.toolEnds(sample);
+            m_toolFingers.clear();
+            m_mode = fingerCount() == 0 ? Mode::Idle : Mode::Spent;
+            return true;
+        }
+    }
+    return giveToTool(samples);
+}
+
 /// Gestures grow with the number of fingers; once one is lifted, the others leave, too, in their own time,
 /// and must not draw or pull anything along.
 void GestureReader::changeFingers(std::span<const PointerSample> samples)
 {
-    const std::size_t count = fingerCount();
-    if (m_mode == Mode::Tool && count == 0) {
-        m_target.toolEnds(*sampleOf(samples, m_toolFinger));
-        m_mode = Mode::Idle;
+    if (m_mode == Mode::Tool ? changeToolFingers(samples) : m_mode == Mode::Idle && giveToTool(samples))
         return;
-    }
-    if (m_mode == Mode::Tool && count == 1)
-        return; // A palm, or a finger on the strip, came or went.
     leaveTool();
+    m_toolFingers.clear();
+    const std::size_t count = fingerCount();
     if (count == 0) {
         m_mode = Mode::Idle;
     } else if (count == 1 && m_mode == Mode::Idle) {
-        const auto finger =
-            std::find_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return f.counts(); });
-        if (const PointerSample* sample = sampleOf(samples, finger->id)) {
-            m_mode = Mode::Tool;
-            m_toolFinger = finger->id;
-            m_target.toolBegins(*sample);
-        }
+        return; // It has not been seen to come down.
     } else if (count == 2 && (m_mode == Mode::Idle || m_mode == Mode::Tool)) {
         m_mode = Mode::TwoFingers;
     } else if (count == 3 && m_mode != Mode::Spent) {
@@ -214,8 +235,10 @@ void GestureReader::moveFingers(std::span<const PointerSample> samples)
     const double spread = m_spread;
     switch (m_mode) {
     case Mode::Tool:
-        if (const PointerSample* sample = sampleOf(samples, m_toolFinger))
-            m_target.toolMoves(*sample);
+        for (const int finger : m_toolFingers) {
+            if (const PointerSample* sample = sampleOf(samples, finger))
+                m_target.toolMoves(*sample);
+        }
         break;
     case Mode::TwoFingers:
         measureFingers();

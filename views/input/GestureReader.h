@@ -20,6 +20,8 @@ public:
     virtual void toolEnds(const PointerSample& sample) = 0;
     virtual void toolIsCancelled() = 0;
     virtual void toolHovers(const PointerSample& sample) = 0;
+    /// Whether the tool works with one more finger: see Tool::takesFinger.
+    virtual bool toolTakesFinger(const PointerSample& sample) = 0;
     /// A click with Alt held, which did not turn the view: it selects a bud.
     virtual void budIsAsked(const PointerSample& sample) = 0;
 
@@ -33,8 +35,8 @@ public:
 /// Reads gestures before tools are asked (TreeSketch §3.1): one finger, a pen's tip or the left mouse
 /// button is the tool; two fingers pan and pinch, three rotate. The mouse rotates by its right or middle
 /// button or with Alt, and pans by Shift and the middle button or while the space bar is held. A finger
-/// that is joined by a second one has not been meant for the tool: its gesture is cancelled. While a pen is
-/// near or down, touch is a palm and counts for nothing.
+/// that is joined by a second one has not been meant for the tool: its gesture is cancelled, unless the tool
+/// takes the second, too. While a pen is near or down, touch is a palm and counts for nothing.
 class GestureReader {
 public:
     explicit GestureReader(GestureTarget& target) : m_target(target) {}
@@ -80,6 +82,8 @@ private:
     Mode modeOfButton(const PointerSample& sample) const;
     bool updateFingers(std::span<const PointerSample> samples);
     void changeFingers(std::span<const PointerSample> samples);
+    bool changeToolFingers(std::span<const PointerSample> samples);
+    bool giveToTool(std::span<const PointerSample> samples);
     void moveFingers(std::span<const PointerSample> samples);
     void penIsNear(double time);
     bool isPenNear(double time) const;
@@ -98,7 +102,7 @@ private:
     bool m_panKey = false;
 
     std::vector<Finger> m_fingers;
-    int m_toolFinger = 0;
+    std::vector<int> m_toolFingers; ///< Ids
     QPointF m_centre;
     double m_spread = 0.0; ///< Mean distance from the centre, px
 

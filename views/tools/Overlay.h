@@ -4,6 +4,9 @@
 #include "model/base/Vector.h"
 
 #include <QColor>
+#include <QCoreApplication>
+#include <QPointF>
+#include <QString>
 
 #include <span>
 #include <vector>
@@ -14,6 +17,8 @@ namespace espalier {
 /// device-independent pixels. What lies behind the tree is shown fainter, so that one sees where in the
 /// depth it is.
 class Overlay {
+    Q_DECLARE_TR_FUNCTIONS(Overlay)
+
 public:
     /// A translucent ball with an outline.
     struct Sphere {
@@ -46,11 +51,19 @@ public:
         Vec3 origin = Vec3::Zero(); ///< A point of the plane that two lines of the grid cross at
         QColor colour;
     };
+    /// Words beside a point; always in front.
+    struct Label {
+        Vec3 place = Vec3::Zero();
+        QPointF offset; ///< From there to the left end of the words, px
+        QString text;
+        QColor colour;
+    };
 
     void clear();
     void addSphere(const Sphere& sphere) { m_spheres.push_back(sphere); }
     void addLine(std::span<const Vec3> points, const QColor& colour, float width, float dash = 0.0F);
     void addDots(std::span<const Vec3> points, const QColor& colour, float size, float glow = 0.0F);
+    void addLabel(const Label& label) { m_labels.push_back(label); }
     void addGrid(const Grid& grid) { m_grids.push_back(grid); }
     /// A circle as a line; @p u and @p v are perpendicular unit vectors.
     void addCircle(const Vec3& centre, const Vec3& u, const Vec3& v, float radius, const QColor& colour,
@@ -60,13 +73,18 @@ public:
     const std::vector<Line>& lines() const { return m_lines; }
     const std::vector<Dots>& dots() const { return m_dots; }
     const std::vector<Grid>& grids() const { return m_grids; }
+    const std::vector<Label>& labels() const { return m_labels; }
     std::span<const Vec3> points() const { return m_points; }
+
+    /// A width as a person reads it: 0.42 cm, 4.2 cm, 42 cm. @p metres > 0.
+    static QString centimetres(double metres);
 
 private:
     std::vector<Sphere> m_spheres;
     std::vector<Line> m_lines;
     std::vector<Dots> m_dots;
     std::vector<Grid> m_grids;
+    std::vector<Label> m_labels;
     std::vector<Vec3> m_points;
 };
 

@@ -35,6 +35,21 @@ public:
     virtual void tick(double now) { Q_UNUSED(now) }
     /// The wheel with Ctrl held, in notches; a gesture may be under way.
     virtual void wheel(double notches) { Q_UNUSED(notches) }
+    /// Whether a finger that comes down beside those at work, or together with the first, is another hand at
+    /// the same work; otherwise all of them turn to the camera. If so, the tool gets its begin and its moves
+    /// as well, told apart by its id. The first finger that is lifted ends the gesture.
+    virtual bool takesFinger(const PointerSample& sample) const
+    {
+        Q_UNUSED(sample)
+        return false;
+    }
+    /// A key (Qt::Key) that nothing else wanted, between gestures; Escape puts away what the tool has laid
+    /// out. Whether it meant something to the tool.
+    virtual bool keyPressed(int key)
+    {
+        Q_UNUSED(key)
+        return false;
+    }
 
     /// Whether a gesture is under way.
     virtual bool isActive() const = 0;

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/BendPopOut.h"
+
+#include "panels/Theme.h"
+
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+/// Steps of a slider from its middle to either end.
+constexpr int kSteps = 100;
+constexpr int kWidth = 132;
+
+double weightAt(int position)
+{
+    return std::pow(kMostBendWeight, static_cast<double>(position) / kSteps);
+}
+
+int positionOf(double weight)
+{
+    return static_cast<int>(std::lround(kSteps * std::log(weight) / std::log(kMostBendWeight)));
+}
+
+static_assert(kLeastBendWeight * kMostBendWeight == 1.0, "the middle of a slider is 1");
+
+} // namespace
+
+BendPopOut::BendPopOut(ViewSettings& settings, QWidget* parent) : Bar(parent), m_settings(settings)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(14, 12, 14, 10);
+    column->setSpacing(2);
+    m_bending = addSlider(QStringLiteral("bendingWeight"), tr("Bending"),
+                          tr("<b>Bending</b><br>How much a branch resists being bent: a stiff one bends in a "
+                             "wide curve and is sooner drawn out."),
+                          &ViewValues::bendingWeight);
+    m_stretching = addSlider(QStringLiteral("stretchingWeight"), tr("Stretching"),
+                             tr("<b>Stretching</b><br>How much a branch resists being stretched: it keeps its "
+                                "length, or follows the hand further."),
+                             &ViewValues::stretchingWeight);
+    connect(&settings, &ViewSettings::changed, this, &BendPopOut::showValues);
+    showValues();
+}
+
+QSlider* BendPopOut::addSlider(const QString& name, const QString& label, const QString& toolTip,
+                               double ViewValues::*weight)
+{
+    auto* text = new QLabel(label, this);
+    auto* slider = new QSlider(Qt::Horizontal, this);
+    text->setToolTip(toolTip);
+    slider->setObjectName(name);
+    slider->setRange(-kSteps, kSteps);
+    slider->setSingleStep(kSteps / 20);
+    slider->setPageStep(kSteps / 4);
+    slider->setFixedWidth(kWidth);
+    slider->setMinimumHeight(theme::kTarget - 8);
+    slider->setFocusPolicy(Qt::TabFocus);
+    slider->setAccessibleName(label);
+    slider->setToolTip(toolTip);
+    layout()->addWidget(text);
+    layout()->addWidget(slider);
+    connect(slider, &QSlider::valueChanged, this,
+            [this, weight](int position) { m_settings.set(weight, weightAt(position)); });
+    return slider;
+}
+
+void BendPopOut::showValues()
+{
+    const ViewValues& values = m_settings.values();
+    const QSignalBlocker quietBending(m_bending);
+    const QSignalBlocker quietStretching(m_stretching);
+    m_bending->setValue(positionOf(values.bendingWeight));
+    m_stretching->setValue(positionOf(values.stretchingWeight));
+}
+
+} // namespace espalier

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/document/ViewSettings.h"
+#include "panels/Bar.h"
+
+class QSlider;
+
+namespace espalier {
+
+/// What belongs to bending: how much branches resist being bent, and being stretched.
+class BendPopOut : public Bar {
+    Q_OBJECT
+
+public:
+    explicit BendPopOut(ViewSettings& settings, QWidget* parent = nullptr);
+
+private:
+    QSlider* addSlider(const QString& name, const QString& label, const QString& toolTip,
+                       double ViewValues::*weight);
+    void showValues();
+
+    ViewSettings& m_settings;
+    QSlider* m_bending;
+    QSlider* m_stretching;
+};
+
+} // namespace espalier
