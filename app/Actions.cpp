@@ -95,7 +95,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush, ActionId::Grow, ActionId::Prune, ActionId::SelectBud, ActionId::Bend, ActionId::Width};
+    static constexpr std::array kTools{ActionId::Brush,     ActionId::Grow, ActionId::Prune,
+                                       ActionId::SelectBud, ActionId::Bend, ActionId::Width};
     return kTools;
 }
 

@@ -41,10 +41,11 @@ BendPopOut::BendPopOut(ViewSettings& settings, QWidget* parent) : Bar(parent), m
                           tr("<b>Bending</b><br>How much a branch resists being bent: a stiff one bends in a "
                              "wide curve and is sooner drawn out."),
                           &ViewValues::bendingWeight);
-    m_stretching = addSlider(QStringLiteral("stretchingWeight"), tr("Stretching"),
-                             tr("<b>Stretching</b><br>How much a branch resists being stretched: it keeps its "
-                                "length, or follows the hand further."),
-                             &ViewValues::stretchingWeight);
+    m_stretching =
+        addSlider(QStringLiteral("stretchingWeight"), tr("Stretching"),
+                  tr("<b>Stretching</b><br>How much a branch resists being stretched: it keeps its "
+                     "length, or follows the hand further."),
+                  &ViewValues::stretchingWeight);
     connect(&settings, &ViewSettings::changed, this, &BendPopOut::showValues);
     showValues();
 }

@@ -33,7 +33,8 @@ struct ViewValues {
     bool pressureScales = true; ///< A pen's pressure scales the radius of the brush
     bool markersShown = true;   ///< Markers of free space while brushing
     bool planeShown = true;     ///< Hints of where the drawing plane is
-    double bendingWeight = 1.0;    ///< Resistance of branches against bending, kLeastBendWeight...kMostBendWeight
+    double bendingWeight =
+        1.0; ///< Resistance of branches against bending, kLeastBendWeight...kMostBendWeight
     double stretchingWeight = 1.0; ///< Likewise, against stretching
     bool leavesShown = true;
     bool groundShown = true;

@@ -81,13 +81,21 @@ std::optional<BendTool::Pin> BendTool::branchAt(const PointerSample& sample) con
     return Pin{picked->id, static_cast<double>(picked->along)};
 }
 
-/// The internode that the branch's axis grows from.
+/// The internode that the branch grows from. An axis that carries as much as what it leaves has taken its
+/// place: to the eye the two are one branch.
 InternodeId BendTool::defaultBase(InternodeId id) const
 {
-    const TreeDocument& document = context().document();
-    const InternodeId first = document.index().axis(id);
-    const InternodeId parent = document.tree().parent(first);
-    return parent == kNoInternode ? first : parent;
+    const Tree& tree = context().document().tree();
+    const TreeIndex& index = context().document().index();
+    for (;;) {
+        id = index.axis(id);
+        const InternodeId parent = tree.parent(id);
+        if (parent == kNoInternode)
+            return id;
+        if (2 * index.tipCount(id) < index.tipCount(parent))
+            return parent;
+        id = parent;
+    }
 }
 
 InternodeId BendTool::baseFor(const Pin& pin) const
@@ -267,8 +275,8 @@ bool BendTool::takesFinger(const PointerSample& sample) const
     const auto pin = branchAt(sample);
     const Tree& tree = context().document().tree();
     return pin && (!m_isDown || !m_hands.empty()) && std::ranges::all_of(m_hands, [&](const Hand& hand) {
-        return areOnOnePath(tree, hand.pin.id, pin->id);
-    });
+               return areOnOnePath(tree, hand.pin.id, pin->id);
+           });
 }
 
 bool BendTool::keyPressed(int key)

@@ -45,6 +45,8 @@ std::optional<WidthTool::Place> WidthTool::placeOf(InternodeId id) const
     const Vec3 toEye = (camera.position() - middle).normalized();
     Vec3 across = document.index().heading(id).cross(camera.forward());
     across = across.norm() > 1e-3F ? Vec3(across.normalized()) : camera.right();
+    if (across.dot(camera.right()) < 0.0F)
+        across = -across; // To the right, where words are read.
     const Vec3 centre = middle + 1.1F * context().branchRadius(id) * toEye;
     const auto seen = camera.project(middle);
     const float depth = camera.depth(middle);
@@ -242,8 +244,7 @@ void WidthTool::paintHandle(Overlay& overlay, InternodeId id, bool isLit, bool i
 
 void WidthTool::paint(Overlay& overlay) const
 {
-    const std::span<const WidthConstraint> constraints =
-        context().document().tree().widthConstraints();
+    const std::span<const WidthConstraint> constraints = context().document().tree().widthConstraints();
     for (const auto& [id, diameter] : constraints) {
         const bool isHeld = m_gesture && m_place == id;
         const bool isLit = isHeld || (m_hovered && m_hovered->id == id) || m_chosen == id;
@@ -252,11 +253,18 @@ void WidthTool::paint(Overlay& overlay) const
     if (!m_hoveredBranch)
         return;
     if (const auto place = placeOf(*m_hoveredBranch)) {
-        const double diameter = 2.0 * static_cast<double>(context().branchRadius(*m_hoveredBranch));
-        const Vec3 bark = static_cast<float>(diameter / 2.0) * place->across;
-        const std::array ends{Vec3(place->centre - bark), Vec3(place->centre + bark)};
-        overlay.addLine(ends, kHintColour, 2.0F);
-        overlay.addLabel({ends[1], {12.0, 0.0}, Overlay::centimetres(diameter), kHintColour});
+        const float bark = context().branchRadius(*m_hoveredBranch);
+        const auto beyond = static_cast<float>(kBeyond / place->pixelsPerMetre);
+        // The jaws of a pair of callipers.
+        for (const float side : {-1.0F, 1.0F}) {
+            const std::array jaw{Vec3(place->centre + side * bark * place->across),
+                                 Vec3(place->centre + side * (bark + beyond) * place->across)};
+            overlay.addLine(jaw, kHintColour, 2.0F);
+        }
+        overlay.addLabel({place->centre + (bark + beyond) * place->across,
+                          {8.0, 0.0},
+                          Overlay::centimetres(2.0 * static_cast<double>(bark)),
+                          kHintColour});
     }
 }
 

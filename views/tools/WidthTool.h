@@ -48,10 +48,10 @@ private:
     };
     /// Where a handle is seen.
     struct Place {
-        Vec3 centre;          ///< On the bark, m
-        Vec3 across;          ///< Unit, parallel to the screen
-        QPointF seen;         ///< The centre, px
-        QPointF seenAcross;   ///< Unit
+        Vec3 centre;        ///< On the bark, m
+        Vec3 across;        ///< Unit, parallel to the screen
+        QPointF seen;       ///< The centre, px
+        QPointF seenAcross; ///< Unit
         double pixelsPerMetre;
     };
 
@@ -63,18 +63,18 @@ private:
     void stop();
     void paintHandle(Overlay& overlay, InternodeId id, bool isLit, bool isLabelled) const;
 
-    std::optional<Grip> m_hovered;         ///< A handle
+    std::optional<Grip> m_hovered; ///< A handle
     std::optional<InternodeId> m_hoveredBranch;
-    std::optional<InternodeId> m_chosen;   ///< Whose handle was touched last
+    std::optional<InternodeId> m_chosen; ///< Whose handle was touched last
     bool m_isDown = false;
-    std::optional<Grip> m_grip;            ///< That a pointer holds
+    std::optional<Grip> m_grip; ///< That a pointer holds
     std::unique_ptr<WidthGesture> m_gesture;
-    bool m_isPulled = false;               ///< Too far for a tap
+    bool m_isPulled = false; ///< Too far for a tap
     QPointF m_pressedAt;
-    double m_distance = 0.0;               ///< From the axis, where it was gripped, px
-    double m_diameter = 0.0;               ///< Of the branch then, m
-    InternodeId m_place = 0;               ///< Where the handle in the hand is now
-    double m_tapTime = -1e9;               ///< s, of the last tap on a handle
+    double m_distance = 0.0; ///< From the axis, where it was gripped, px
+    double m_diameter = 0.0; ///< Of the branch then, m
+    InternodeId m_place = 0; ///< Where the handle in the hand is now
+    double m_tapTime = -1e9; ///< s, of the last tap on a handle
 };
 
 } // namespace espalier
