@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/BendGesture.h"
+#include "model/mesh/MeshPool.h"
 #include "model/shape/ChainBend.h"
+#include "tests/support/TreeBuilder.h"
 
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <chrono>
 #include <cmath>
 
 namespace {
@@ -76,5 +80,60 @@ void chainBend_worst(benchmark::State& state)
     }
 }
 BENCHMARK(chainBend_worst)->Unit(benchmark::kMillisecond);
+
+/// A move of the hand that bends a branch of a tree of 50,000 internodes: the form, the tree and its indices,
+/// and the mesh. The branch carries about one of @p share of the tips.
+void bendGesture_move50k(benchmark::State& state)
+{
+    test::TreeBuilder grown = test::randomTree(50'000, 3);
+    TreeDocument document;
+    document.reset(grown.tree, {});
+    const Tree& tree = document.tree();
+    const TreeIndex& index = document.index();
+    InternodeId base = 0;
+    while (index.tipCount(base) * state.range(0) > index.tipCount(0)) {
+        InternodeId next = kNoInternode;
+        for (InternodeId id = index.firstChild(base); id != kNoInternode; id = index.nextSibling(id)) {
+            if (next == kNoInternode || index.tipCount(id) > index.tipCount(next))
+                next = id;
+        }
+        if (next == kNoInternode)
+            break;
+        base = next;
+    }
+    InternodeId end = base;
+    std::size_t longest = 0;
+    for (InternodeId id = base; id < tree.size(); ++id) {
+        if (!tree.isAlive(id))
+            continue;
+        if (const std::size_t length = pathBetween(tree, base, id).size(); length > longest) {
+            longest = length;
+            end = id;
+        }
+    }
+    MeshPool pool;
+    pool.rebuild(tree, index);
+    pool.takeChanges();
+    double meshing = 0.0;
+    QObject::connect(&document, &TreeDocument::changed,
+                     [&](const TreeChange& change) { pool.follow(tree, index, *change.delta); });
+    BendGesture gesture(document, base, {{end}});
+    const Vec3 start = gesture.gripPoints().front();
+    const float reach = 0.3F * (start - index.nodePosition(base)).norm();
+    int call = 0;
+    for (auto _ : state) {
+        const float s = 0.0262F * static_cast<float>(++call);
+        const Vec3 target = start + reach * Vec3(std::sin(s), std::cos(s) - 1.0F, 0.3F * std::sin(2.0F * s));
+        gesture.moveTo(std::span(&target, 1));
+        const auto before = std::chrono::steady_clock::now();
+        pool.finish(tree, index);
+        benchmark::DoNotOptimize(pool.takeChanges());
+        meshing += std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    }
+    state.counters["path"] = static_cast<double>(longest);
+    state.counters["carried"] = index.subtreeSize(base);
+    state.counters["meshing_ms"] = benchmark::Counter(1e3 * meshing, benchmark::Counter::kAvgIterations);
+}
+BENCHMARK(bendGesture_move50k)->ArgName("share")->Arg(1)->Arg(20)->Unit(benchmark::kMillisecond);
 
 } // namespace

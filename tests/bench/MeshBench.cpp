@@ -34,7 +34,8 @@ public:
                 continue;
             m_tree.apply(m_delta);
             m_index.update(m_tree, m_delta);
-            m_growth.update(m_tree, m_index, m_delta);
+            m_growth.follow(m_tree, m_index, m_delta);
+            m_growth.settle(m_tree, m_index);
             return m_delta;
         }
     }

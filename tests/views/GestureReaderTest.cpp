@@ -33,6 +33,7 @@ public:
     QPointF orbited;
     QPointF panned;
     double magnified = 1.0;
+    double fingersAbove = 0.0; ///< px; the tool takes further fingers there
 
 protected:
     bool event(QEvent* event) override
@@ -54,7 +55,7 @@ protected:
     void toolMoves(const PointerSample& sample) override { note("move", sample); }
     void toolEnds(const PointerSample& sample) override { note("end", sample); }
     void toolIsCancelled() override { log << "cancel"; }
-    bool toolTakesFinger(const PointerSample&) override { return false; }
+    bool toolTakesFinger(const PointerSample& sample) override { return sample.position.y() < fingersAbove; }
     void toolHovers(const PointerSample& sample) override { note("hover", sample); }
     void budIsAsked(const PointerSample& sample) override { note("bud", sample); }
     void orbitBy(const QPointF& distance) override { orbited += distance; }
@@ -81,6 +82,8 @@ private Q_SLOTS:
     void threeFingers_rotate();
     void secondFinger_cancelsTheTool();
     void fingersThatLinger_doNothing();
+    void fingersThatTheToolTakes_areItsOwn();
+    void fingersThatComeAtOnce_areTheToolsIfItTakesAll();
     void cancelledTouch_cancelsTheTool();
     void mouseLeft_isTheTool();
     void mouseButtons_orbitAndPan_data();
@@ -206,6 +209,60 @@ void GestureReaderTest::fingersThatLinger_doNothing()
     QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100});
     QCOMPARE(m_pad->log, (QStringList{"begin"}));
     QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {100, 100});
+}
+
+void GestureReaderTest::fingersThatTheToolTakes_areItsOwn()
+{
+    m_pad->fingersAbove = 150.0;
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 200});
+    QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).press(1, {200, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {110, 200}).move(1, {190, 100});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "begin", "move", "move"}));
+    QVERIFY(m_pad->samples[0].id != m_pad->samples[1].id);
+    QCOMPARE(m_pad->samples[2].id, m_pad->samples[0].id);
+    QCOMPARE(m_pad->samples[3].id, m_pad->samples[1].id);
+    QVERIFY(m_pad->panned.isNull());
+    // The first to be lifted ends all; the other lingers.
+    QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).release(1, {190, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {20, 20});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "begin", "move", "move", "end"}));
+    QCOMPARE(m_pad->samples[4].id, m_pad->samples[1].id);
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {20, 20});
+    QVERIFY(!m_pad->gestures.isBusy());
+
+    // One that the tool does not take turns all of them to the camera.
+    m_pad->log.clear();
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).press(1, {200, 200});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {110, 100}).move(1, {210, 200});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "cancel"}));
+    QCOMPARE(m_pad->panned, QPointF(10.0, 0.0));
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {110, 100}).release(1, {210, 200});
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::fingersThatComeAtOnce_areTheToolsIfItTakesAll()
+{
+    m_pad->fingersAbove = 150.0;
+    QTest::touchEvent(m_pad.get(), m_device.get())
+        .press(0, {100, 100})
+        .press(1, {200, 100})
+        .press(2, {150, 50});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "begin", "begin"}));
+    QTest::touchEvent(m_pad.get(), m_device.get())
+        .release(0, {100, 100})
+        .release(1, {200, 100})
+        .release(2, {150, 50});
+    QCOMPARE(m_pad->log.last(), QString("end"));
+    QCOMPARE(m_pad->log.size(), 4);
+    QVERIFY(!m_pad->gestures.isBusy());
+
+    m_pad->log.clear();
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100}).press(1, {200, 200});
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {100, 110}).move(1, {200, 210});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "cancel"}));
+    QCOMPARE(m_pad->panned, QPointF(0.0, 10.0));
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {100, 110}).release(1, {200, 210});
 }
 
 void GestureReaderTest::cancelledTouch_cancelsTheTool()
