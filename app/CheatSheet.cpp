@@ -72,6 +72,7 @@ CheatSheet::CheatSheet(QWidget* parent) : QDialog(parent)
         {tr("Turn"), {tr("three fingers"), tr("bottom edge")}},
         {tr("Brush size"), {tr("pen pressure")}},
         {tr("Prune"), {tr("pen's eraser")}},
+        {tr("Bend"), {tr("one to three fingers on a branch")}},
     };
     const QList<Line> keys{
         {tr("Turn"), {tr("arrows"), QStringLiteral("Q"), QStringLiteral("E")}},

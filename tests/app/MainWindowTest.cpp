@@ -37,6 +37,7 @@ private Q_SLOTS:
     void holdingGrow_isOneUndoStep();
     void growTool_growsWhileTheHandHolds();
     void manySteps_areStoppedByEscape();
+    void bendAndWidth_areAtHand();
     void keys_changeTheBrushAndWhatIsShown();
     void tab_hidesEverythingButTheTree();
     void sheets_opensOneAtATime();
@@ -376,6 +377,64 @@ void MainWindowTest::manySteps_areStoppedByEscape()
     QTRY_VERIFY(!m_window->growRunner().isRunning());
     QCOMPARE(m_window->document().tree().step(), Step{3});
     QCOMPARE(m_window->document().undoStack().count(), 1);
+}
+
+void MainWindowTest::bendAndWidth_areAtHand()
+{
+    brush();
+    const TreeDocument& document = m_window->document();
+    const Tree grown = document.tree();
+    InternodeId top = 0;
+    for (InternodeId id = 1; id < grown.size(); ++id) {
+        if (grown.isAlive(id) &&
+            document.index().nodePosition(id).y() > document.index().nodePosition(top).y())
+            top = id;
+    }
+    const auto seen = [&](InternodeId id) {
+        return viewport().mapTo(m_window.get(),
+                                viewport().camera().project(document.index().nodePosition(id))->toPoint());
+    };
+    QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ShiftModifier);
+    QVERIFY(action(ActionId::Bend)->isChecked());
+    auto* stretching = m_window->findChild<QSlider*>(QStringLiteral("stretchingWeight"));
+    QVERIFY(stretching && stretching->isVisible());
+    stretching->setValue(stretching->maximum());
+    QCOMPARE(m_window->viewSettings().values().stretchingWeight, kMostBendWeight);
+
+    // A pin, which Escape takes away before anything else.
+    const InternodeId low = document.index().mainChild(0);
+    QTest::mouseClick(handle(), Qt::LeftButton, {}, seen(low));
+    action(ActionId::Architecture)->trigger();
+    QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    QVERIFY(action(ActionId::Architecture)->isChecked());
+    QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    QVERIFY(!action(ActionId::Architecture)->isChecked());
+
+    const QPoint from = seen(top);
+    const Vec3 before = document.index().nodePosition(top);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 10; ++i) {
+        QTest::mouseMove(handle(), from + QPoint(8, 3) * i);
+        QTest::qWait(16);
+    }
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, from + QPoint(80, 30));
+    const float moved = (document.index().nodePosition(top) - before).norm();
+    QVERIFY2(moved > 0.3F, qPrintable(QStringLiteral("%1, %2").arg(moved).arg(top)));
+    QCOMPARE(document.undoStack().count(), 2);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.tree() == grown);
+
+    QTest::keyClick(m_window.get(), Qt::Key_W);
+    QVERIFY(action(ActionId::Width)->isChecked());
+    QVERIFY(!stretching->isVisible());
+    QTest::mouseClick(handle(), Qt::LeftButton, {}, seen(low));
+    QCOMPARE(document.tree().widthConstraints().size(), 1U);
+    QTest::keyClick(handle(), Qt::Key_Delete);
+    QVERIFY(document.tree().widthConstraints().empty());
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.tree().widthConstraints().size(), 1U);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.tree() == grown);
 }
 
 void MainWindowTest::keys_changeTheBrushAndWhatIsShown()

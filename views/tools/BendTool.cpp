@@ -315,7 +315,7 @@ void BendTool::paint(Overlay& overlay) const
     if (m_gesture) {
         const std::span<const InternodeId> path = m_gesture->path();
         paintPath(overlay, path, kPathColour);
-        if (!path.empty())
+        if (!path.empty() && !(m_base && m_base->id == path.front()))
             paintBase(place({path.front(), 1.0}));
         for (const Hand& hand : m_hands)
             paintPin(hand.pin);
