@@ -77,6 +77,12 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
     } else if (op == QLatin1StringView("grow")) {
         const auto steps = reader.integer(QLatin1StringView("steps"), 1, recipeLimits::kGrowSteps);
         operation = RecipeOperation(GrowOperation{static_cast<int>(steps), parseCompetitors(reader)});
+    } else if (op == QLatin1StringView("travel")) {
+        const auto by =
+            reader.integer(QLatin1StringView("by"), -recipeLimits::kTravel, recipeLimits::kTravel);
+        if (by == 0)
+            reader.fail(QLatin1StringView("by"), Text::tr("a number other than 0 is expected"));
+        operation = RecipeOperation(TravelOperation{static_cast<int>(by)});
     } else if (op == QLatin1StringView("prune")) {
         operation = parsePrune(reader);
     } else if (op == QLatin1StringView("undo") || op == QLatin1StringView("redo")) {
@@ -85,7 +91,7 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
                                                     : RecipeOperation(RedoOperation{static_cast<int>(count)});
     } else {
         reader.fail(QLatin1StringView("op"), Text::tr("there is no operation “%1”; there are setParameters, "
-                                                      "brushStroke, grow, prune, undo and redo")
+                                                      "brushStroke, grow, prune, travel, undo and redo")
                                                  .arg(op));
     }
     if (!operation)
@@ -252,6 +258,7 @@ struct OperationWriter {
             text += (&id == operation.internodes.data() ? "" : ",") + QByteArray::number(id);
         text += "]}";
     }
+    void operator()(const TravelOperation& operation) const { write("travel", "by", operation.by); }
     void operator()(const UndoOperation& operation) const { write("undo", "count", operation.count); }
     void operator()(const RedoOperation& operation) const { write("redo", "count", operation.count); }
 
