@@ -39,6 +39,7 @@ enum class ActionId {
     Architecture,
     LeafSheet,
     BranchSheet,
+    History,
     NextPane,
     HideInterface,
     FullScreen,

@@ -17,6 +17,7 @@ namespace espalier {
 
 class BrushPopOut;
 class GrowPopOut;
+class HistoryPanel;
 class Notice;
 class ParameterPanel;
 class RotationStrip;
@@ -40,7 +41,10 @@ public:
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
 
+    HistoryPanel& history() { return *m_history; }
+
     void showPopOut(PopOut popOut);
+    void showHistory(bool shown);
     /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
@@ -64,6 +68,7 @@ private:
     BrushPopOut* m_brushPopOut;
     GrowPopOut* m_growPopOut;
     std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    HistoryPanel* m_history;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
     Notice* m_notice;
@@ -73,6 +78,7 @@ private:
     PopOut m_popOut = PopOut::Brush;
     int m_sheet = -1;
     bool m_isHidden = false;
+    bool m_isHistoryShown = false;
 };
 
 } // namespace espalier
