@@ -41,6 +41,7 @@ enum class ActionId {
     Architecture,
     LeafSheet,
     BranchSheet,
+    History,
     NextPane,
     HideInterface,
     FullScreen,

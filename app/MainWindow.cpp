@@ -6,6 +6,7 @@
 #include "app/RecipeTool.h"
 #include "app/TreeCounts.h"
 #include "panels/GrowPopOut.h"
+#include "panels/HistoryPanel.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "views/Viewport.h"
@@ -76,6 +77,7 @@ Camera withHeadroom(const Camera& camera, const Box3& bounds)
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       m_growRunner(m_document),
+      m_timeRunner(m_document),
       m_recipeRunner(m_document),
       m_actions(*this),
       m_workspace(std::make_unique<Workspace>(m_document, m_viewSettings, m_actions,
@@ -152,6 +154,14 @@ void MainWindow::connectTools()
     connect(&growPopOut, &GrowPopOut::holdBegins, &m_growRunner, &GrowRunner::begin);
     connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::end);
     connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
+    connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
+    connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
+    connect(&growPopOut, &GrowPopOut::playToggled, this,
+            [this](bool plays) { plays ? m_timeRunner.play() : m_timeRunner.stop(); });
+    connect(&m_timeRunner, &TimeRunner::runningChanged, this, [this, &growPopOut] {
+        growPopOut.setPlaying(m_timeRunner.isPlaying());
+        updateEnabled();
+    });
     connect(&m_growRunner, &GrowRunner::exhausted, this,
             [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
     connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
@@ -166,6 +176,8 @@ void MainWindow::connectTools()
 void MainWindow::connectView()
 {
     Viewport& viewport = m_workspace->viewport();
+    // A hand at work ends a film that is playing; it goes on from what is seen.
+    connect(&viewport, &Viewport::gestureActiveChanged, &m_timeRunner, &TimeRunner::release);
     connect(&viewport, &Viewport::gestureActiveChanged, this, &MainWindow::updateEnabled);
     connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
     const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},
@@ -200,6 +212,7 @@ void MainWindow::connectView()
 
     connect(m_actions[ActionId::HideInterface], &QAction::toggled, m_workspace.get(),
             &Workspace::setInterfaceHidden);
+    connect(m_actions[ActionId::History], &QAction::toggled, m_workspace.get(), &Workspace::showHistory);
     connect(m_actions[ActionId::NextPane], &QAction::triggered, m_workspace.get(), &Workspace::focusNextPane);
     connect(m_actions[ActionId::FullScreen], &QAction::triggered, this, [this](bool on) {
         setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
@@ -259,7 +272,7 @@ void MainWindow::followRecipe()
 
 bool MainWindow::isHandBusy() const
 {
-    return m_workspace->viewport().isGestureActive() || m_growRunner.isRunning();
+    return m_workspace->viewport().isGestureActive() || m_growRunner.isRunning() || m_timeRunner.isRunning();
 }
 
 bool MainWindow::isBusy() const
@@ -272,6 +285,7 @@ void MainWindow::cancelAll()
     m_recipeRunner.stop();
     m_workspace->viewport().cancelGesture();
     m_growRunner.cancel();
+    m_timeRunner.cancel();
 }
 
 void MainWindow::cancel()
@@ -308,6 +322,7 @@ void MainWindow::updateEnabled()
                                          !m_workspace->viewport().isGestureActive());
     for (int i = 0; i < Workspace::kSheetCount; ++i)
         m_workspace->sheet(i).setEnabled(!isBusy());
+    m_workspace->history().setEnabled(!isBusy());
 }
 
 void MainWindow::updateTitle()

@@ -6,6 +6,7 @@
 #include "app/GrowRunner.h"
 #include "app/RecipeRunner.h"
 #include "app/Settings.h"
+#include "app/TimeRunner.h"
 #include "app/Workspace.h"
 
 #include <QElapsedTimer>
@@ -63,6 +64,7 @@ private:
     TreeDocument m_document;
     ViewSettings m_viewSettings;
     GrowRunner m_growRunner;
+    TimeRunner m_timeRunner;
     RecipeRunner m_recipeRunner;
     Actions m_actions;
     QElapsedTimer m_followClock;

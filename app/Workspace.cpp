@@ -5,6 +5,7 @@
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
+#include "panels/HistoryPanel.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/RotationStrip.h"
@@ -20,7 +21,7 @@ namespace {
 
 constexpr int kTopBarHeight = 50;
 constexpr int kGap = 10;
-constexpr int kStatusHeight = 40;
+constexpr int kStatusHeight = 60;
 /// ms; a tree that grows under the brush is counted no more often.
 constexpr int kCountInterval = 200;
 
@@ -36,6 +37,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_brushPopOut(new BrushPopOut(document, settings, this)),
       m_growPopOut(new GrowPopOut(document, this)),
       m_bendPopOut(new BendPopOut(settings, this)),
+      m_history(new HistoryPanel(document.undoStack(), this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
       m_notice(new Notice(this)),
@@ -79,6 +81,12 @@ void Workspace::showPopOut(PopOut popOut)
 void Workspace::showSheet(int index)
 {
     m_sheet = index;
+    arrange();
+}
+
+void Workspace::showHistory(bool shown)
+{
+    m_isHistoryShown = shown;
     arrange();
 }
 
@@ -160,17 +168,23 @@ void Workspace::arrange()
         popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
     }
 
+    const QSize history = m_history->sizeHint();
+    const int left = width() - history.width() - kGap;
+    const int room = height() - kTopBarHeight - kGap - kStatusHeight;
+    m_history->setGeometry(left, kTopBarHeight + kGap, history.width(), std::min(history.height(), room));
+    m_history->setVisible(shown && m_isHistoryShown);
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
     m_onlyOne->adjustSize();
     m_onlyOne->move((width() - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
     m_onlyOne->setVisible(!m_document.competitors().areAll());
 
+    const int bottom = height() - Viewport::kStripHeight - 2;
     m_counts->adjustSize();
-    m_counts->move(width() - m_counts->width() - 20, height() - m_counts->height() - 16);
+    m_counts->move(width() - m_counts->width() - 20, bottom - m_counts->height());
     m_counts->setVisible(shown);
     m_tip->adjustSize();
-    m_tip->move(20, height() - m_tip->height() - 16);
+    m_tip->move(20, bottom - m_tip->height());
     m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x());
 
     const int most = std::min(width() - 2 * kGap, 860);
@@ -178,7 +192,7 @@ void Workspace::arrange()
     m_notice->resize(std::min(m_notice->sizeHint().width(), most), 0);
     m_notice->resize(m_notice->width(),
                      std::max(m_notice->sizeHint().height(), m_notice->heightForWidth(m_notice->width())));
-    m_notice->move((width() - m_notice->width()) / 2, height() - m_notice->height() - 44);
+    m_notice->move((width() - m_notice->width()) / 2, height() - m_notice->height() - 64);
     m_notice->raise();
 }
 

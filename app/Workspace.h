@@ -18,6 +18,7 @@ namespace espalier {
 class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
+class HistoryPanel;
 class Notice;
 class ParameterPanel;
 class RotationStrip;
@@ -41,7 +42,10 @@ public:
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
 
+    HistoryPanel& history() { return *m_history; }
+
     void showPopOut(PopOut popOut);
+    void showHistory(bool shown);
     /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
@@ -66,6 +70,7 @@ private:
     GrowPopOut* m_growPopOut;
     BendPopOut* m_bendPopOut;
     std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    HistoryPanel* m_history;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
     Notice* m_notice;
@@ -75,6 +80,7 @@ private:
     PopOut m_popOut = PopOut::Brush;
     int m_sheet = -1;
     bool m_isHidden = false;
+    bool m_isHistoryShown = false;
 };
 
 } // namespace espalier

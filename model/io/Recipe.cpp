@@ -79,6 +79,12 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
     } else if (op == QLatin1StringView("grow")) {
         const auto steps = reader.integer(QLatin1StringView("steps"), 1, recipeLimits::kGrowSteps);
         operation = RecipeOperation(GrowOperation{static_cast<int>(steps), parseCompetitors(reader)});
+    } else if (op == QLatin1StringView("travel")) {
+        const auto by =
+            reader.integer(QLatin1StringView("by"), -recipeLimits::kTravel, recipeLimits::kTravel);
+        if (by == 0)
+            reader.fail(QLatin1StringView("by"), Text::tr("a number other than 0 is expected"));
+        operation = RecipeOperation(TravelOperation{static_cast<int>(by)});
     } else if (op == QLatin1StringView("prune")) {
         operation = parsePrune(reader);
     } else if (op == QLatin1StringView("undo") || op == QLatin1StringView("redo")) {
@@ -92,7 +98,7 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
     } else {
         reader.fail(QLatin1StringView("op"),
                     Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, prune, "
-                             "undo, redo, bend and setWidth")
+                             "travel, undo, redo, bend and setWidth")
                         .arg(op));
     }
     if (!operation)
@@ -317,6 +323,7 @@ struct OperationWriter {
             text += (&id == operation.internodes.data() ? "" : ",") + QByteArray::number(id);
         text += "]}";
     }
+    void operator()(const TravelOperation& operation) const { write("travel", "by", operation.by); }
     void operator()(const BendOperation& operation) const
     {
         text += R"({"op":"bend","base":)" + QByteArray::number(operation.base) + R"(,"handles":[)";

@@ -35,6 +35,11 @@ struct PruneOperation {
     std::vector<InternodeId> internodes; ///< At least one; each goes with all that it carries
     bool operator==(const PruneOperation&) const = default;
 };
+/// Goes back in the tree's history by so many growth steps and edits, or forth again.
+struct TravelOperation {
+    int by = -1; ///< Not 0; at most 1,000,000 either way; what lies beyond the history's ends is left out
+    bool operator==(const TravelOperation&) const = default;
+};
 struct UndoOperation {
     int count = 1; ///< 1...100,000
     bool operator==(const UndoOperation&) const = default;
@@ -62,8 +67,8 @@ struct SetWidthOperation {
     bool operator==(const SetWidthOperation&) const = default;
 };
 using RecipeOperation =
-    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, UndoOperation,
-                 RedoOperation, BendOperation, SetWidthOperation>;
+    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
+                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation>;
 
 /// From where a picture is taken.
 struct RecipeCamera {
@@ -91,6 +96,7 @@ inline constexpr double kStrokeTime = 600.0;     ///< s
 inline constexpr qsizetype kSamples = 1'000'000; ///< in all
 inline constexpr qsizetype kOperations = 100'000;
 inline constexpr int kGrowSteps = 10'000;    ///< an operation
+inline constexpr int kTravel = 1'000'000;    ///< an operation
 inline constexpr int kUndoCount = 100'000;   ///< an operation
 inline constexpr qsizetype kCuts = 100'000;  ///< an operation
 inline constexpr qsizetype kHandles = 100;   ///< of a bend
