@@ -5,15 +5,19 @@
 
 namespace espalier {
 
-DeltaCommand::DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas)
-    : QUndoCommand(std::move(text)), m_document(document), m_deltas(std::move(appliedDeltas))
+DeltaCommand::DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas,
+                           Journal replacedDeltas)
+    : QUndoCommand(std::move(text)),
+      m_document(document),
+      m_deltas(std::move(appliedDeltas)),
+      m_replaced(std::move(replacedDeltas))
 {
 }
 
 void DeltaCommand::undo()
 {
-    for (std::size_t i = 0; i < m_deltas.size(); ++i)
-        m_document.revertLast();
+    revertAll(m_document, m_deltas);
+    applyAll(m_document, m_replaced);
     m_applied = false;
 }
 
@@ -21,8 +25,20 @@ void DeltaCommand::redo()
 {
     if (std::exchange(m_applied, true))
         return;
-    for (const auto& delta : m_deltas)
-        m_document.apply(delta);
+    revertAll(m_document, m_replaced);
+    applyAll(m_document, m_deltas);
+}
+
+void revertAll(TreeDocument& document, const Journal& deltas)
+{
+    for (std::size_t i = 0; i < deltas.size(); ++i)
+        document.revertLast();
+}
+
+void applyAll(TreeDocument& document, const Journal& deltas)
+{
+    for (const auto& delta : deltas)
+        document.apply(delta);
 }
 
 } // namespace espalier

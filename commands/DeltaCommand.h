@@ -12,7 +12,8 @@ namespace espalier {
 /// first redo does nothing.
 class DeltaCommand : public QUndoCommand {
 public:
-    DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas);
+    /// @param replacedDeltas what was taken out of the end of the journal before, in the journal's order
+    DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas, Journal replacedDeltas = {});
 
     void undo() override;
     void redo() override;
@@ -20,7 +21,12 @@ public:
 private:
     TreeDocument& m_document;
     Journal m_deltas;
+    Journal m_replaced;
     bool m_applied = true;
 };
+
+/// Reverts the last @p deltas of the document's journal.
+void revertAll(TreeDocument& document, const Journal& deltas);
+void applyAll(TreeDocument& document, const Journal& deltas);
 
 } // namespace espalier

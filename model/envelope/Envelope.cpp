@@ -183,6 +183,25 @@ bool Envelope::contains(const Vec3& point) const
     return squaredHeight > 0.0 && z * z <= squaredHeight;
 }
 
+bool Envelope::containsWithin(const Vec3& point, double margin) const
+{
+    const Content& content = *m_content;
+    const Point3 offset = (point.cast<double>() - content.corner) / content.spacing;
+    const double x = offset.dot(content.right);
+    const double y = offset.dot(content.up);
+    const double z = offset.dot(content.front);
+    const Grid<float>& distance = content.field.distance;
+    if (!(x >= 0.0 && y >= 0.0 && x < distance.width() - 1 && y < distance.height() - 1))
+        return false;
+    const int left = static_cast<int>(x);
+    const int below = static_cast<int>(y);
+    const GridPlace place{left, below, x - left, y - below};
+    const double height = std::sqrt(content.field.squaredHeightAt(place));
+    // Of a round bar, that is the inner half of its width and depth.
+    const double within = std::min(margin / content.spacing, 0.5 * height);
+    return height > 0.0 && interpolate(distance, place) >= within && std::abs(z) <= height - within;
+}
+
 double Envelope::volume() const
 {
     return m_content->volume;

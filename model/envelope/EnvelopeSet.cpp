@@ -48,6 +48,12 @@ bool EnvelopeSet::contains(const Vec3& point) const
     return std::ranges::any_of(m_envelopes, [&](const Envelope& one) { return one.contains(point); });
 }
 
+bool EnvelopeSet::containsWithin(const Vec3& point, double margin) const
+{
+    return std::ranges::any_of(m_envelopes,
+                               [&](const Envelope& one) { return one.containsWithin(point, margin); });
+}
+
 double EnvelopeSet::volume() const
 {
     if (m_envelopes.size() == 1)
