@@ -2,6 +2,7 @@
 #include "commands/EnvelopeGrowth.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace espalier {
@@ -11,10 +12,10 @@ namespace {
 /// More markers than this bring nothing but waiting; fewer leave thin parts to luck.
 constexpr double kMostMarkers = 120'000;
 constexpr double kFewestMarkers = 400;
-/// As dense as those that a brush leaves behind while it passes to and fro.
-constexpr double kDensity = 4.0;
-/// Leaves reach this far beyond the nodes that bear them, in leaf lengths.
-constexpr double kLeafReach = 0.8;
+/// In densities of a brush's living markers: a brush brings ever new ones, here all are there at once.
+constexpr double kDensity = 10.0;
+/// Nodes keep this far from the surface, in leaf lengths, so that leaves end about there.
+constexpr double kMargin = 0.5;
 /// Leaders of one growth: pockets that are left after so many are not worth the waiting.
 constexpr int kMostLeaders = 200;
 /// Of the markers left, so many are asked whether a bud is near; they are in no order.
@@ -23,7 +24,7 @@ constexpr std::size_t kAsked = 300;
 double marginOf(const TreeParameters& p)
 {
     const double leaf = p.leaves.visible && p.leaves.perNode > 0 ? p.leaves.length : 0.0;
-    return kLeafReach * leaf;
+    return kMargin * leaf;
 }
 
 /// The living bud at a node that points at @p target best.
@@ -63,6 +64,8 @@ EnvelopeGrowth::EnvelopeGrowth(EnvelopeSet envelopes, const Tree& tree, Competit
 TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth)
 {
     GrowthStepOptions options = GrowthStepOptions::of(tree.parameters().growth);
+    // The lasso says where the crown is; what would be shed would leave holes in it.
+    options.sheds = false;
     options.competitors = m_competitors;
     const double margin = marginOf(tree.parameters());
     // Whoever stands outside may come in.

@@ -3,6 +3,7 @@
 
 #include "model/base/Error.h"
 #include "model/growth/BrushSample.h"
+#include "model/tree/LassoStroke.h"
 #include "model/tree/Parameters.h"
 
 #include <QByteArray>
@@ -35,8 +36,19 @@ struct RedoOperation {
     int count = 1; ///< 1...100,000
     bool operator==(const RedoOperation&) const = default;
 };
+struct LassoOperation {
+    LassoStroke stroke; ///< Raw: any number of points from 3 on
+    bool operator==(const LassoOperation&) const = default;
+};
+struct RegrowOperation {
+    bool operator==(const RegrowOperation&) const = default;
+};
+struct RemoveLassoOperation {
+    bool operator==(const RemoveLassoOperation&) const = default;
+};
 using RecipeOperation =
-    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, UndoOperation, RedoOperation>;
+    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, UndoOperation, RedoOperation,
+                 LassoOperation, RegrowOperation, RemoveLassoOperation>;
 
 /// From where a picture is taken.
 struct RecipeCamera {
@@ -61,7 +73,7 @@ inline constexpr int kVersion = 1;
 inline constexpr double kCoordinate = 1000.0;    ///< m, either way
 inline constexpr double kRadius = 100.0;         ///< m
 inline constexpr double kStrokeTime = 600.0;     ///< s
-inline constexpr qsizetype kSamples = 1'000'000; ///< in all
+inline constexpr qsizetype kSamples = 1'000'000; ///< in all, points of lassos among them
 inline constexpr qsizetype kOperations = 100'000;
 inline constexpr int kGrowSteps = 10'000;  ///< an operation
 inline constexpr int kUndoCount = 100'000; ///< an operation
