@@ -39,6 +39,12 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP(
              "Actions", "Press anywhere and hold: the tree grows on its own, competing for light and space."),
          "Shift+G", "grow", true},
+        {Prune, Group::Tools, "prune", QT_TRANSLATE_NOOP("Actions", "Prune"),
+         QT_TRANSLATE_NOOP("Actions", "Tap a branch to take it off, or draw across all that shall fall."),
+         "P", "prune", true},
+        {SelectBud, Group::Tools, "selectBud", QT_TRANSLATE_NOOP("Actions", "Bud"),
+         QT_TRANSLATE_NOOP("Actions", "Tap a bud: it alone grows from now on, with what comes of it."), "U",
+         "bud", true},
         {GrowStep, Group::Tools, "growStep", QT_TRANSLATE_NOOP("Actions", "Grow One Step"),
          QT_TRANSLATE_NOOP("Actions", "Let the tree grow one step on its own."), "G", ""},
         {SmallerBrush, Group::Tools, "smallerBrush", QT_TRANSLATE_NOOP("Actions", "Smaller Brush"),
@@ -79,6 +85,12 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions", "All keys and gestures on one sheet."), "F1", "help"},
     }};
     return entries;
+}
+
+std::span<const ActionId> Actions::tools()
+{
+    static constexpr std::array kTools{ActionId::Brush, ActionId::Grow, ActionId::Prune, ActionId::SelectBud};
+    return kTools;
 }
 
 QString Actions::groupTitle(ActionGroup group)

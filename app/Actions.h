@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace espalier {
 
@@ -22,6 +23,8 @@ enum class ActionId {
     Redo,
     Brush,
     Grow,
+    Prune,
+    SelectBud,
     GrowStep,
     SmallerBrush,
     LargerBrush,
@@ -69,6 +72,8 @@ public:
 
     static const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& table();
     static QString groupTitle(ActionGroup group);
+    /// The tools that a hand can hold one of, in the order of the side bar.
+    static std::span<const ActionId> tools();
 
 private:
     std::array<QAction*, static_cast<std::size_t>(ActionId::Count)> m_actions{};

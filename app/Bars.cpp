@@ -16,7 +16,7 @@ SideBar::SideBar(const Actions& actions, QWidget* parent) : Bar(parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 6, 6, 6);
     column->setSpacing(4);
-    for (const ActionId id : {ActionId::Brush, ActionId::Grow})
+    for (const ActionId id : Actions::tools())
         column->addWidget(new BarButton(BarButton::Look::IconAboveText, actions[id], this));
     column->addSpacing(3);
     column->addWidget(barSeparator(Qt::Horizontal, this));

@@ -64,12 +64,14 @@ CheatSheet::CheatSheet(QWidget* parent) : QDialog(parent)
         {tr("Move"), {tr("Shift + middle"), tr("Space + left")}},
         {tr("Nearer, farther"), {tr("wheel")}},
         {tr("Brush size"), {tr("Ctrl + wheel")}},
+        {tr("One bud alone grows"), {tr("Alt + click")}},
     };
     const QList<Line> touch{
         {tr("Use the tool"), {tr("one finger"), tr("pen")}},
         {tr("Move, nearer, farther"), {tr("two fingers")}},
-        {tr("Turn"), {tr("three fingers")}},
+        {tr("Turn"), {tr("three fingers"), tr("bottom edge")}},
         {tr("Brush size"), {tr("pen pressure")}},
+        {tr("Prune"), {tr("pen's eraser")}},
     };
     const QList<Line> keys{
         {tr("Turn"), {tr("arrows"), QStringLiteral("Q"), QStringLiteral("E")}},

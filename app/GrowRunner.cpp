@@ -25,7 +25,7 @@ void GrowRunner::start(int steps, int interval)
 {
     if (isRunning())
         return;
-    m_gesture = std::make_unique<GrowGesture>(m_document);
+    m_gesture = std::make_unique<GrowGesture>(m_document, m_document.competitors());
     m_stepsLeft = steps;
     m_timer.start(interval);
     Q_EMIT runningChanged(true);

@@ -10,6 +10,8 @@
 #include "panels/ParameterPanel.h"
 #include "views/Viewport.h"
 #include "views/tools/BrushTool.h"
+#include "views/tools/PruneTool.h"
+#include "views/tools/SelectBudTool.h"
 
 #include <QActionGroup>
 #include <QCloseEvent>
@@ -127,8 +129,8 @@ void MainWindow::connectFiles()
 void MainWindow::connectTools()
 {
     auto* tools = new QActionGroup(this);
-    tools->addAction(m_actions[ActionId::Brush]);
-    tools->addAction(m_actions[ActionId::Grow]);
+    for (const ActionId id : Actions::tools())
+        tools->addAction(m_actions[id]);
     m_actions[ActionId::Brush]->setChecked(true);
     connect(tools, &QActionGroup::triggered, this, &MainWindow::takeTool);
 
@@ -276,6 +278,10 @@ void MainWindow::cancel()
         cancelAll();
         return;
     }
+    if (!m_document.competitors().areAll()) {
+        m_document.setCompetitors({});
+        return;
+    }
     for (const ActionId id : {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet}) {
         if (m_actions[id]->isChecked())
             m_actions[id]->trigger();
@@ -288,9 +294,11 @@ void MainWindow::updateEnabled()
     const QUndoStack& stack = m_document.undoStack();
     m_actions[ActionId::Undo]->setEnabled(stack.canUndo());
     m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
-    for (const ActionId id :
-         {ActionId::Brush, ActionId::Grow, ActionId::Save, ActionId::SaveAs, ActionId::Export})
-        m_actions[id]->setEnabled(!m_recipeRunner.isRunning());
+    const bool isIdle = !m_recipeRunner.isRunning();
+    for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::Export})
+        m_actions[id]->setEnabled(isIdle);
+    for (const ActionId id : Actions::tools())
+        m_actions[id]->setEnabled(isIdle);
     // Only one thing at a time may change the document.
     m_workspace->growPopOut().setEnabled(!m_recipeRunner.isRunning() &&
                                          !m_workspace->viewport().isGestureActive());
@@ -313,16 +321,35 @@ void MainWindow::updateTip()
     m_workspace->setTip(isNew ? m_workspace->viewport().tool().tip() : QString());
 }
 
+ActionId MainWindow::toolInHand() const
+{
+    return *std::ranges::find_if(Actions::tools(),
+                                 [this](ActionId id) { return m_actions[id]->isChecked(); });
+}
+
 void MainWindow::takeTool()
 {
-    const bool grows = m_actions[ActionId::Grow]->isChecked();
     Viewport& viewport = m_workspace->viewport();
-    if (grows)
-        viewport.setTool(std::make_unique<GrowTool>(viewport.toolContext(), m_growRunner));
-    else
-        viewport.setTool(std::make_unique<BrushTool>(viewport.toolContext()));
+    ToolContext& context = viewport.toolContext();
+    Workspace::PopOut popOut = Workspace::PopOut::None;
+    switch (toolInHand()) {
+    case ActionId::Grow:
+        viewport.setTool(std::make_unique<GrowTool>(context, m_growRunner));
+        popOut = Workspace::PopOut::Grow;
+        break;
+    case ActionId::Prune:
+        viewport.setTool(std::make_unique<PruneTool>(context));
+        break;
+    case ActionId::SelectBud:
+        viewport.setTool(std::make_unique<SelectBudTool>(context));
+        break;
+    default:
+        viewport.setTool(std::make_unique<BrushTool>(context));
+        popOut = Workspace::PopOut::Brush;
+        break;
+    }
     updateTip();
-    m_workspace->showPopOut(grows ? Workspace::PopOut::Grow : Workspace::PopOut::Brush);
+    m_workspace->showPopOut(popOut);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)

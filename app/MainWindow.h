@@ -55,6 +55,7 @@ private:
     void updateTip();
     /// Keeps a tree in sight that a recipe lets grow.
     void followRecipe();
+    ActionId toolInHand() const;
     void takeTool();
     void cancel();
 

@@ -6,10 +6,12 @@
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
+#include "panels/RotationStrip.h"
 #include "panels/Theme.h"
 #include "views/Viewport.h"
 
 #include <QLabel>
+#include <QPushButton>
 
 namespace espalier {
 
@@ -32,6 +34,8 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_sideBar(new SideBar(actions, this)),
       m_brushPopOut(new BrushPopOut(document, settings, this)),
       m_growPopOut(new GrowPopOut(document, this)),
+      m_strip(new RotationStrip(this)),
+      m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
       m_notice(new Notice(this)),
       m_counts(new QLabel(this)),
       m_tip(new QLabel(this))
@@ -46,6 +50,13 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
         dim.setColor(QPalette::WindowText, theme::kDimText);
         label->setPalette(dim);
     }
+    m_onlyOne->setObjectName(QStringLiteral("growAll"));
+    m_onlyOne->setToolTip(tr("Let all buds grow again"));
+    m_onlyOne->setMinimumHeight(theme::kTarget);
+    connect(m_onlyOne, &QPushButton::clicked, this, [&document] { document.setCompetitors({}); });
+    connect(&document, &TreeDocument::competitorsChanged, this, &Workspace::arrange);
+    connect(m_viewport, &Viewport::cameraChanged, this,
+            [this] { m_strip->setAzimuth(static_cast<double>(m_viewport->camera().azimuth())); });
     connect(m_notice, &Notice::resized, this, &Workspace::arrange);
     m_countTimer.setSingleShot(true);
     m_countTimer.setInterval(kCountInterval);
@@ -146,6 +157,12 @@ void Workspace::arrange()
         // A small window has room for a sheet or for a pop-out.
         popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
     }
+
+    m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
+    m_strip->setVisible(shown);
+    m_onlyOne->adjustSize();
+    m_onlyOne->move((width() - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
+    m_onlyOne->setVisible(!m_document.competitors().areAll());
 
     m_counts->adjustSize();
     m_counts->move(width() - m_counts->width() - 20, height() - m_counts->height() - 16);

@@ -11,6 +11,7 @@
 #include <array>
 
 class QLabel;
+class QPushButton;
 
 namespace espalier {
 
@@ -18,6 +19,7 @@ class BrushPopOut;
 class GrowPopOut;
 class Notice;
 class ParameterPanel;
+class RotationStrip;
 class Viewport;
 
 /// The tree from edge to edge, and over it whatever is at hand: bars, the pop-out of the tool, one sheet of
@@ -62,6 +64,8 @@ private:
     BrushPopOut* m_brushPopOut;
     GrowPopOut* m_growPopOut;
     std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    RotationStrip* m_strip;
+    QPushButton* m_onlyOne; ///< Shown while one bud alone grows
     Notice* m_notice;
     QLabel* m_counts;
     QLabel* m_tip;

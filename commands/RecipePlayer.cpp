@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/RecipePlayer.h"
 
+#include "commands/Prune.h"
 #include "commands/SetParameters.h"
 
 namespace espalier {
@@ -58,6 +59,10 @@ void RecipePlayer::advance(double seconds)
             },
             [&](const BrushStrokeOperation& operation) { return advanceStroke(operation, seconds); },
             [&](const GrowOperation& operation) { return advanceGrowth(operation, seconds); },
+            [&](const PruneOperation& operation) {
+                pruneBranches(m_document, operation.internodes);
+                return true;
+            },
             [&](const UndoOperation& operation) {
                 for (int i = 0; i < operation.count; ++i)
                     m_document.undoStack().undo();
@@ -69,7 +74,7 @@ void RecipePlayer::advance(double seconds)
                 return true;
             },
             [&](const LassoOperation& operation) {
-                return advanceLasso([&] { return LassoGesture::fill(m_document, operation.stroke); }, seconds);
+                return advanceLasso([&] { return LassoGesture::fill(m_document, operation.stroke, operation.competitors); }, seconds);
             },
             [&](const RegrowOperation&) {
                 return advanceLasso([&] { return LassoGesture::regrow(m_document); }, seconds);
@@ -88,7 +93,7 @@ bool RecipePlayer::advanceStroke(const BrushStrokeOperation& operation, double s
 {
     const std::vector<BrushSample>& samples = operation.samples;
     if (!m_stroke) {
-        m_stroke = std::make_unique<BrushGesture>(m_document, samples.front());
+        m_stroke = std::make_unique<BrushGesture>(m_document, samples.front(), operation.competitors);
         m_strokeTime = samples.front().time;
         m_nextSample = 1;
     }
@@ -107,7 +112,7 @@ bool RecipePlayer::advanceStroke(const BrushStrokeOperation& operation, double s
 bool RecipePlayer::advanceGrowth(const GrowOperation& operation, double seconds)
 {
     if (!m_growth) {
-        m_growth = std::make_unique<GrowGesture>(m_document);
+        m_growth = std::make_unique<GrowGesture>(m_document, operation.competitors);
         m_growthSteps = 0;
         m_growthDue = 0.0;
     }

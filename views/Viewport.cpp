@@ -5,6 +5,8 @@
 #include "views/render/RenderTarget.h"
 #include "views/render/Renderer.h"
 #include "views/tools/BrushTool.h"
+#include "views/tools/PruneTool.h"
+#include "views/tools/SelectionRings.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -29,7 +31,9 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
       m_settings(settings),
       m_gestures(*this),
       m_scene(document),
-      m_tool(std::make_unique<BrushTool>(toolContext()))
+      m_tool(std::make_unique<BrushTool>(toolContext())),
+      m_eraser(std::make_unique<PruneTool>(toolContext())),
+      m_hand(m_tool.get())
 {
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
@@ -42,6 +46,11 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
     qApp->installEventFilter(this);
     connect(&m_document, &TreeDocument::changed, this, &Viewport::followDocument);
     connect(&m_settings, &ViewSettings::changed, this, &Viewport::followSettings);
+    connect(&m_document, &TreeDocument::competitorsChanged, this, [this] {
+        m_selectedAt = m_pointers.now();
+        startTicking();
+        update();
+    });
     m_shown = m_settings.values();
     showAnew();
 }
@@ -49,6 +58,7 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
 Viewport::~Viewport()
 {
     m_tool.reset();
+    m_eraser.reset();
     releaseGl();
 }
 
@@ -144,6 +154,7 @@ void Viewport::setTool(std::unique_ptr<Tool> tool)
     cancelGesture();
     m_tool->leave();
     m_tool = std::move(tool);
+    m_hand = m_tool.get();
     setCursor(m_tool->cursor());
     update();
     Q_EMIT toolChanged();
@@ -156,7 +167,13 @@ void Viewport::cancelGesture()
 
 bool Viewport::needsTicks() const
 {
-    return m_tool->wantsTicks() || m_flight.isFlying() || m_keys.isAnyHeld() || m_pacer.isPhasingIn();
+    return m_hand->wantsTicks() || areRingsExpanding() || m_flight.isFlying() || m_keys.isAnyHeld() ||
+           m_pacer.isPhasingIn();
+}
+
+bool Viewport::areRingsExpanding() const
+{
+    return !m_document.competitors().areAll() && m_pointers.now() - m_selectedAt < kRingsExpand;
 }
 
 void Viewport::startTicking()
@@ -199,8 +216,10 @@ void Viewport::tick()
     }
     if (m_keys.isAnyHeld())
         moveByKeys(seconds);
-    if (m_tool->wantsTicks())
-        m_tool->tick(now);
+    if (m_hand->wantsTicks())
+        m_hand->tick(now);
+    if (areRingsExpanding())
+        update();
     if (m_pacer.advance(seconds)) {
         m_pictureIsOld = true;
         update();
@@ -274,7 +293,12 @@ void Viewport::paintGL()
                          GL_COLOR_BUFFER_BIT, from == to ? GL_NEAREST : GL_LINEAR);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
     m_overlay.clear();
-    m_tool->paint(m_overlay);
+    m_hand->paint(m_overlay);
+    if (const Competitors& only = m_document.competitors(); !only.areAll()) {
+        const BudRef bud{only.node, only.slot};
+        const Vec3 place = budPosition(m_document.tree(), m_document.index(), bud, branchRadius(only.node));
+        paintSelectionRings(m_overlay, m_camera, place, m_pointers.now() - m_selectedAt);
+    }
     m_overlayRenderer->render(m_overlay, m_camera, m_picture->depthTexture(), to, devicePixelRatioF());
 }
 

@@ -44,18 +44,22 @@ public:
     /// Flies to a view from another side of the whole tree.
     void showFrom(NamedView view);
 
+    /// Of the rotation strip at the bottom edge, px.
+    static constexpr int kStripHeight = 36;
+
     /// What bars over the viewport cover, px: whole trees are framed in the rest of it from now on.
     void setFrameMargins(const QMargins& margins) { m_frameMargins = margins; }
 
     /// What a tool for this viewport is made with.
     ToolContext& toolContext() { return *this; }
-    /// Cancels the gesture of the tool before. At first there is a BrushTool.
+    /// Cancels the gesture of the tool before. At first there is a BrushTool. A pen's eraser end prunes,
+    /// whatever the tool.
     void setTool(std::unique_ptr<Tool> tool);
     const Tool& tool() const { return *m_tool; }
 
     /// While a tool's gesture is under way, the document must not be changed from elsewhere: cancel it
     /// before.
-    bool isGestureActive() const { return m_tool->isActive(); }
+    bool isGestureActive() const { return m_hand->isActive(); }
     void cancelGesture();
 
     /// Whether nothing moves and the picture is as good as it gets.
@@ -86,6 +90,10 @@ private:
     // What tools see
     TreeDocument& document() override { return m_document; }
     ViewSettings& viewSettings() override { return m_settings; }
+    std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const override;
+    std::vector<PickedBud> pickBuds(const QPointF& screen, PointerDevice device,
+                                    double factor) const override;
+    float branchRadius(InternodeId id) const override { return m_scene.mesh().meshedRadius(id); }
     void requestRepaint() override { update(); }
 
     // What gestures ask for
@@ -94,10 +102,15 @@ private:
     void toolEnds(const PointerSample& sample) override;
     void toolIsCancelled() override;
     void toolHovers(const PointerSample& sample) override;
+    void budIsAsked(const PointerSample& sample) override;
     void orbitBy(const QPointF& distance) override;
     void panBy(const QPointF& distance) override;
     void magnify(double factor, const QPointF& about) override;
 
+    template <class Pick>
+    auto withPickScene(Pick&& pick) const;
+    double reachOf(PointerDevice device) const;
+    void takeInHand(const PointerSample& sample);
     void followDocument(const TreeChange& change);
     void followSettings();
     void moveCamera(const Camera& camera);
@@ -107,6 +120,7 @@ private:
     void redrawTree();
     void tick();
     bool needsTicks() const;
+    bool areRingsExpanding() const;
     void startTicking();
     void drawPicture();
     void releaseGl();
@@ -123,13 +137,16 @@ private:
     HeldKeys m_keys;
     TreeScene m_scene;
     std::unique_ptr<Tool> m_tool;
+    std::unique_ptr<Tool> m_eraser; ///< In hand while a pen is turned over
+    Tool* m_hand;                   ///< The one of the two that samples go to
     Overlay m_overlay;
 
     FramePacer m_pacer;
     bool m_pictureIsOld = true;
     QBasicTimer m_ticks;
     QBasicTimer m_restTimer;
-    double m_lastTick = 0.0; ///< s
+    double m_lastTick = 0.0;    ///< s
+    double m_selectedAt = -1e9; ///< s, when the bud that alone grows was chosen
 
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<OverlayRenderer> m_overlayRenderer;

@@ -68,7 +68,7 @@ void Viewport::wheelEvent(QWheelEvent* event)
     // With Alt, some systems turn the wheel sideways.
     const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
     if (event->modifiers().testFlag(Qt::ControlModifier))
-        m_tool->wheel(notches);
+        m_hand->wheel(notches);
     else
         magnify(std::pow(kZoomPerNotch, -notches), event->position());
     event->accept();
@@ -124,8 +124,8 @@ void Viewport::focusOutEvent(QFocusEvent* event)
 
 void Viewport::leaveEvent(QEvent* event)
 {
-    if (!m_tool->isActive())
-        m_tool->leave();
+    if (!m_hand->isActive())
+        m_hand->leave();
     QOpenGLWidget::leaveEvent(event);
 }
 
@@ -134,36 +134,86 @@ void Viewport::resizeEvent(QResizeEvent* event)
     const bool wasFramed = m_isFramed;
     moveCamera(wasFramed ? framed(m_camera) : m_camera);
     m_isFramed = wasFramed;
+    m_gestures.setStrip(QRectF(0.0, height() - kStripHeight, width(), kStripHeight));
     QOpenGLWidget::resizeEvent(event);
+}
+
+/// Calls @p pick(scene) with what there is to pick from.
+template <class Pick>
+auto Viewport::withPickScene(Pick&& pick) const
+{
+    float greatest = branchRadius(0);
+    for (const WidthConstraint& constraint : m_document.tree().widthConstraints())
+        greatest = std::max(greatest, constraint.diameter / 2.0F);
+    const std::function<float(InternodeId)> radius = [&](InternodeId id) {
+        return std::min(branchRadius(id), greatest);
+    };
+    return pick(PickScene{m_document.tree(), m_document.index(), m_document.growthIndex().space(), radius,
+                          greatest, m_camera});
+}
+
+double Viewport::reachOf(PointerDevice device) const
+{
+    return pickReach(device, logicalDpiX() / 25.4);
+}
+
+std::optional<PickedBranch> Viewport::pick(const QPointF& screen, PointerDevice device) const
+{
+    return withPickScene([&](const PickScene& scene) { return pickBranch(scene, screen, reachOf(device)); });
+}
+
+std::vector<PickedBud> Viewport::pickBuds(const QPointF& screen, PointerDevice device, double factor) const
+{
+    return withPickScene(
+        [&](const PickScene& scene) { return espalier::pickBuds(scene, screen, factor * reachOf(device)); });
+}
+
+void Viewport::takeInHand(const PointerSample& sample)
+{
+    Tool* hand = sample.isEraser ? m_eraser.get() : m_tool.get();
+    if (hand == m_hand)
+        return;
+    m_hand->leave();
+    m_hand = hand;
+    setCursor(m_hand->cursor());
 }
 
 void Viewport::toolBegins(const PointerSample& sample)
 {
-    m_tool->begin(sample);
+    takeInHand(sample);
+    m_hand->begin(sample);
     startTicking();
     Q_EMIT gestureActiveChanged(true);
 }
 
 void Viewport::toolMoves(const PointerSample& sample)
 {
-    m_tool->move(sample);
+    m_hand->move(sample);
 }
 
 void Viewport::toolEnds(const PointerSample& sample)
 {
-    m_tool->end(sample);
+    m_hand->end(sample);
     Q_EMIT gestureActiveChanged(false);
 }
 
 void Viewport::toolIsCancelled()
 {
-    m_tool->cancel();
+    m_hand->cancel();
     Q_EMIT gestureActiveChanged(false);
 }
 
 void Viewport::toolHovers(const PointerSample& sample)
 {
-    m_tool->hover(sample);
+    takeInHand(sample);
+    m_hand->hover(sample);
+}
+
+void Viewport::budIsAsked(const PointerSample& sample)
+{
+    const std::vector<PickedBud> buds = pickBuds(sample.position, sample.device, 1.0);
+    m_document.setCompetitors(buds.empty() ? Competitors{}
+                                           : Competitors{buds.front().bud.node, buds.front().bud.slot});
 }
 
 void Viewport::orbitBy(const QPointF& distance)

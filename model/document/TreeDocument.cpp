@@ -22,7 +22,7 @@ void TreeDocument::reset(Tree tree, Journal journal)
     m_journal = std::move(journal);
     m_index.rebuild(m_tree);
     m_growthIndex.rebuild(m_tree, m_index);
-    Q_EMIT changed({TreeChange::Kind::Reset, nullptr});
+    tell({TreeChange::Kind::Reset, nullptr});
 }
 
 void TreeDocument::apply(std::shared_ptr<TreeDelta> delta)
@@ -31,7 +31,7 @@ void TreeDocument::apply(std::shared_ptr<TreeDelta> delta)
     m_index.update(m_tree, *delta);
     m_growthIndex.follow(m_tree, m_index, *delta);
     m_journal.push_back(std::move(delta));
-    Q_EMIT changed({TreeChange::Kind::Applied, m_journal.back().get()});
+    tell({TreeChange::Kind::Applied, m_journal.back().get()});
 }
 
 void TreeDocument::revertLast()
@@ -42,7 +42,23 @@ void TreeDocument::revertLast()
     m_tree.revert(*delta);
     m_index.update(m_tree, *delta);
     m_growthIndex.follow(m_tree, m_index, *delta);
-    Q_EMIT changed({TreeChange::Kind::Reverted, delta.get()});
+    tell({TreeChange::Kind::Reverted, delta.get()});
+}
+
+void TreeDocument::setCompetitors(const Competitors& competitors)
+{
+    if (competitors == m_competitors)
+        return;
+    m_competitors = competitors;
+    Q_EMIT competitorsChanged();
+}
+
+void TreeDocument::tell(const TreeChange& change)
+{
+    const InternodeId node = m_competitors.node;
+    if (node != kNoInternode && (change.kind == TreeChange::Kind::Reset || !m_tree.isAlive(node)))
+        setCompetitors({});
+    Q_EMIT changed(change);
 }
 
 std::uint32_t TreeDocument::rememberParameters(const TreeParameters& parameters)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/growth/Competition.h"
 #include "model/growth/GrowthIndex.h"
 #include "model/tree/Tree.h"
 #include "model/tree/TreeDelta.h"
@@ -46,6 +47,10 @@ public:
     }
     const TreeParameters& parameters() const { return m_tree.parameters(); }
     const Journal& journal() const { return m_journal; }
+    /// Which buds growth is limited to (selective growth, TreeSketch §3.2): all of them, or one bud and what
+    /// comes of it. A mode, not part of the tree; it ends when its node dies.
+    const Competitors& competitors() const { return m_competitors; }
+    void setCompetitors(const Competitors& competitors);
     QUndoStack& undoStack() { return m_undoStack; }
     const QUndoStack& undoStack() const { return m_undoStack; }
 
@@ -73,12 +78,16 @@ public:
 
 Q_SIGNALS:
     void changed(const espalier::TreeChange& change);
+    void competitorsChanged();
 
 private:
     Tree m_tree;
     TreeIndex m_index;
     mutable GrowthIndex m_growthIndex;
+    void tell(const TreeChange& change);
+
     Journal m_journal;
+    Competitors m_competitors;
     QUndoStack m_undoStack;
 };
 

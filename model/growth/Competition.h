@@ -39,6 +39,9 @@ struct Competitors {
     /// Only this bud and what grows from it; kNoInternode lets all buds compete.
     InternodeId node = kNoInternode;
     int slot = kTerminalSlot;
+
+    bool areAll() const { return node == kNoInternode; }
+    bool operator==(const Competitors&) const = default;
 };
 
 /// How buds sense free space (TreeSketch figure 8B). Lengths in m.

@@ -148,6 +148,22 @@ public:
         return anyRun(cellAt(point - reach), cellAt(point + reach), visit);
     }
 
+    /// Calls @p visit(centre, radius, residents) for all nodes, brick by brick; centre and radius are those
+    /// of a ball around the brick, m.
+    template <class Visit>
+    void forEachBrick(Visit&& visit) const
+    {
+        const float half = 0.5F * kBrickEdge * m_edge;
+        for (std::size_t i = 0; i < m_bricks.size(); ++i) {
+            const Residents residents = m_bricks[i]->residents;
+            const Cell& b = m_coordinates[i];
+            if (!residents.empty())
+                visit(Vec3(half * Vec3(static_cast<float>(2 * b.x + 1), static_cast<float>(2 * b.y + 1),
+                                       static_cast<float>(2 * b.z + 1))),
+                      1.7321F * half, residents);
+        }
+    }
+
     /// Shadow of a voxel, in units of 1 / kShadowUnit.
     std::uint32_t shadow(const Cell& cell) const;
     /// The light that the casters in such a voxel see: 1 − s + a, clamped to 0...1 (Pałubicki 2009: C − s + a

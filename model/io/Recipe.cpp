@@ -40,6 +40,25 @@ std::optional<Eigen::Matrix<float, Count, 1>> numbers(const QJsonArray& array, d
     return result;
 }
 
+/// All buds, or the one that "only" names.
+Competitors parseCompetitors(JsonReader& parent)
+{
+    const QLatin1StringView key("only");
+    if (!parent.has(key))
+        return {};
+    JsonReader reader(parent.object(key), parent.placeOf(key));
+    Competitors competitors;
+    competitors.node =
+        static_cast<InternodeId>(reader.integer(QLatin1StringView("internode"), 0, kNoInternode - 1));
+    competitors.slot =
+        static_cast<int>(reader.integer(QLatin1StringView("bud"), 0, kTerminalSlot, kTerminalSlot));
+    if (competitors.slot >= kMaxLaterals && competitors.slot != kTerminalSlot)
+        reader.fail(QLatin1StringView("bud"), Text::tr("there is no such bud"));
+    if (const Result<void> end = reader.finish(); !end)
+        parent.fail(end.error());
+    return competitors;
+}
+
 /// Reads the operations in turn; each may lean on those before.
 class OperationsParser {
 public:
@@ -52,6 +71,7 @@ private:
     RecipeOperation parseStroke(JsonReader& reader);
     RecipeOperation parseLasso(JsonReader& reader);
     bool admit(JsonReader& reader, QLatin1StringView key, qsizetype samples);
+    RecipeOperation parsePrune(JsonReader& reader);
     std::optional<QString> parseSample(const QJsonValue& value, double previousTime,
                                        BrushSample& sample) const;
 
@@ -72,7 +92,9 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
         operation = parseStroke(reader);
     } else if (op == QLatin1StringView("grow")) {
         const auto steps = reader.integer(QLatin1StringView("steps"), 1, recipeLimits::kGrowSteps);
-        operation = RecipeOperation(GrowOperation{static_cast<int>(steps)});
+        operation = RecipeOperation(GrowOperation{static_cast<int>(steps), parseCompetitors(reader)});
+    } else if (op == QLatin1StringView("prune")) {
+        operation = parsePrune(reader);
     } else if (op == QLatin1StringView("undo") || op == QLatin1StringView("redo")) {
         const auto count = reader.integer(QLatin1StringView("count"), 1, recipeLimits::kUndoCount, 1);
         operation = op == QLatin1StringView("undo") ? RecipeOperation(UndoOperation{static_cast<int>(count)})
@@ -85,8 +107,8 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
         operation = RecipeOperation(RemoveLassoOperation{});
     } else {
         reader.fail(QLatin1StringView("op"),
-                    Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, undo, "
-                             "redo, lasso, regrow and removeLasso")
+                    Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, prune, "
+                             "undo, redo, lasso, regrow and removeLasso")
                         .arg(op));
     }
     if (!operation)
@@ -114,6 +136,7 @@ RecipeOperation OperationsParser::parseStroke(JsonReader& reader)
     const QJsonArray array = reader.array(kSamplesKey);
     const QString place = reader.placeOf(kSamplesKey);
     BrushStrokeOperation stroke;
+    stroke.competitors = parseCompetitors(reader);
     if (array.isEmpty())
         reader.fail(kSamplesKey, Text::tr("a stroke has at least one sample"));
     if (!admit(reader, kSamplesKey, array.size()))
@@ -141,6 +164,7 @@ bool OperationsParser::admit(JsonReader& reader, QLatin1StringView key, qsizetyp
 RecipeOperation OperationsParser::parseLasso(JsonReader& reader)
 {
     LassoOperation lasso;
+    lasso.competitors = parseCompetitors(reader);
     const auto readVector = [&](QLatin1StringView key, Vec3& vector) {
         if (!reader.has(key))
             return;
@@ -173,6 +197,24 @@ RecipeOperation OperationsParser::parseLasso(JsonReader& reader)
         lasso.stroke.points.push_back(*point);
     }
     return lasso;
+}
+
+RecipeOperation OperationsParser::parsePrune(JsonReader& reader)
+{
+    const QLatin1StringView key("internodes");
+    const QJsonArray array = reader.array(key);
+    PruneOperation operation;
+    if (array.isEmpty() || array.size() > recipeLimits::kCuts)
+        reader.fail(key, Text::tr("1 to %1 internodes are expected").arg(recipeLimits::kCuts));
+    for (const QJsonValue& value : array) {
+        const double number = value.toDouble(-1.0);
+        if (!(number >= 0.0 && number < kNoInternode && number == std::floor(number))) {
+            reader.fail(key, Text::tr("a list of internodes' numbers is expected"));
+            break;
+        }
+        operation.internodes.push_back(static_cast<InternodeId>(number));
+    }
+    return operation;
 }
 
 std::optional<QString> OperationsParser::parseSample(const QJsonValue& value, double previousTime,
@@ -262,9 +304,20 @@ struct OperationWriter {
             }
             text += ']';
         }
-        text += "\n    ]}";
+        text += "\n    ]" + only(operation.competitors) + '}';
     }
-    void operator()(const GrowOperation& operation) const { write("grow", "steps", operation.steps); }
+    void operator()(const GrowOperation& operation) const
+    {
+        text += R"({"op":"grow","steps":)" + QByteArray::number(operation.steps) +
+                only(operation.competitors) + '}';
+    }
+    void operator()(const PruneOperation& operation) const
+    {
+        text += R"({"op":"prune","internodes":[)";
+        for (const InternodeId& id : operation.internodes)
+            text += (&id == operation.internodes.data() ? "" : ",") + QByteArray::number(id);
+        text += "]}";
+    }
     void operator()(const LassoOperation& operation) const
     {
         text += R"({"op":"lasso")";
@@ -280,7 +333,7 @@ struct OperationWriter {
             appendNumber(text, point.y());
             text += ']';
         }
-        text += "\n    ]}";
+        text += "\n    ]" + only(operation.competitors) + '}';
     }
     void operator()(const RegrowOperation&) const { text += R"({"op":"regrow"})"; }
     void operator()(const RemoveLassoOperation&) const { text += R"({"op":"removeLasso"})"; }
@@ -295,6 +348,12 @@ struct OperationWriter {
             appendNumber(text, vector[i]);
         }
         text += ']';
+    }
+    static QByteArray only(const Competitors& competitors)
+    {
+        return competitors.areAll() ? QByteArray()
+                                    : R"(,"only":{"internode":)" + QByteArray::number(competitors.node) +
+                                          R"(,"bud":)" + QByteArray::number(competitors.slot) + '}';
     }
     void write(const char* op, const char* key, int number) const
     {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "model/base/Error.h"
+#include "model/base/Ids.h"
 #include "model/growth/BrushSample.h"
+#include "model/growth/Competition.h"
 #include "model/tree/LassoStroke.h"
 #include "model/tree/Parameters.h"
 
@@ -22,11 +24,17 @@ struct SetParametersOperation {
 };
 struct BrushStrokeOperation {
     std::vector<BrushSample> samples; ///< At least one, times ascending
+    Competitors competitors{};        ///< Which buds grow
     bool operator==(const BrushStrokeOperation&) const = default;
 };
 struct GrowOperation {
     int steps = 1; ///< 1...10,000
+    Competitors competitors{};
     bool operator==(const GrowOperation&) const = default;
+};
+struct PruneOperation {
+    std::vector<InternodeId> internodes; ///< At least one; each goes with all that it carries
+    bool operator==(const PruneOperation&) const = default;
 };
 struct UndoOperation {
     int count = 1; ///< 1...100,000
@@ -37,7 +45,8 @@ struct RedoOperation {
     bool operator==(const RedoOperation&) const = default;
 };
 struct LassoOperation {
-    LassoStroke stroke; ///< Raw: any number of points from 3 on
+    LassoStroke stroke;        ///< Raw: any number of points from 3 on
+    Competitors competitors{}; ///< The buds that may grow
     bool operator==(const LassoOperation&) const = default;
 };
 struct RegrowOperation {
@@ -47,8 +56,8 @@ struct RemoveLassoOperation {
     bool operator==(const RemoveLassoOperation&) const = default;
 };
 using RecipeOperation =
-    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, UndoOperation, RedoOperation,
-                 LassoOperation, RegrowOperation, RemoveLassoOperation>;
+    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, UndoOperation,
+                 RedoOperation, LassoOperation, RegrowOperation, RemoveLassoOperation>;
 
 /// From where a picture is taken.
 struct RecipeCamera {
@@ -75,8 +84,9 @@ inline constexpr double kRadius = 100.0;         ///< m
 inline constexpr double kStrokeTime = 600.0;     ///< s
 inline constexpr qsizetype kSamples = 1'000'000; ///< in all, points of lassos among them
 inline constexpr qsizetype kOperations = 100'000;
-inline constexpr int kGrowSteps = 10'000;  ///< an operation
-inline constexpr int kUndoCount = 100'000; ///< an operation
+inline constexpr int kGrowSteps = 10'000;   ///< an operation
+inline constexpr int kUndoCount = 100'000;  ///< an operation
+inline constexpr qsizetype kCuts = 100'000; ///< an operation
 inline constexpr qsizetype kBytes = 64 << 20;
 } // namespace recipeLimits
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/RecipePlayer.h"
 
+#include "commands/Prune.h"
 #include "commands/SetParameters.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
@@ -53,7 +54,8 @@ Recipe recipe(std::uint64_t seed)
     recipe.operations.emplace_back(UndoOperation{2});
     recipe.operations.emplace_back(RedoOperation{1});
     recipe.operations.emplace_back(stroke(0.8, 9));
-    recipe.operations.emplace_back(GrowOperation{2});
+    recipe.operations.emplace_back(PruneOperation{{30, 41}});
+    recipe.operations.emplace_back(GrowOperation{2, {1, 0}});
     return recipe;
 }
 
@@ -138,7 +140,9 @@ void RecipePlayerTest::hand_givesTheSameTreeAsTheRecipe()
             if (const auto* stroke = std::get_if<BrushStrokeOperation>(&operation))
                 brush(byHand, stroke->samples);
             else if (const auto* growth = std::get_if<GrowOperation>(&operation))
-                grow(byHand, growth->steps);
+                grow(byHand, growth->steps, growth->competitors);
+            else if (const auto* cut = std::get_if<PruneOperation>(&operation))
+                pruneBranches(byHand, cut->internodes);
             else if (const auto* set = std::get_if<SetParametersOperation>(&operation))
                 setParameters(byHand, set->parameters);
             else if (const auto* undo = std::get_if<UndoOperation>(&operation)) {

@@ -55,6 +55,7 @@ protected:
     void toolEnds(const PointerSample& sample) override { note("end", sample); }
     void toolIsCancelled() override { log << "cancel"; }
     void toolHovers(const PointerSample& sample) override { note("hover", sample); }
+    void budIsAsked(const PointerSample& sample) override { note("bud", sample); }
     void orbitBy(const QPointF& distance) override { orbited += distance; }
     void panBy(const QPointF& distance) override { panned += distance; }
     void magnify(double factor, const QPointF& about) override
@@ -91,6 +92,8 @@ private Q_SLOTS:
     void palm_thatCameFirstIsTakenBack();
     void penInReach_keepsFingersOut();
     void time_neverRunsBack();
+    void stripFinger_rotatesWhileAnotherDraws();
+    void altClick_asksForABud();
     void heldKeys_askForMotion();
     void heldKeys_leaveShortcutsAlone();
 
@@ -325,6 +328,39 @@ void GestureReaderTest::penInReach_keepsFingersOut()
     QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {200, 200});
     QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {200, 200});
     QCOMPARE(m_pad->log, (QStringList{"begin", "end"}));
+}
+
+void GestureReaderTest::stripFinger_rotatesWhileAnotherDraws()
+{
+    m_pad->gestures.setStrip({0.0, 270.0, 400.0, 30.0});
+    const auto touch = [&] { return QTest::touchEvent(m_pad.get(), m_device.get()); };
+    touch().press(0, {50, 285});
+    QVERIFY(m_pad->log.isEmpty());
+    touch().stationary(0).press(1, {200, 100});
+    touch().move(0, {80, 290}).move(1, {210, 90});
+    touch().move(0, {110, 200}).move(1, {220, 80});
+    QCOMPARE(m_pad->orbited, QPointF(60.0, 0.0));
+    touch().stationary(0).release(1, {220, 80});
+    QCOMPARE(m_pad->log, QStringList({"begin", "move", "move", "end"}));
+    touch().move(0, {100, 200});
+    touch().release(0, {100, 200});
+    QCOMPARE(m_pad->orbited, QPointF(50.0, 0.0));
+    QCOMPARE(m_pad->panned, QPointF());
+    QVERIFY(!m_pad->gestures.isBusy());
+    // By mouse, too.
+    QTest::mousePress(m_pad.get(), Qt::LeftButton, {}, {50, 290});
+    QTest::mouseMove(m_pad.get(), {90, 250});
+    QTest::mouseRelease(m_pad.get(), Qt::LeftButton, {}, {90, 250});
+    QCOMPARE(m_pad->orbited, QPointF(90.0, 0.0));
+    QCOMPARE(m_pad->log.count("begin"), 1);
+}
+
+void GestureReaderTest::altClick_asksForABud()
+{
+    QTest::mouseClick(m_pad.get(), Qt::LeftButton, Qt::AltModifier, {50, 60});
+    QCOMPARE(m_pad->log, QStringList{"bud"});
+    QCOMPARE(m_pad->samples.back().position, QPointF(50, 60));
+    QCOMPARE(m_pad->orbited, QPointF());
 }
 
 void GestureReaderTest::time_neverRunsBack()

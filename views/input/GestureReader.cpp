@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 
@@ -19,6 +20,14 @@ const PointerSample* sampleOf(std::span<const PointerSample> samples, int finger
     const auto found = std::find_if(samples.rbegin(), samples.rend(),
                                     [finger](const PointerSample& sample) { return sample.id == finger; });
     return found == samples.rend() ? nullptr : &*found;
+}
+
+/// How far a click may slip, px.
+constexpr double kClickReach = 4.0;
+
+bool isNear(const QPointF& a, const QPointF& b)
+{
+    return std::hypot(a.x() - b.x(), a.y() - b.y()) <= kClickReach;
 }
 
 } // namespace
@@ -85,7 +94,10 @@ void GestureReader::readPointer(const PointerSample& sample)
         m_mode = modeOfButton(sample);
         m_device = sample.device;
         m_button = sample.button;
-        m_position = sample.position;
+        m_position = m_pressedAt = sample.position;
+        m_mayBeClick = m_button == Qt::LeftButton && m_mode == Mode::Orbit;
+        if (m_mode == Mode::Tool && m_strip.contains(sample.position))
+            m_mode = Mode::Strip;
         if (m_mode == Mode::Tool)
             m_target.toolBegins(sample);
         return;
@@ -103,9 +115,16 @@ void GestureReader::readPointer(const PointerSample& sample)
             m_target.toolEnds(sample);
         else
             m_target.toolMoves(sample);
+    } else if (m_mayBeClick && isNear(m_pressedAt, sample.position)) {
+        if (ends && sample.phase == PointerPhase::Release)
+            m_target.budIsAsked(sample);
     } else if (!distance.isNull()) {
+        // A click that became a drag turns the view by all of its way.
+        const QPointF whole = std::exchange(m_mayBeClick, false) ? sample.position - m_pressedAt : distance;
         if (m_mode == Mode::Orbit)
-            m_target.orbitBy(distance);
+            m_target.orbitBy(whole);
+        else if (m_mode == Mode::Strip)
+            m_target.orbitBy({distance.x(), 0.0});
         else if (m_mode == Mode::Pan)
             m_target.panBy(distance);
     }
@@ -143,10 +162,13 @@ bool GestureReader::updateFingers(std::span<const PointerSample> samples)
                 m_fingers.erase(finger);
             changed = true;
         } else if (finger != m_fingers.end()) {
+            if (finger->isOnStrip && !finger->isPalm)
+                m_target.orbitBy({sample.position.x() - finger->position.x(), 0.0});
             finger->position = sample.position;
         } else {
             const bool otherDevice = m_mode != Mode::Idle && m_device != PointerDevice::Finger;
-            m_fingers.push_back({sample.id, sample.position, otherDevice || isPenNear(sample.time)});
+            m_fingers.push_back({sample.id, sample.position, otherDevice || isPenNear(sample.time),
+                                 m_strip.contains(sample.position)});
             changed = true;
         }
     }
@@ -164,13 +186,13 @@ void GestureReader::changeFingers(std::span<const PointerSample> samples)
         return;
     }
     if (m_mode == Mode::Tool && count == 1)
-        return; // A palm came or went.
+        return; // A palm, or a finger on the strip, came or went.
     leaveTool();
     if (count == 0) {
         m_mode = Mode::Idle;
     } else if (count == 1 && m_mode == Mode::Idle) {
         const auto finger =
-            std::find_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return !f.isPalm; });
+            std::find_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return f.counts(); });
         if (const PointerSample* sample = sampleOf(samples, finger->id)) {
             m_mode = Mode::Tool;
             m_toolFinger = finger->id;
@@ -217,13 +239,13 @@ void GestureReader::measureFingers()
         return;
     m_centre = {};
     for (const Finger& finger : m_fingers) {
-        if (!finger.isPalm)
+        if (finger.counts())
             m_centre += finger.position / count;
     }
     m_spread = 0.0;
     for (const Finger& finger : m_fingers) {
         const QPointF offset = finger.position - m_centre;
-        if (!finger.isPalm)
+        if (finger.counts())
             m_spread += std::hypot(offset.x(), offset.y()) / count;
     }
 }
@@ -231,7 +253,7 @@ void GestureReader::measureFingers()
 std::size_t GestureReader::fingerCount() const
 {
     return static_cast<std::size_t>(
-        std::count_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return !f.isPalm; }));
+        std::count_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return f.counts(); }));
 }
 
 /// The hand that holds the pen may have come down before the pen was seen: what it did is taken back.

@@ -3,6 +3,8 @@
 
 #include "views/input/PointerSample.h"
 
+#include <QRectF>
+
 #include <span>
 #include <vector>
 
@@ -18,6 +20,8 @@ public:
     virtual void toolEnds(const PointerSample& sample) = 0;
     virtual void toolIsCancelled() = 0;
     virtual void toolHovers(const PointerSample& sample) = 0;
+    /// A click with Alt held, which did not turn the view: it selects a bud.
+    virtual void budIsAsked(const PointerSample& sample) = 0;
 
     /// Distances in px.
     virtual void orbitBy(const QPointF& distance) = 0;
@@ -40,6 +44,9 @@ public:
 
     /// Whether dragging pans (the space bar is held).
     void setPanKey(bool held) { m_panKey = held; }
+    /// The rotation strip, px: whatever begins there turns the view about the vertical, while another finger
+    /// works with the tool.
+    void setStrip(const QRectF& strip) { m_strip = strip; }
     /// A pen came into or left the tablet's reach; while it moves or touches, the reader knows by itself.
     void setPenInReach(bool inReach, double time);
     /// Gives up the gesture under way; what is still held counts for nothing until it is lifted.
@@ -55,12 +62,17 @@ private:
         Pan,
         TwoFingers,
         ThreeFingers,
+        Strip,
         Spent, ///< Waits until everything is lifted
     };
     struct Finger {
         int id = 0;
         QPointF position;
         bool isPalm = false;
+        bool isOnStrip = false; ///< It came down there
+
+        /// Whether it is one of the fingers of a gesture.
+        bool counts() const { return !isPalm && !isOnStrip; }
     };
 
     void readPointer(const PointerSample& sample);
@@ -80,6 +92,9 @@ private:
     PointerDevice m_device = PointerDevice::Mouse; ///< That drives the mode
     Qt::MouseButton m_button = Qt::NoButton;       ///< That began it
     QPointF m_position;
+    QPointF m_pressedAt;
+    bool m_mayBeClick = false; ///< Alt and the left button are held, and the pointer has not moved
+    QRectF m_strip;
     bool m_panKey = false;
 
     std::vector<Finger> m_fingers;

@@ -137,6 +137,7 @@ void PointerReader::readTablet(const QTabletEvent& event)
     sample.button = event.button();
     sample.buttons = event.buttons();
     sample.modifiers = event.modifiers();
+    sample.isEraser = event.pointerType() == QPointingDevice::PointerType::Eraser;
     m_samples.push_back(sample);
 }
 

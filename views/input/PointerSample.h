@@ -28,6 +28,7 @@ struct PointerSample {
     Qt::MouseButton button = Qt::NoButton; ///< That was pressed or released; a pen's tip is the left one
     Qt::MouseButtons buttons;              ///< Held
     Qt::KeyboardModifiers modifiers;
+    bool isEraser = false; ///< The other end of a pen
 };
 
 } // namespace espalier

@@ -26,6 +26,7 @@ public:
     std::uint64_t number() const { return m_number; }
     const TreeParameters& parameters() const { return m_document.parameters(); }
     MeshPool& mesh() { return m_mesh; }
+    const MeshPool& mesh() const { return m_mesh; }
     LightGrid& light() { return m_light; }
     const LightGrid& light() const { return m_light; }
     /// Of the living tree with its leaves and the seedling's base, m; never empty.

@@ -35,13 +35,13 @@ void BrushTool::begin(const PointerSample& sample)
     m_isPen = sample.device == PointerDevice::Pen;
     m_hovers = false;
     TreeDocument& document = context().document();
-    m_picked = pickNode(document.tree(), document.index(), context().camera(), m_pointer, kPickReach);
+    m_picked = context().pick(m_pointer, sample.device);
     m_anchor = m_picked ? m_picked->position : Vec3(Vec3::Zero());
     m_lastTime = sample.time;
     m_strokeTime = 0.0;
     const BrushSample first = sampleAt(0.0);
     m_trail = {first.position};
-    m_gesture = std::make_unique<BrushGesture>(document, first);
+    m_gesture = std::make_unique<BrushGesture>(document, first, document.competitors());
     context().requestRepaint();
 }
 
@@ -88,8 +88,7 @@ void BrushTool::hover(const PointerSample& sample)
     m_pointer = sample.position;
     m_pressure = 1.0;
     m_hovers = true;
-    TreeDocument& document = context().document();
-    m_picked = pickNode(document.tree(), document.index(), context().camera(), m_pointer, kPickReach);
+    m_picked = context().pick(m_pointer, sample.device);
     m_anchor = m_picked ? m_picked->position : Vec3(Vec3::Zero());
     context().requestRepaint();
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "commands/BrushGesture.h"
-#include "views/tools/NodePicker.h"
 #include "views/tools/Tool.h"
 
 #include <QCoreApplication>
@@ -14,15 +13,12 @@ namespace espalier {
 
 /// The brush (TreeSketch §3.2): fills a ball with markers of free space, which the tree grows into. It
 /// moves in the plane that is parallel to the screen and goes through the base of the tree, or through the
-/// node that the stroke begins at. The plane turns with the camera, so that a hand at rest draws a helix
+/// branch that the stroke begins at. The plane turns with the camera, so that a hand at rest draws a helix
 /// while the view rotates.
 class BrushTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 
 public:
-    /// A node this near to the pointer is taken for the beginning of a stroke, px.
-    static constexpr double kPickReach = 12.0;
-
     using Tool::Tool;
 
     void begin(const PointerSample& sample) override;
@@ -54,9 +50,9 @@ private:
     double m_pressure = 1.0;
     bool m_isPen = false;
     bool m_hovers = false;
-    std::optional<PickedNode> m_picked; ///< Under the hovering pointer
-    double m_lastTime = 0.0;            ///< s, of the samples' clock
-    double m_strokeTime = 0.0;          ///< s since the stroke began
+    std::optional<PickedBranch> m_picked; ///< Under the hovering pointer
+    double m_lastTime = 0.0;              ///< s, of the samples' clock
+    double m_strokeTime = 0.0;            ///< s since the stroke began
     std::vector<Vec3> m_trail;
 };
 

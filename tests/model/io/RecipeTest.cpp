@@ -61,10 +61,14 @@ Recipe randomRecipe(std::uint64_t seed)
         }
         result.operations.emplace_back(stroke);
         result.operations.emplace_back(SetParametersOperation{randomParameters()});
-        result.operations.emplace_back(GrowOperation{i + 1});
+        if (i % 3 == 0)
+            stroke.competitors = {static_cast<InternodeId>(random.bits() % 1000), i % kMaxLaterals};
+        result.operations.emplace_back(GrowOperation{i + 1, stroke.competitors});
+        result.operations.emplace_back(PruneOperation{{7U, static_cast<InternodeId>(random.bits() % 1000)}});
         result.operations.emplace_back(UndoOperation{i + 2});
         result.operations.emplace_back(RedoOperation{i + 3});
         LassoOperation lasso;
+        lasso.competitors = stroke.competitors;
         lasso.stroke.origin = 100.0F * random.inBall();
         lasso.stroke.right = random.direction();
         lasso.stroke.up = anyPerpendicular(lasso.stroke.right);
@@ -111,8 +115,10 @@ void RecipeTest::everyOperation_isRead()
         "parameters": {"growth": {"phyllotaxis": 90}, "leaves": {"visible": false, "shape": "lobed"}, "bark": {"kind": "birch"}},
         "operations": [
             {"op": "brushStroke", "samples": [[0, 1, 2, 3, 0.5], [1.5, -1, 0, 0.1, 0]]},
-            {"op": "grow", "steps": 7}, {"op": "undo", "count": 2}, {"op": "redo"},
-            {"op": "lasso", "origin": [1, 2, 3], "right": [0, 0, -1], "points": [[0, 1], [2, 3.5], [-1, 2]]},
+            {"op": "grow", "steps": 7}, {"op": "prune", "internodes": [12, 3]},
+            {"op": "grow", "steps": 2, "only": {"internode": 4, "bud": 1}}, {"op": "undo", "count": 2}, {"op": "redo"},
+            {"op": "lasso", "origin": [1, 2, 3], "right": [0, 0, -1], "points": [[0, 1], [2, 3.5], [-1, 2]],
+             "only": {"internode": 5}},
             {"op": "regrow"}, {"op": "removeLasso"},
             {"op": "setParameters", "parameters": {"widths": {"exponent": 3}}}])"));
     QVERIFY2(result, result ? "" : qPrintable(result.error().message));
@@ -125,15 +131,18 @@ void RecipeTest::everyOperation_isRead()
     QVERIFY(result->parameters.leaves.shape == LeafShape::Lobed);
     QVERIFY(result->parameters.bark.kind == BarkKind::Birch);
     QCOMPARE(result->parameters.widths, WidthParameters());
-    const BrushStrokeOperation stroke{{{0.0, Vec3(1, 2, 3), 0.5F}, {1.5, Vec3(-1, 0, 0.1F), 0.0F}}};
+    const BrushStrokeOperation stroke{{{0.0, Vec3(1, 2, 3), 0.5F}, {1.5, Vec3(-1, 0, 0.1F), 0.0F}}, {}};
     TreeParameters later = result->parameters;
     later.widths.exponent = 3;
     LassoOperation lasso;
     lasso.stroke.origin = Vec3(1, 2, 3);
     lasso.stroke.right = -Vec3::UnitZ();
     lasso.stroke.points = {{0, 1}, {2, 3.5F}, {-1, 2}};
+    lasso.competitors = {5, kTerminalSlot};
     const std::vector<RecipeOperation> expected{stroke,
                                                 GrowOperation{7},
+                                                PruneOperation{{12, 3}},
+                                                GrowOperation{2, {4, 1}},
                                                 UndoOperation{2},
                                                 RedoOperation{1},
                                                 lasso,

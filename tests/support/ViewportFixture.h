@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/Viewport.h"
+
+#include <QPointingDevice>
+#include <QTabletEvent>
+#include <QtTest>
+
+#include <memory>
+
+namespace espalier::test {
+
+/// A parameter set that grows little, so that a stroke in a test is quick.
+inline TreeParameters smallTree()
+{
+    TreeParameters parameters;
+    parameters.growth.internodeLength = 0.2;
+    return parameters;
+}
+
+/// A viewport on a screen, and the devices that work on it.
+class ViewportFixture : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { m_touch.reset(QTest::createTouchDevice()); }
+    void init();
+    void cleanup();
+
+protected:
+    QPoint at(const Vec3& point) const { return m_view->camera().project(point)->toPoint(); }
+    void press(const Vec3& point) { QTest::mousePress(m_view.get(), Qt::LeftButton, {}, at(point)); }
+    void release(const Vec3& point) { QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at(point)); }
+    /// Moves a held mouse evenly along a line while time goes by.
+    void drag(const Vec3& from, const Vec3& to, int milliseconds);
+    void stroke(const Vec3& from, const Vec3& to, int milliseconds);
+    void sendPen(QEvent::Type type, const QPointF& position, double pressure,
+                 QPointingDevice::PointerType end = QPointingDevice::PointerType::Pen);
+    std::uint32_t alive() const { return m_document->index().livingCount(); }
+
+    std::unique_ptr<QPointingDevice> m_touch;
+    std::unique_ptr<TreeDocument> m_document;
+    std::unique_ptr<ViewSettings> m_settings;
+    std::unique_ptr<Viewport> m_view;
+};
+
+inline void ViewportFixture::init()
+{
+    m_document = std::make_unique<TreeDocument>();
+    m_document->reset(7, smallTree());
+    m_settings = std::make_unique<ViewSettings>();
+    m_view = std::make_unique<Viewport>(*m_document, *m_settings);
+    m_view->resize(640, 480);
+    m_view->show();
+    m_view->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_view.get()));
+    m_view->setFocus();
+}
+
+inline void ViewportFixture::cleanup()
+{
+    m_view.reset();
+    m_settings.reset();
+    m_document.reset();
+}
+
+inline void ViewportFixture::drag(const Vec3& from, const Vec3& to, int milliseconds)
+{
+    constexpr int kStep = 20;
+    for (int time = kStep; time <= milliseconds; time += kStep) {
+        const Vec3 point = from + static_cast<float>(time) / static_cast<float>(milliseconds) * (to - from);
+        const QPointF place = *m_view->camera().project(point);
+        QMouseEvent event(QEvent::MouseMove, place, m_view->mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(m_view.get(), &event);
+        QTest::qWait(kStep);
+    }
+}
+
+inline void ViewportFixture::stroke(const Vec3& from, const Vec3& to, int milliseconds)
+{
+    press(from);
+    drag(from, to, milliseconds);
+    release(to);
+}
+
+inline void ViewportFixture::sendPen(QEvent::Type type, const QPointF& position, double pressure,
+                                     QPointingDevice::PointerType end)
+{
+    const auto capabilities = QInputDevice::Capability::Position | QInputDevice::Capability::Pressure;
+    static const QPointingDevice tip("test stylus", 78, QInputDevice::DeviceType::Stylus,
+                                     QPointingDevice::PointerType::Pen, capabilities, 1, 1);
+    static const QPointingDevice eraser("test eraser", 79, QInputDevice::DeviceType::Stylus,
+                                        QPointingDevice::PointerType::Eraser, capabilities, 1, 1);
+    const QPointingDevice* stylus = end == QPointingDevice::PointerType::Eraser ? &eraser : &tip;
+    QTabletEvent event(type, stylus, position, m_view->mapToGlobal(position), pressure, 0.0F, 0.0F, 0.0F, 0.0,
+                       0.0F, Qt::NoModifier, type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton,
+                       type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
+    QCoreApplication::sendEvent(m_view.get(), &event);
+}
+
+} // namespace espalier::test

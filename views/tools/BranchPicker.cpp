@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/tools/BranchPicker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+constexpr float kNoDifference = 3.0F; ///< px
+constexpr double kFingerReach = 8.0;  ///< mm
+constexpr double kPenReach = 2.0;     ///< mm
+constexpr double kMouseReach = 2.5;   ///< mm
+
+/// A point as the camera sees it.
+struct Seen {
+    Vec2 place;  ///< px from the middle of the view, up
+    float depth; ///< m
+};
+
+class Picker {
+public:
+    Picker(const PickScene& scene, const QPointF& screen, double reach)
+        : m_scene(scene),
+          m_eye(scene.camera.position()),
+          m_right(scene.camera.right()),
+          m_up(scene.camera.up()),
+          m_forward(scene.camera.forward()),
+          m_scale(scene.camera.pixelsPerMetre(1.0F)),
+          m_pointer(static_cast<float>(screen.x() - scene.camera.viewSize().width() / 2.0),
+                    static_cast<float>(scene.camera.viewSize().height() / 2.0 - screen.y())),
+          m_reach(static_cast<float>(reach)),
+          m_ray(scene.camera.ray(screen))
+    {
+    }
+
+    /// Whether something within @p radius (m) of @p centre may appear within reach.
+    bool mayReach(const Vec3& centre, float radius) const
+    {
+        const Vec3 offset = centre - m_eye;
+        const float along = offset.dot(m_ray.direction);
+        // A cone about the ray. Off the view's axis a pixel spans less than at its middle: this is on the
+        // safe side.
+        const float limit = radius + std::max(0.0F, along + radius) * m_reach / m_scale;
+        return along > -radius && offset.squaredNorm() - along * along <= limit * limit;
+    }
+
+    void consider(InternodeId id)
+    {
+        const Vec3 lower = m_scene.index.basePosition(m_scene.tree, id);
+        const Vec3& upper = m_scene.index.nodePosition(id);
+        const Seen a = see(lower);
+        const Seen b = see(upper);
+        if (std::min(a.depth, b.depth) < Camera::kMinDistance / 2.0F)
+            return;
+        const Vec2 way = b.place - a.place;
+        const float along =
+            std::clamp((m_pointer - a.place).dot(way) / std::max(way.squaredNorm(), 1e-6F), 0.0F, 1.0F);
+        const Vec2 nearest = a.place + along * way;
+        const float depth = a.depth + along * (b.depth - a.depth);
+        const float radius = m_scene.radius(id);
+        const float off = std::max(0.0F, (m_pointer - nearest).norm() - radius * m_scale / depth);
+        if (off > m_reach)
+            return;
+        const float rank = std::floor(off / kNoDifference);
+        if (m_best && (rank > m_rank || (rank == m_rank && depth - radius >= m_depth)))
+            return;
+        m_best = PickedBranch{id, along, lower + along * (upper - lower), radius};
+        m_rank = rank;
+        m_depth = depth - radius;
+    }
+
+    const std::optional<PickedBranch>& best() const { return m_best; }
+
+private:
+    Seen see(const Vec3& point) const
+    {
+        const Vec3 offset = point - m_eye;
+        const float depth = offset.dot(m_forward);
+        const float scale = m_scale / depth;
+        return {Vec2(offset.dot(m_right) * scale, offset.dot(m_up) * scale), depth};
+    }
+
+    const PickScene& m_scene;
+    Vec3 m_eye;
+    Vec3 m_right;
+    Vec3 m_up;
+    Vec3 m_forward;
+    float m_scale;
+    Vec2 m_pointer;
+    float m_reach;
+    Ray m_ray;
+    std::optional<PickedBranch> m_best;
+    float m_rank = 0.0F;
+    float m_depth = 0.0F;
+};
+
+} // namespace
+
+std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& screen, double reach)
+{
+    Picker picker(scene, screen, reach);
+    const QList<float>& lengths = scene.tree.columns().length;
+    const float beyond = *std::ranges::max_element(lengths) + scene.greatestRadius;
+    scene.space.forEachBrick([&](const Vec3& centre, float radius, VoxelSpace::Residents residents) {
+        if (!picker.mayReach(centre, radius + beyond))
+            return;
+        for (const Resident& resident : residents) {
+            const Vec3 position(resident.x, resident.y, resident.z);
+            if (picker.mayReach(position, lengths[resident.id] + scene.greatestRadius))
+                picker.consider(resident.id);
+        }
+    });
+    return picker.best();
+}
+
+double pickReach(PointerDevice device, double pixelsPerMillimetre)
+{
+    switch (device) {
+    case PointerDevice::Finger:
+        return kFingerReach * pixelsPerMillimetre;
+    case PointerDevice::Pen:
+        return kPenReach * pixelsPerMillimetre;
+    case PointerDevice::Mouse:
+        break;
+    }
+    return kMouseReach * pixelsPerMillimetre;
+}
+
+} // namespace espalier

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/tools/Tool.h"
+
+#include <QCoreApplication>
+
+#include <vector>
+
+namespace espalier {
+
+/// The secateurs (TreeSketch §3.3): a tap takes a branch off at the branching point below; a stroke cuts
+/// every branch that it crosses. What would fall is shown before.
+class PruneTool : public Tool {
+    Q_DECLARE_TR_FUNCTIONS(PruneTool)
+
+public:
+    using Tool::Tool;
+
+    void begin(const PointerSample& sample) override;
+    void move(const PointerSample& sample) override;
+    void end(const PointerSample& sample) override;
+    void cancel() override;
+    void hover(const PointerSample& sample) override;
+    void leave() override;
+
+    bool isActive() const override { return m_isActive; }
+    void paint(Overlay& overlay) const override;
+    QString tip() const override;
+
+private:
+    void aim(const PointerSample& sample);
+    void cutAcross(const QPointF& from, const QPointF& to);
+    void show(std::vector<InternodeId> cuts);
+
+    bool m_isActive = false;
+    bool m_isStroke = false; ///< The pointer has moved too far for a tap
+    std::vector<QPointF> m_path;
+    std::vector<InternodeId> m_cuts;    ///< Internodes that would go, with what they carry
+    std::vector<InternodeId> m_falling; ///< All of that
+};
+
+} // namespace espalier

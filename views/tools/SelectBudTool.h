@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/tools/Tool.h"
+
+#include <QCoreApplication>
+
+#include <vector>
+
+namespace espalier {
+
+/// Chooses the bud that alone shall grow, with what comes of it (selective growth, TreeSketch §3.2 and figure
+/// 9). A tap on a bud chooses it, a tap anywhere else lets all grow again.
+class SelectBudTool : public Tool {
+    Q_DECLARE_TR_FUNCTIONS(SelectBudTool)
+
+public:
+    using Tool::Tool;
+
+    void begin(const PointerSample& sample) override;
+    void move(const PointerSample& sample) override;
+    void end(const PointerSample& sample) override;
+    void cancel() override;
+    void hover(const PointerSample& sample) override;
+    void leave() override;
+
+    bool isActive() const override { return m_isActive; }
+    void paint(Overlay& overlay) const override;
+    QString tip() const override;
+
+private:
+    void look(const PointerSample& sample);
+
+    bool m_isActive = false;
+    std::vector<PickedBud> m_buds; ///< Around the pointer, the nearest first
+    bool m_isNear = false;         ///< The first of them is under the pointer
+};
+
+} // namespace espalier

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "views/camera/Camera.h"
+#include "views/tools/Overlay.h"
+
+namespace espalier {
+
+/// How long the rings expand that confirm a bud's selection (TreeSketch §3.2), s.
+inline constexpr double kRingsExpand = 1.2;
+
+/// Shows which bud alone grows: rings that expand while the selection is new, then one that stays.
+/// @param age since the selection, s
+void paintSelectionRings(Overlay& overlay, const Camera& camera, const Vec3& position, double age);
+
+} // namespace espalier
