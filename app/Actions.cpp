@@ -45,6 +45,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
         {SelectBud, Group::Tools, "selectBud", QT_TRANSLATE_NOOP("Actions", "Bud"),
          QT_TRANSLATE_NOOP("Actions", "Tap a bud: it alone grows from now on, with what comes of it."), "U",
          "bud", true},
+        {Lasso, Group::Tools, "lasso", QT_TRANSLATE_NOOP("Actions", "Lasso"),
+         QT_TRANSLATE_NOOP("Actions", "Draw the silhouette of a crown: the tree grows until it fills it."), "O",
+         "lasso", true},
         {GrowStep, Group::Tools, "growStep", QT_TRANSLATE_NOOP("Actions", "Grow One Step"),
          QT_TRANSLATE_NOOP("Actions", "Let the tree grow one step on its own."), "G", ""},
         {SmallerBrush, Group::Tools, "smallerBrush", QT_TRANSLATE_NOOP("Actions", "Smaller Brush"),
@@ -89,7 +92,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush, ActionId::Grow, ActionId::Prune, ActionId::SelectBud};
+    static constexpr std::array kTools{ActionId::Brush, ActionId::Grow, ActionId::Prune, ActionId::SelectBud,
+                                       ActionId::Lasso};
     return kTools;
 }
 

@@ -25,6 +25,7 @@ enum class ActionId {
     Grow,
     Prune,
     SelectBud,
+    Lasso,
     GrowStep,
     SmallerBrush,
     LargerBrush,

@@ -4,6 +4,7 @@
 #include "app/Actions.h"
 #include "app/FileController.h"
 #include "app/GrowRunner.h"
+#include "app/LassoRunner.h"
 #include "app/RecipeRunner.h"
 #include "app/Settings.h"
 #include "app/Workspace.h"
@@ -63,6 +64,7 @@ private:
     TreeDocument m_document;
     ViewSettings m_viewSettings;
     GrowRunner m_growRunner;
+    LassoRunner m_lassoRunner;
     RecipeRunner m_recipeRunner;
     Actions m_actions;
     QElapsedTimer m_followClock;

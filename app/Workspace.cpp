@@ -4,6 +4,7 @@
 #include "app/TreeCounts.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
+#include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/RotationStrip.h"
@@ -34,6 +35,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_sideBar(new SideBar(actions, this)),
       m_brushPopOut(new BrushPopOut(document, settings, this)),
       m_growPopOut(new GrowPopOut(document, this)),
+      m_lassoPopOut(new LassoPopOut(document, settings, this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
       m_notice(new Notice(this)),
@@ -149,9 +151,9 @@ void Workspace::arrange()
     }
 
     m_viewport->setFrameMargins({0, y - kGap, 0, kStatusHeight});
-    QWidget* const popOuts[] = {m_brushPopOut, m_growPopOut};
-    for (QWidget* popOut : popOuts) {
-        const PopOut kind = popOut == m_brushPopOut ? PopOut::Brush : PopOut::Grow;
+    const std::pair<PopOut, QWidget*> popOuts[] = {
+        {PopOut::Brush, m_brushPopOut}, {PopOut::Grow, m_growPopOut}, {PopOut::Lasso, m_lassoPopOut}};
+    for (const auto& [kind, popOut] : popOuts) {
         const QSize size = popOut->sizeHint();
         popOut->setGeometry(QRect(QPoint(x, y), size));
         // A small window has room for a sheet or for a pop-out.

@@ -17,6 +17,7 @@ namespace espalier {
 
 class BrushPopOut;
 class GrowPopOut;
+class LassoPopOut;
 class Notice;
 class ParameterPanel;
 class RotationStrip;
@@ -28,7 +29,7 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow };
+    enum class PopOut { None, Brush, Grow, Lasso };
     static constexpr int kSheetCount = 3;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -38,6 +39,7 @@ public:
     TopBar& topBar() { return *m_topBar; }
     Notice& notice() { return *m_notice; }
     GrowPopOut& growPopOut() { return *m_growPopOut; }
+    LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
     ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
 
     void showPopOut(PopOut popOut);
@@ -63,6 +65,7 @@ private:
     SideBar* m_sideBar;
     BrushPopOut* m_brushPopOut;
     GrowPopOut* m_growPopOut;
+    LassoPopOut* m_lassoPopOut;
     std::array<ParameterPanel*, kSheetCount> m_sheets{};
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows

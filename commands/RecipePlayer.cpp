@@ -74,7 +74,9 @@ void RecipePlayer::advance(double seconds)
                 return true;
             },
             [&](const LassoOperation& operation) {
-                return advanceLasso([&] { return LassoGesture::fill(m_document, operation.stroke, operation.competitors); }, seconds);
+                return advanceLasso(
+                    [&] { return LassoGesture::fill(m_document, operation.stroke, operation.competitors); },
+                    seconds);
             },
             [&](const RegrowOperation&) {
                 return advanceLasso([&] { return LassoGesture::regrow(m_document); }, seconds);

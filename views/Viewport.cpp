@@ -140,6 +140,7 @@ void Viewport::followSettings()
     values.brushRadius = m_shown.brushRadius;
     values.pressureScales = m_shown.pressureScales;
     values.markersShown = m_shown.markersShown;
+    values.envelopeShown = m_shown.envelopeShown;
     values.planeShown = m_shown.planeShown;
     update();
     if (values == m_shown)
