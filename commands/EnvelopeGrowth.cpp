@@ -15,11 +15,16 @@ constexpr double kFewestMarkers = 400;
 /// In densities of a brush's living markers: a brush brings ever new ones, here all are there at once.
 constexpr double kDensity = 10.0;
 /// Nodes keep this far from the surface, in leaf lengths, so that leaves end about there.
-constexpr double kMargin = 0.5;
+constexpr double kMargin = 0.8;
 /// Leaders of one growth: pockets that are left after so many are not worth the waiting.
 constexpr int kMostLeaders = 200;
 /// Of the markers left, so many are asked whether a bud is near; they are in no order.
 constexpr std::size_t kAsked = 300;
+
+/// What rises less than this above the drawing plane, in occupancy radii, is filled a second time, by nodes
+/// that keep less space for themselves.
+constexpr double kThin = 1.5;
+constexpr float kThinOccupancy = 0.5F;
 
 double marginOf(const TreeParameters& p)
 {
@@ -51,13 +56,21 @@ BudRef bestBud(const Tree& tree, const TreeIndex& index, InternodeId id, const V
 EnvelopeGrowth::EnvelopeGrowth(EnvelopeSet envelopes, const Tree& tree, Competitors competitors)
     : m_envelopes(std::move(envelopes)), m_competitors(competitors)
 {
+    layMarkers(tree);
+}
+
+void EnvelopeGrowth::layMarkers(const Tree& tree)
+{
     const GrowthParameters& p = tree.parameters().growth;
     const double volume = m_envelopes.volume() / std::pow(p.internodeLength, 3);
     const double count = std::clamp(kDensity * p.markerDensity * volume, kFewestMarkers, kMostMarkers);
     m_markers.positions =
         m_envelopes.sampleUniform(static_cast<std::size_t>(count), tree.seed(), tree.step());
     // Below the ground is no free space.
-    std::erase_if(m_markers.positions, [](const Vec3& marker) { return marker.y() < 0.0F; });
+    const double thin = kThin * p.occupancyRadius * p.internodeLength;
+    std::erase_if(m_markers.positions, [&](const Vec3& marker) {
+        return marker.y() < 0.0F || (m_isInThinParts && m_envelopes.riseAt(marker) > thin);
+    });
     m_markers.born.assign(m_markers.positions.size(), 0);
 }
 
@@ -72,7 +85,9 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
     options.admits = [&](const Vec3& from, const Vec3& to) {
         return m_envelopes.containsWithin(to, margin) || !m_envelopes.contains(from);
     };
-    while (m_steps < kMostSteps && m_markers.size() > 0) {
+    const float occupancy = options.perception.occupancy;
+    while (m_steps < kMostSteps) {
+        options.perception.occupancy = (m_isInThinParts ? kThinOccupancy : 1.0F) * occupancy;
         ++m_steps;
         if (!m_leader) {
             const std::size_t before = m_markers.size();
@@ -82,6 +97,10 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
             if (m_markers.size() < before) // those that buds may not follow have gone: it is others' turn
                 continue;
             m_leader = nextLeader(tree, index, options.perception);
+            if (!m_leader && !std::exchange(m_isInThinParts, true)) {
+                layMarkers(tree);
+                continue;
+            }
             if (!m_leader)
                 break;
         }

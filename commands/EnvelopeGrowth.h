@@ -10,7 +10,8 @@
 namespace espalier {
 
 /// Growth into envelopes (TreeSketch §3.2): markers fill them uniformly, and the tree grows until nothing is
-/// left to grow into; branches do not leave the envelopes. Where no bud perceives the markers that are left,
+/// left to grow into; branches do not leave the envelopes. Thin parts and rims are then filled a second time,
+/// more densely: there are no branches behind that would close the gaps. Where no bud perceives the markers that are left,
 /// a bare shoot leads there from the nearest bud: a seedling's trunk into a crown above it, a branch from
 /// one part of a topiary to the next.
 class EnvelopeGrowth {
@@ -36,6 +37,7 @@ private:
         int remaining = 0; ///< internodes
     };
 
+    void layMarkers(const Tree& tree);
     TreeDelta lead(const Tree& tree, const TreeIndex& index, const Perception& perception);
     std::optional<Leader> nextLeader(const Tree& tree, const TreeIndex& index, const Perception& perception);
 
@@ -44,6 +46,7 @@ private:
     MarkerSet m_markers;
     GrowthWorkspace m_workspace;
     std::optional<Leader> m_leader;
+    bool m_isInThinParts = false; ///< The second filling
     int m_steps = 0;
     int m_leaders = 0;
 };

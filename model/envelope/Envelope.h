@@ -35,6 +35,8 @@ public:
     /// Whether the point lies at least @p margin (m, ≥ 0) within the silhouette and the surface; where the
     /// envelope is thin, the middle of it counts.
     bool containsWithin(const Vec3& point, double margin) const;
+    /// How far the surface rises above the plane at the point's place in it, m; 0 beside the silhouette.
+    double riseAt(const Vec3& point) const;
     /// m³
     double volume() const;
     /// Contains all of it, and exceeds it by less than a node's spacing.

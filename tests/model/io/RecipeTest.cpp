@@ -291,7 +291,7 @@ void RecipeTest::wrongRecipes_nameThePlace_data()
         "operations[0].up: right and up must have length 1");
     row(operations(R"({"op": "lasso", "origin": [1, 0], "points": [[0, 1], [2, 3], [1, 1]]})"),
         "operations[0].origin: three numbers within");
-    row(operations(R"({"op": "regrow", "steps": 2})"), "operations[0].steps");
+    row(operations(R"({"op": "regrow", "steps": 2})"), "operations[0]: “steps” is not known here");
     row(operations(R"({"op": "undo", "count": -1})"), "operations[0].count: a whole number from 1 to 100000");
     row(operations(R"({"op": "setParameters"})"), "operations[0].parameters: it is missing");
     row(operations(R"({"op": "setParameters", "parameters": {"growth": {"x": 1}}})"),
