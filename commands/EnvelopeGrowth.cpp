@@ -81,9 +81,11 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
     options.sheds = false;
     options.competitors = m_competitors;
     const double margin = marginOf(tree.parameters());
-    // Whoever stands outside may come in.
+    // Whoever stands outside may come in; once somebody is in, the others stay where they are: a stem remains
+    // bare.
+    m_hasEntered = m_hasEntered || isInside(tree, index);
     options.admits = [&](const Vec3& from, const Vec3& to) {
-        return m_envelopes.containsWithin(to, margin) || !m_envelopes.contains(from);
+        return m_envelopes.containsWithin(to, margin) || (!m_hasEntered && !m_envelopes.contains(from));
     };
     const float occupancy = options.perception.occupancy;
     while (m_steps < kMostSteps) {
@@ -110,6 +112,15 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
     }
     m_markers.clear();
     return TreeDelta::startingAt(tree);
+}
+
+bool EnvelopeGrowth::isInside(const Tree& tree, const TreeIndex& index) const
+{
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id) && tree.buds(id) != 0 && m_envelopes.contains(index.nodePosition(id)))
+            return true;
+    }
+    return false;
 }
 
 std::optional<EnvelopeGrowth::Leader> EnvelopeGrowth::nextLeader(const Tree& tree, const TreeIndex& index,
@@ -158,7 +169,7 @@ TreeDelta EnvelopeGrowth::lead(const Tree& tree, const TreeIndex& index, const P
 {
     Leader& leader = *m_leader;
     const int count = std::min(tree.parameters().growth.maxShootLength, leader.remaining);
-    const float sight = 0.5F * (perception.occupancy + perception.reach);
+    const float sight = 0.5F * perception.occupancy; // all the way in
     TreeDelta delta = growLeader(tree, index, leader.tip, leader.target, sight, count, m_workspace);
     leader.remaining -= count;
     if (delta.born.count > 0)

@@ -37,6 +37,7 @@ private:
         int remaining = 0; ///< internodes
     };
 
+    bool isInside(const Tree& tree, const TreeIndex& index) const;
     void layMarkers(const Tree& tree);
     TreeDelta lead(const Tree& tree, const TreeIndex& index, const Perception& perception);
     std::optional<Leader> nextLeader(const Tree& tree, const TreeIndex& index, const Perception& perception);
@@ -46,6 +47,7 @@ private:
     MarkerSet m_markers;
     GrowthWorkspace m_workspace;
     std::optional<Leader> m_leader;
+    bool m_hasEntered = false;    ///< A bud stands in an envelope
     bool m_isInThinParts = false; ///< The second filling
     int m_steps = 0;
     int m_leaders = 0;
