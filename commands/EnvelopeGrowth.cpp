@@ -169,7 +169,8 @@ TreeDelta EnvelopeGrowth::lead(const Tree& tree, const TreeIndex& index, const P
 {
     Leader& leader = *m_leader;
     const int count = std::min(tree.parameters().growth.maxShootLength, leader.remaining);
-    const float sight = 0.5F * perception.occupancy; // all the way in
+    // The first goes all the way in, so that its branches begin there.
+    const float sight = 0.5F * (perception.occupancy + (m_hasEntered ? perception.reach : 0.0F));
     TreeDelta delta = growLeader(tree, index, leader.tip, leader.target, sight, count, m_workspace);
     leader.remaining -= count;
     if (delta.born.count > 0)
