@@ -3,6 +3,7 @@
 
 #include "app/Outputs.h"
 #include "app/TreeCounts.h"
+#include "commands/DocumentProject.h"
 #include "commands/RecipePlayer.h"
 #include "model/io/ParametersJson.h"
 #include "model/io/Recipe.h"
@@ -122,11 +123,11 @@ Result<void> writePictureOf(const TreeDocument& document, const CommandLine& lin
     return writePicture(*picture, line.picture);
 }
 
-Result<void> writeOutputs(const Project& project, const TreeIndex& index, const QStringList& fileNames)
+Result<void> writeOutputs(const Project& project, const QStringList& fileNames)
 {
     for (const QString& fileName : fileNames) {
         tellProgress(QStringLiteral("%1…").arg(fileName));
-        const Result<void> written = writeOutput(project, index, fileName);
+        const Result<void> written = writeOutput(project, fileName);
         tellProgress({});
         if (!written)
             return written.error();
@@ -190,8 +191,8 @@ Result<void> replay(const CommandLine& line)
     times.mesh = secondsOf(timer);
 
     timer.start();
-    const Project project{document.tree(), document.journal(), name, {}};
-    if (const Result<void> written = writeOutputs(project, document.index(), line.outputs); !written)
+    const Project project = projectOf(document, name);
+    if (const Result<void> written = writeOutputs(project, line.outputs); !written)
         return written.error();
     times.exports = secondsOf(timer);
 
@@ -208,7 +209,7 @@ Result<void> exportProject(const CommandLine& line)
     const Result<Project> project = loadProject(line.inputs.constFirst());
     if (!project)
         return project.error();
-    return writeOutputs(*project, TreeIndex(project->tree), line.outputs);
+    return writeOutputs(*project, line.outputs);
 }
 
 Result<void> render(const CommandLine& line)
@@ -217,7 +218,7 @@ Result<void> render(const CommandLine& line)
     if (!project)
         return project.error();
     TreeDocument document;
-    document.reset(std::move(project->tree), std::move(project->journal));
+    showProject(document, std::move(*project));
     return writePictureOf(document, line, {});
 }
 
@@ -233,17 +234,18 @@ Result<void> info(const CommandLine& line)
     const Result<Project> project = loadProject(line.inputs.constFirst());
     if (!project)
         return project.error();
-    const TreeIndex index(project->tree);
-    const Box3 bounds = treeBounds(project->tree, index);
+    const Tree tree = shownTree(*project);
+    const TreeIndex index(tree);
+    const Box3 bounds = treeBounds(tree, index);
     const QJsonObject json{
         {QStringLiteral("version"), projectLimits::kVersion},
         {QStringLiteral("name"), project->name},
         {QStringLiteral("seed"), QString::number(project->tree.seed())},
-        {QStringLiteral("counts"), countsToJson(countTree(project->tree, index))},
+        {QStringLiteral("counts"), countsToJson(countTree(tree, index))},
         {QStringLiteral("bounds"), QJsonObject{{QStringLiteral("minimum"), pointToJson(bounds.min())},
                                                {QStringLiteral("maximum"), pointToJson(bounds.max())}}},
         {QStringLiteral("journalLength"), number(project->journal.size())},
-        {QStringLiteral("parameters"), toJson(project->tree.parameters())},
+        {QStringLiteral("parameters"), toJson(tree.parameters())},
     };
     const QByteArray text = QJsonDocument(json).toJson();
     if (std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()), stdout) !=

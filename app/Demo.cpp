@@ -24,7 +24,7 @@ Result<QStringList> writeAll(MainWindow& window, const QString& view)
     project.name = kName;
     for (const char* suffix : {".espalier", ".fbx", ".obj", ".glb"}) {
         const QString fileName = kName + QLatin1String(suffix);
-        if (const Result<void> result = writeOutput(project, document.index(), fileName); !result)
+        if (const Result<void> result = writeOutput(project, fileName); !result)
             return result.error();
         written.append(fileName);
     }

@@ -2,6 +2,7 @@
 #include "app/DocumentFile.h"
 
 #include "app/Background.h"
+#include "commands/DocumentProject.h"
 
 #include <QEventLoop>
 #include <QFileInfo>
@@ -43,7 +44,7 @@ Result<void> DocumentFile::open(const QString& fileName)
     Result<Project> project = loadProject(fileName);
     if (!project)
         return project.error();
-    m_document.reset(std::move(project->tree), std::move(project->journal));
+    showProject(m_document, std::move(*project));
     setFile(fileName, QFileInfo(fileName).fileName());
     return {};
 }
@@ -51,7 +52,7 @@ Result<void> DocumentFile::open(const QString& fileName)
 void DocumentFile::recover(Project project, const QString& fileName)
 {
     const QString name = fileName.isEmpty() ? QString() : QFileInfo(fileName).fileName();
-    m_document.reset(std::move(project.tree), std::move(project.journal));
+    showProject(m_document, std::move(project));
     m_document.undoStack().resetClean();
     setFile(fileName, name);
 }
@@ -63,7 +64,7 @@ void DocumentFile::forgetFile(const QString& displayName)
 
 Project DocumentFile::snapshot() const
 {
-    return {m_document.tree(), m_document.journal(), QFileInfo(m_displayName).completeBaseName(), {}};
+    return projectOf(m_document, QFileInfo(m_displayName).completeBaseName());
 }
 
 void DocumentFile::save(const QString& fileName, const QImage& thumbnail)

@@ -218,10 +218,7 @@ void FileController::exportTo(const QString& fileName)
     if (project.name.isEmpty())
         project.name = QFileInfo(fileName).completeBaseName();
     runInBackground(
-        this,
-        [project = std::move(project), fileName, tell] {
-            return writeOutput(project, TreeIndex(project.tree), fileName, tell);
-        },
+        this, [project = std::move(project), fileName, tell] { return writeOutput(project, fileName, tell); },
         [this, cancelled, shortName](const Result<void>& written) {
             if (m_exportCancelled != cancelled)
                 return;

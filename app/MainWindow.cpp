@@ -82,6 +82,7 @@ MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       m_growRunner(m_document),
       m_lassoRunner(m_document),
+      m_timeRunner(m_document),
       m_recipeRunner(m_document),
       m_actions(*this),
       m_workspace(std::make_unique<Workspace>(m_document, m_viewSettings, m_actions,
@@ -158,6 +159,14 @@ void MainWindow::connectTools()
     connect(&growPopOut, &GrowPopOut::holdBegins, &m_growRunner, &GrowRunner::begin);
     connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::end);
     connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
+    connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
+    connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
+    connect(&growPopOut, &GrowPopOut::playToggled, this,
+            [this](bool plays) { plays ? m_timeRunner.play() : m_timeRunner.stop(); });
+    connect(&m_timeRunner, &TimeRunner::runningChanged, this, [this, &growPopOut] {
+        growPopOut.setPlaying(m_timeRunner.isPlaying());
+        updateEnabled();
+    });
     connect(&m_growRunner, &GrowRunner::exhausted, this,
             [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
     connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
@@ -192,6 +201,8 @@ void MainWindow::connectTools()
 void MainWindow::connectView()
 {
     Viewport& viewport = m_workspace->viewport();
+    // A hand at work ends a film that is playing; it goes on from what is seen.
+    connect(&viewport, &Viewport::gestureActiveChanged, &m_timeRunner, &TimeRunner::release);
     connect(&viewport, &Viewport::gestureActiveChanged, this, &MainWindow::updateEnabled);
     connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
     const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},
@@ -286,7 +297,7 @@ void MainWindow::followRecipe()
 bool MainWindow::isHandBusy() const
 {
     return m_workspace->viewport().isGestureActive() || m_growRunner.isRunning() ||
-           m_lassoRunner.isRunning();
+           m_timeRunner.isRunning() || m_lassoRunner.isRunning();
 }
 
 bool MainWindow::isBusy() const
@@ -300,6 +311,7 @@ void MainWindow::cancelAll()
     m_workspace->viewport().cancelGesture();
     m_growRunner.cancel();
     m_lassoRunner.cancel();
+    m_timeRunner.cancel();
 }
 
 void MainWindow::cancel()

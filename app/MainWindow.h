@@ -7,6 +7,7 @@
 #include "app/LassoRunner.h"
 #include "app/RecipeRunner.h"
 #include "app/Settings.h"
+#include "app/TimeRunner.h"
 #include "app/Workspace.h"
 
 #include <QElapsedTimer>
@@ -65,6 +66,7 @@ private:
     ViewSettings m_viewSettings;
     GrowRunner m_growRunner;
     LassoRunner m_lassoRunner;
+    TimeRunner m_timeRunner;
     RecipeRunner m_recipeRunner;
     Actions m_actions;
     QElapsedTimer m_followClock;

@@ -8,12 +8,12 @@
 
 namespace espalier {
 
-Result<void> writeOutput(const Project& project, const TreeIndex& index, const QString& fileName,
-                         const Progress& progress)
+Result<void> writeOutput(const Project& project, const QString& fileName, const Progress& progress)
 {
     if (QFileInfo(fileName).suffix().toLower() == QStringLiteral("espalier"))
         return saveProject(project, fileName);
-    return exportTree(project.tree, index, project.name, fileName, {}, progress);
+    const Tree tree = shownTree(project);
+    return exportTree(tree, TreeIndex(tree), project.name, fileName, {}, progress);
 }
 
 Result<void> writePicture(const QImage& picture, const QString& fileName)

@@ -10,10 +10,8 @@
 namespace espalier {
 
 /// Writes a project in the format that the file's suffix names: .espalier, or one of exportSuffixes(). May
-/// run on any thread.
-/// @p index is the tree's.
-Result<void> writeOutput(const Project& project, const TreeIndex& index, const QString& fileName,
-                         const Progress& progress = {});
+/// run on any thread. What is exported is the tree at the moment shown.
+Result<void> writeOutput(const Project& project, const QString& fileName, const Progress& progress = {});
 
 /// Replaces the file whole or leaves it as it was.
 Result<void> writePicture(const QImage& picture, const QString& fileName);

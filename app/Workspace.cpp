@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kTopBarHeight = 50;
 constexpr int kGap = 10;
-constexpr int kStatusHeight = 40;
+constexpr int kStatusHeight = 60;
 /// ms; a tree that grows under the brush is counted no more often.
 constexpr int kCountInterval = 200;
 
@@ -166,11 +166,12 @@ void Workspace::arrange()
     m_onlyOne->move((width() - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
     m_onlyOne->setVisible(!m_document.competitors().areAll());
 
+    const int bottom = height() - Viewport::kStripHeight - 2;
     m_counts->adjustSize();
-    m_counts->move(width() - m_counts->width() - 20, height() - m_counts->height() - 16);
+    m_counts->move(width() - m_counts->width() - 20, bottom - m_counts->height());
     m_counts->setVisible(shown);
     m_tip->adjustSize();
-    m_tip->move(20, height() - m_tip->height() - 16);
+    m_tip->move(20, bottom - m_tip->height());
     m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x());
 
     const int most = std::min(width() - 2 * kGap, 860);
@@ -178,7 +179,7 @@ void Workspace::arrange()
     m_notice->resize(std::min(m_notice->sizeHint().width(), most), 0);
     m_notice->resize(m_notice->width(),
                      std::max(m_notice->sizeHint().height(), m_notice->heightForWidth(m_notice->width())));
-    m_notice->move((width() - m_notice->width()) / 2, height() - m_notice->height() - 44);
+    m_notice->move((width() - m_notice->width()) / 2, height() - m_notice->height() - 64);
     m_notice->raise();
 }
 

@@ -16,6 +16,8 @@ public:
         setObsolete(m_isTakenBack);
     }
 
+    /// It stays itself, so that the next trial can replace it.
+    int id() const override { return -1; }
     std::weak_ptr<TrialCommand*> handle() const { return m_self; }
     void takeBack() { m_isTakenBack = true; }
 

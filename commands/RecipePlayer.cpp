@@ -3,6 +3,9 @@
 
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
+#include "commands/TimeGesture.h"
+
+#include <algorithm>
 
 namespace espalier {
 
@@ -61,6 +64,15 @@ void RecipePlayer::advance(double seconds)
             [&](const GrowOperation& operation) { return advanceGrowth(operation, seconds); },
             [&](const PruneOperation& operation) {
                 pruneBranches(m_document, operation.internodes);
+                return true;
+            },
+            [&](const TravelOperation& operation) {
+                TimeGesture gesture(m_document);
+                const auto here = static_cast<std::int64_t>(m_document.journal().size());
+                const auto end = static_cast<std::int64_t>(gesture.historyLength());
+                gesture.moveTo(
+                    static_cast<std::size_t>(std::clamp(here + operation.by, std::int64_t{0}, end)));
+                gesture.finish();
                 return true;
             },
             [&](const UndoOperation& operation) {

@@ -4,16 +4,43 @@
 #include "panels/Icon.h"
 #include "panels/Theme.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
 namespace espalier {
 
+namespace {
+
+/// Growth steps that the slider reaches beyond the present, at least.
+constexpr int kGrowthZone = 12;
+
+} // namespace
+
 GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
-    : Bar(parent), m_document(document), m_step(new QLabel(this)), m_count(new QSpinBox(this))
+    : Bar(parent),
+      m_document(document),
+      m_time(new QSlider(Qt::Horizontal, this)),
+      m_play(new QPushButton(icon(QStringLiteral("play")), {}, this)),
+      m_step(new QLabel(this)),
+      m_count(new QSpinBox(this))
 {
+    m_time->setObjectName(QStringLiteral("time"));
+    m_time->setMinimumSize(170, theme::kTarget);
+    m_time->setAccessibleName(tr("Time"));
+    m_time->setToolTip(
+        tr("Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the "
+           "mark it grows."));
+    m_play->setObjectName(QStringLiteral("playTime"));
+    m_play->setCheckable(true);
+    m_play->setFixedSize(theme::kTarget, theme::kTarget);
+    m_play->setAccessibleName(tr("Play"));
+    m_play->setToolTip(tr("Play what happened from here on, or all of it"));
+    m_play->setFocusPolicy(Qt::TabFocus);
     auto* hold = new QPushButton(icon(QStringLiteral("grow")), tr("Hold to grow"), this);
     hold->setObjectName(QStringLiteral("holdToGrow"));
     hold->setIconSize({24, 24});
@@ -40,23 +67,57 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 12, 12, 10);
     column->setSpacing(8);
+    auto* time = new QHBoxLayout;
+    time->setSpacing(6);
+    time->addWidget(m_play);
+    time->addWidget(m_time, 1);
+    column->addLayout(time);
+    column->addWidget(m_step);
     column->addWidget(hold);
     auto* line = new QHBoxLayout;
     line->addWidget(m_count);
     line->addWidget(many, 1);
     column->addLayout(line);
-    column->addWidget(m_step);
 
     connect(hold, &QPushButton::pressed, this, &GrowPopOut::holdBegins);
     connect(hold, &QPushButton::released, this, &GrowPopOut::holdEnds);
     connect(many, &QPushButton::clicked, this, [this] { Q_EMIT stepsAsked(m_count->value()); });
+    connect(m_time, &QSlider::valueChanged, this, [this](int position) {
+        Q_EMIT timeMoved(position);
+        // Keys and clicks beside the handle are gestures of their own.
+        if (!m_time->isSliderDown())
+            Q_EMIT timeReleased();
+    });
+    connect(m_time, &QSlider::sliderReleased, this, [this] {
+        Q_EMIT timeReleased();
+        showStep();
+    });
+    connect(m_play, &QPushButton::toggled, this, &GrowPopOut::playToggled);
     connect(&document, &TreeDocument::changed, this, &GrowPopOut::showStep);
     showStep();
 }
 
 void GrowPopOut::showStep()
 {
-    m_step->setText(tr("step %L1").arg(m_document.tree().step()));
+    m_step->setText(m_document.future().empty() ? tr("step %L1").arg(m_document.tree().step())
+                                                : tr("step %L1, %L2 edits and steps back")
+                                                      .arg(m_document.tree().step())
+                                                      .arg(m_document.future().size()));
+    // The hand on the slider leads; else it follows.
+    if (m_time->isSliderDown())
+        return;
+    const QSignalBlocker blocker(m_time);
+    const auto here = static_cast<int>(m_document.journal().size());
+    const int end = here + static_cast<int>(m_document.future().size());
+    m_time->setRange(0, end + std::max(kGrowthZone, end / 8));
+    m_time->setPageStep(std::max(1, end / 20));
+    m_time->setValue(here);
+}
+
+void GrowPopOut::setPlaying(bool plays)
+{
+    const QSignalBlocker blocker(m_play);
+    m_play->setChecked(plays);
 }
 
 } // namespace espalier

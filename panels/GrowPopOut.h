@@ -5,12 +5,15 @@
 #include "panels/Bar.h"
 
 class QLabel;
+class QPushButton;
+class QSlider;
 class QSpinBox;
 
 namespace espalier {
 
-/// Lets the tree grow on its own: for as long as a button is held, or for a number of steps. It only asks;
-/// see its signals.
+/// Time (TreeSketch §3.1): a slider back through all that was done and forth again, and beyond the present
+/// into growth; a button that plays what was; and growth for as long as a button is held, or for a number of
+/// steps. It only asks; see its signals.
 class GrowPopOut : public Bar {
     Q_OBJECT
 
@@ -22,11 +25,22 @@ Q_SIGNALS:
     void holdBegins();
     void holdEnds();
     void stepsAsked(int steps);
+    /// The slider is held: show the moment at which @p position edits and growth steps of the history have
+    /// been made; beyond its end, grow as many.
+    void timeMoved(int position);
+    void timeReleased();
+    void playToggled(bool plays);
+
+public:
+    /// Whether the history is being played.
+    void setPlaying(bool plays);
 
 private:
     void showStep();
 
     const TreeDocument& m_document;
+    QSlider* m_time;
+    QPushButton* m_play;
     QLabel* m_step;
     QSpinBox* m_count;
 };

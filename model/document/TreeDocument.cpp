@@ -20,6 +20,7 @@ void TreeDocument::reset(Tree tree, Journal journal)
     m_undoStack.clear();
     m_tree = std::move(tree);
     m_journal = std::move(journal);
+    m_future.clear();
     m_index.rebuild(m_tree);
     m_growthIndex.rebuild(m_tree, m_index);
     tell({TreeChange::Kind::Reset, nullptr});
@@ -43,6 +44,20 @@ void TreeDocument::revertLast()
     m_index.update(m_tree, *delta);
     m_growthIndex.follow(m_tree, m_index, *delta);
     tell({TreeChange::Kind::Reverted, delta.get()});
+}
+
+void TreeDocument::travelTo(std::size_t position)
+{
+    Q_ASSERT(position <= m_journal.size() + m_future.size());
+    while (m_journal.size() > position) {
+        m_future.push_back(m_journal.back());
+        revertLast();
+    }
+    while (m_journal.size() < position) {
+        const std::shared_ptr<TreeDelta> next = m_future.back();
+        m_future.pop_back();
+        apply(next);
+    }
 }
 
 void TreeDocument::setCompetitors(const Competitors& competitors)
@@ -74,8 +89,10 @@ void TreeDocument::forgetLastParameters()
 std::size_t TreeDocument::bytes() const
 {
     std::size_t journal = 0;
-    for (const auto& delta : m_journal)
-        journal += delta->bytes() + sizeof(delta);
+    for (const Journal* part : {&m_journal, &m_future}) {
+        for (const auto& delta : *part)
+            journal += delta->bytes() + sizeof(delta);
+    }
     return m_tree.bytes() + m_index.bytes() + m_growthIndex.bytes() + journal;
 }
 

@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -46,7 +47,10 @@ public:
         return m_growthIndex;
     }
     const TreeParameters& parameters() const { return m_tree.parameters(); }
+    /// All that was done up to the moment shown, first to last.
     const Journal& journal() const { return m_journal; }
+    /// What lies ahead of the moment shown, after travelTo() an earlier one: the last of it first.
+    const Journal& future() const { return m_future; }
     /// Which buds growth is limited to (selective growth, TreeSketch §3.2): all of them, or one bud and what
     /// comes of it. A mode, not part of the tree; it ends when its node dies.
     const Competitors& competitors() const { return m_competitors; }
@@ -63,6 +67,12 @@ public:
     void apply(std::shared_ptr<TreeDelta> delta);
     /// Reverts the journal's last delta and takes it out.
     void revertLast();
+    /// Goes back or forth in the tree's history, to where @p position deltas of it have been applied.
+    /// Precondition: at most journal().size() + future().size().
+    void travelTo(std::size_t position);
+    /// Takes the future away, since another one begins, or puts it (back) in its place. The caller keeps it.
+    Journal takeFuture() { return std::exchange(m_future, {}); }
+    void setFuture(Journal future) { m_future = std::move(future); }
     /// See Tree::rememberParameters.
     std::uint32_t rememberParameters(const TreeParameters& parameters);
     /// See Tree::forgetLastParameters.
@@ -87,6 +97,7 @@ private:
     void tell(const TreeChange& change);
 
     Journal m_journal;
+    Journal m_future;
     Competitors m_competitors;
     QUndoStack m_undoStack;
 };

@@ -46,6 +46,7 @@ struct Description {
     Step step = 0;
     std::uint32_t internodes = 1;
     JournalCounts journal;
+    std::uint32_t ahead = 0;
     std::vector<WidthConstraint> widths;
     std::uint32_t lassos = 0;
     std::uint32_t lassoPoints = 0;
@@ -106,6 +107,7 @@ QByteArray describe(const Project& project, const JournalCounts& counts)
                            {QStringLiteral("step"), qint64{tree.step()}},
                            {QStringLiteral("internodes"), qint64{tree.size()}},
                            {QStringLiteral("journal"), journal},
+                           {QStringLiteral("ahead"), qint64{project.ahead}},
                            {QStringLiteral("widths"), widths},
                            {QStringLiteral("lassos"), tree.lassos().strokes.size()},
                            {QStringLiteral("lassoPoints"), qint64{lassoPointsOf(tree)}},
@@ -197,6 +199,7 @@ Result<Description> readDescription(const QByteArray& text)
     description.step = static_cast<Step>(reader.integer(QLatin1StringView("step"), 0, kNever - 1));
     description.internodes = readCount(reader, "internodes", 1, projectLimits::kInternodes);
     description.journal = readJournalCounts(reader, description.internodes);
+    description.ahead = readCount(reader, "ahead", 0, description.journal.deltas);
     description.widths = readWidths(reader);
     description.lassos = readCount(reader, "lassos", 0, projectLimits::kLassos);
     description.lassoPoints = readCount(reader, "lassoPoints", 0, projectLimits::kLassoPoints);
@@ -314,6 +317,14 @@ QByteArray toPng(const QImage& image)
 
 } // namespace
 
+Tree shownTree(const Project& project)
+{
+    Tree tree = project.tree;
+    for (std::size_t i = 0; i < project.ahead; ++i)
+        tree.revert(*project.journal[project.journal.size() - 1 - i]);
+    return tree;
+}
+
 Result<QByteArray> packProject(const Project& project)
 {
     const JournalCounts counts = JournalCounts::of(project.journal);
@@ -355,13 +366,14 @@ Result<Project> unpackProject(const QByteArray& content)
         return inputError(QString::fromLatin1(kDescriptionEntry), description.error().message);
     const JournalCounts counts = description->journal;
     const QString name = description->name;
+    const std::uint32_t ahead = description->ahead;
     Result<Tree> tree = readTree(*archive, std::move(*description));
     if (!tree)
         return tree.error();
     Result<Journal> journal = readJournal(*archive, counts, *tree);
     if (!journal)
         return journal.error();
-    return Project{std::move(*tree), std::move(*journal), name, readImage(*archive)};
+    return Project{std::move(*tree), std::move(*journal), name, readImage(*archive), ahead};
 }
 
 Result<void> saveProject(const Project& project, const QString& fileName)

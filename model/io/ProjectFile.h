@@ -24,7 +24,12 @@ struct Project {
     Journal journal; ///< Its deltas stand applied
     QString name;
     QImage thumbnail; ///< May be null
+    /// So many of the last deltas lie ahead of the moment that was shown.
+    std::uint32_t ahead = 0;
 };
+
+/// The tree at the moment that was shown.
+Tree shownTree(const Project& project);
 
 namespace projectLimits {
 inline constexpr int kVersion = 1;

@@ -93,6 +93,12 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
     } else if (op == QLatin1StringView("grow")) {
         const auto steps = reader.integer(QLatin1StringView("steps"), 1, recipeLimits::kGrowSteps);
         operation = RecipeOperation(GrowOperation{static_cast<int>(steps), parseCompetitors(reader)});
+    } else if (op == QLatin1StringView("travel")) {
+        const auto by =
+            reader.integer(QLatin1StringView("by"), -recipeLimits::kTravel, recipeLimits::kTravel);
+        if (by == 0)
+            reader.fail(QLatin1StringView("by"), Text::tr("a number other than 0 is expected"));
+        operation = RecipeOperation(TravelOperation{static_cast<int>(by)});
     } else if (op == QLatin1StringView("prune")) {
         operation = parsePrune(reader);
     } else if (op == QLatin1StringView("undo") || op == QLatin1StringView("redo")) {
@@ -108,7 +114,7 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
     } else {
         reader.fail(QLatin1StringView("op"),
                     Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, prune, "
-                             "undo, redo, lasso, regrow and removeLasso")
+                             "travel, undo, redo, lasso, regrow and removeLasso")
                         .arg(op));
     }
     if (!operation)
@@ -337,6 +343,7 @@ struct OperationWriter {
     }
     void operator()(const RegrowOperation&) const { text += R"({"op":"regrow"})"; }
     void operator()(const RemoveLassoOperation&) const { text += R"({"op":"removeLasso"})"; }
+    void operator()(const TravelOperation& operation) const { write("travel", "by", operation.by); }
     void operator()(const UndoOperation& operation) const { write("undo", "count", operation.count); }
     void operator()(const RedoOperation& operation) const { write("redo", "count", operation.count); }
 

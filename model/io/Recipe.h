@@ -36,6 +36,11 @@ struct PruneOperation {
     std::vector<InternodeId> internodes; ///< At least one; each goes with all that it carries
     bool operator==(const PruneOperation&) const = default;
 };
+/// Goes back in the tree's history by so many growth steps and edits, or forth again.
+struct TravelOperation {
+    int by = -1; ///< Not 0; at most 1,000,000 either way; what lies beyond the history's ends is left out
+    bool operator==(const TravelOperation&) const = default;
+};
 struct UndoOperation {
     int count = 1; ///< 1...100,000
     bool operator==(const UndoOperation&) const = default;
@@ -44,6 +49,7 @@ struct RedoOperation {
     int count = 1; ///< 1...100,000
     bool operator==(const RedoOperation&) const = default;
 };
+<<<<<<< HEAD
 struct LassoOperation {
     LassoStroke stroke;        ///< Raw: any number of points from 3 on
     Competitors competitors{}; ///< The buds that may grow
@@ -58,6 +64,10 @@ struct RemoveLassoOperation {
 using RecipeOperation =
     std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, UndoOperation,
                  RedoOperation, LassoOperation, RegrowOperation, RemoveLassoOperation>;
+=======
+using RecipeOperation = std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation,
+                                     PruneOperation, TravelOperation, UndoOperation, RedoOperation>;
+>>>>>>> main
 
 /// From where a picture is taken.
 struct RecipeCamera {
@@ -85,6 +95,7 @@ inline constexpr double kStrokeTime = 600.0;     ///< s
 inline constexpr qsizetype kSamples = 1'000'000; ///< in all, points of lassos among them
 inline constexpr qsizetype kOperations = 100'000;
 inline constexpr int kGrowSteps = 10'000;   ///< an operation
+inline constexpr int kTravel = 1'000'000;   ///< an operation
 inline constexpr int kUndoCount = 100'000;  ///< an operation
 inline constexpr qsizetype kCuts = 100'000; ///< an operation
 inline constexpr qsizetype kBytes = 64 << 20;

@@ -65,6 +65,7 @@ Recipe randomRecipe(std::uint64_t seed)
             stroke.competitors = {static_cast<InternodeId>(random.bits() % 1000), i % kMaxLaterals};
         result.operations.emplace_back(GrowOperation{i + 1, stroke.competitors});
         result.operations.emplace_back(PruneOperation{{7U, static_cast<InternodeId>(random.bits() % 1000)}});
+        result.operations.emplace_back(TravelOperation{i - 50});
         result.operations.emplace_back(UndoOperation{i + 2});
         result.operations.emplace_back(RedoOperation{i + 3});
         LassoOperation lasso;
@@ -116,7 +117,8 @@ void RecipeTest::everyOperation_isRead()
         "operations": [
             {"op": "brushStroke", "samples": [[0, 1, 2, 3, 0.5], [1.5, -1, 0, 0.1, 0]]},
             {"op": "grow", "steps": 7}, {"op": "prune", "internodes": [12, 3]},
-            {"op": "grow", "steps": 2, "only": {"internode": 4, "bud": 1}}, {"op": "undo", "count": 2}, {"op": "redo"},
+            {"op": "grow", "steps": 2, "only": {"internode": 4, "bud": 1}}, {"op": "travel", "by": -5}, {"op": "undo", "count": 2},
+            {"op": "redo"},
             {"op": "lasso", "origin": [1, 2, 3], "right": [0, 0, -1], "points": [[0, 1], [2, 3.5], [-1, 2]],
              "only": {"internode": 5}},
             {"op": "regrow"}, {"op": "removeLasso"},
@@ -143,6 +145,7 @@ void RecipeTest::everyOperation_isRead()
                                                 GrowOperation{7},
                                                 PruneOperation{{12, 3}},
                                                 GrowOperation{2, {4, 1}},
+                                                TravelOperation{-5},
                                                 UndoOperation{2},
                                                 RedoOperation{1},
                                                 lasso,

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/document/TreeDocument.h"
+#include "model/io/ProjectFile.h"
+
+namespace espalier {
+
+/// What of a document goes into a file: all of its history, also what lies ahead of the moment shown.
+Project projectOf(const TreeDocument& document, const QString& name);
+/// Shows a project that was read, at the moment that was shown when it was written.
+void showProject(TreeDocument& document, Project project);
+
+} // namespace espalier

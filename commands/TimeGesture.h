@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/document/TreeDocument.h"
+#include "model/growth/GrowthStep.h"
+
+namespace espalier {
+
+/// The hand on the slider of time (TreeSketch §3.1, §3.3): back, the tree ungrows, edit by edit and growth
+/// step by growth step; forward, it comes back, and beyond the present it grows on its own. Nothing is lost
+/// by looking: only what is done at an earlier moment starts another future. finish() makes all of it one
+/// undo step (travel and growth are two), cancel() takes it back, and so does destroying the gesture
+/// unfinished.
+class TimeGesture {
+public:
+    explicit TimeGesture(TreeDocument& document);
+    ~TimeGesture();
+    TimeGesture(const TimeGesture&) = delete;
+    TimeGesture& operator=(const TimeGesture&) = delete;
+
+    /// Goes to where @p position deltas have been applied; positions beyond the history grow as many steps,
+    /// until there is no more room to grow in.
+    void moveTo(std::size_t position);
+    void finish();
+    void cancel();
+
+    /// Deltas of the history when the gesture began, the future included.
+    std::size_t historyLength() const { return m_historyLength; }
+
+private:
+    bool grow();
+
+    TreeDocument& m_document;
+    std::size_t m_start; ///< Position that the gesture began at
+    std::size_t m_historyLength;
+    GrowthWorkspace m_workspace;
+    Journal m_grown;
+    bool m_ended = false;
+};
+
+} // namespace espalier
