@@ -11,9 +11,9 @@ namespace espalier {
 
 /// Growth into envelopes (TreeSketch §3.2): markers fill them uniformly, and the tree grows until nothing is
 /// left to grow into; branches do not leave the envelopes. Thin parts and rims are then filled a second time,
-/// more densely: there are no branches behind that would close the gaps. Where no bud perceives the markers that are left,
-/// a bare shoot leads there from the nearest bud: a seedling's trunk into a crown above it, a branch from
-/// one part of a topiary to the next.
+/// more densely: there are no branches behind that would close the gaps. Where no bud perceives the markers
+/// that are left, a bare shoot leads there from the nearest bud: a seedling's trunk into a crown above it, a
+/// branch from one part of a topiary to the next.
 class EnvelopeGrowth {
 public:
     /// Growth ends after that many steps, whatever is left.

@@ -146,8 +146,7 @@ bool removeEnvelopes(TreeDocument& document)
     if (delta->lassos.empty())
         return false;
     document.apply(delta);
-    document.undoStack().push(
-        new DeltaCommand(document, Text::tr("Remove Envelope"), {std::move(delta)}));
+    document.undoStack().push(new DeltaCommand(document, Text::tr("Remove Envelope"), {std::move(delta)}));
     return true;
 }
 

@@ -50,8 +50,8 @@ struct JournalColumns {
     QList<std::uint8_t> lassoInForce; ///< Afterwards; 0 or 1
 
     static JournalColumns of(const Journal& journal);
-    /// Nothing if the counts of the deltas do not add up to the rows, or if a flag is none. Precondition: the columns are of the
-    /// sizes that @p counts says.
+    /// Nothing if the counts of the deltas do not add up to the rows, or if a flag is none. Precondition: the
+    /// columns are of the sizes that @p counts says.
     std::optional<Journal> toJournal(const JournalCounts& counts) const;
 
     /// Calls @p visitor(name, column, rows) for each column, in a fixed order.

@@ -30,8 +30,8 @@ std::optional<Lassos> LassoColumns::toLassos() const
     for (qsizetype i = 0; i < origin.size(); ++i) {
         if (pointCount[i] > kMostLassoPoints || pointCount[i] > points.size() - first || inForce[i] > 1)
             return {};
-        lassos.strokes.append({origin[i], right[i], up[i],
-                               {points.begin() + first, points.begin() + first + pointCount[i]}});
+        lassos.strokes.append(
+            {origin[i], right[i], up[i], {points.begin() + first, points.begin() + first + pointCount[i]}});
         first += pointCount[i];
         if (inForce[i] != 0)
             lassos.inForce.push_back(static_cast<std::uint32_t>(i));

@@ -177,7 +177,8 @@ RecipeOperation OperationsParser::parseLasso(JsonReader& reader)
         if (const auto read = numbers<3>(reader.array(key), recipeLimits::kCoordinate))
             vector = *read;
         else
-            reader.fail(key, Text::tr("three numbers within ±%1 are expected").arg(recipeLimits::kCoordinate));
+            reader.fail(key,
+                        Text::tr("three numbers within ±%1 are expected").arg(recipeLimits::kCoordinate));
     };
     readVector(QLatin1StringView("origin"), lasso.stroke.origin);
     readVector(QLatin1StringView("right"), lasso.stroke.right);

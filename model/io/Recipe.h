@@ -49,7 +49,6 @@ struct RedoOperation {
     int count = 1; ///< 1...100,000
     bool operator==(const RedoOperation&) const = default;
 };
-<<<<<<< HEAD
 struct LassoOperation {
     LassoStroke stroke;        ///< Raw: any number of points from 3 on
     Competitors competitors{}; ///< The buds that may grow
@@ -62,12 +61,8 @@ struct RemoveLassoOperation {
     bool operator==(const RemoveLassoOperation&) const = default;
 };
 using RecipeOperation =
-    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, UndoOperation,
-                 RedoOperation, LassoOperation, RegrowOperation, RemoveLassoOperation>;
-=======
-using RecipeOperation = std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation,
-                                     PruneOperation, TravelOperation, UndoOperation, RedoOperation>;
->>>>>>> main
+    std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
+                 UndoOperation, RedoOperation, LassoOperation, RegrowOperation, RemoveLassoOperation>;
 
 /// From where a picture is taken.
 struct RecipeCamera {

@@ -233,12 +233,11 @@ bool Tree::operator==(const Tree& other) const
     const InternodeColumns& b = other.m_columns;
     const auto sameRotation = [](const Rotation& r, const Rotation& s) { return r.coeffs() == s.coeffs(); };
     return m_seed == other.m_seed && m_step == other.m_step && m_widths == other.m_widths &&
-           m_lassos == other.m_lassos &&
-           m_currentParameters == other.m_currentParameters && m_parameterSets == other.m_parameterSets &&
-           a.parent == b.parent && std::ranges::equal(a.rotation, b.rotation, sameRotation) &&
-           a.length == b.length && a.vigour == b.vigour && a.slot == b.slot && a.buds == b.buds &&
-           a.birth == b.birth && a.death == b.death && a.present == b.present &&
-           a.parameterSet == b.parameterSet;
+           m_lassos == other.m_lassos && m_currentParameters == other.m_currentParameters &&
+           m_parameterSets == other.m_parameterSets && a.parent == b.parent &&
+           std::ranges::equal(a.rotation, b.rotation, sameRotation) && a.length == b.length &&
+           a.vigour == b.vigour && a.slot == b.slot && a.buds == b.buds && a.birth == b.birth &&
+           a.death == b.death && a.present == b.present && a.parameterSet == b.parameterSet;
 }
 
 float Tree::widthConstraint(InternodeId id) const

@@ -425,7 +425,8 @@ std::vector<QPoint> MainWindowTest::lassoPlaces()
     std::vector<QPoint> places;
     for (int i = 0; i <= 40; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / 41.0;
-        places.push_back(at(static_cast<float>(0.9 * std::cos(angle)), static_cast<float>(1.7 + 0.9 * std::sin(angle))));
+        places.push_back(
+            at(static_cast<float>(0.9 * std::cos(angle)), static_cast<float>(1.7 + 0.9 * std::sin(angle))));
     }
     return places;
 }
@@ -480,10 +481,9 @@ void MainWindowTest::finger_drawsALasso()
 void MainWindowTest::pen_drawsALasso()
 {
     takeLasso();
-    static const QPointingDevice pen(QStringLiteral("lasso pen"), 8, QInputDevice::DeviceType::Stylus,
-                                     QPointingDevice::PointerType::Pen,
-                                     QInputDevice::Capability::Position | QInputDevice::Capability::Pressure,
-                                     1, 1);
+    static const QPointingDevice pen(
+        QStringLiteral("lasso pen"), 8, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
     const auto send = [this](QEvent::Type type, const QPoint& inWindow) {
         const QPointF place = viewport().mapFrom(m_window.get(), inWindow);
         QTabletEvent event(type, &pen, place, viewport().mapToGlobal(place),

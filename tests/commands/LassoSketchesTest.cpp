@@ -30,7 +30,8 @@ std::vector<Vec2> placed(const std::vector<Vec2>& drawn)
     const float scale = 5.0F / box.sizes().maxCoeff();
     std::vector<Vec2> points;
     for (const Vec2& point : drawn) // y points down on paper
-        points.emplace_back(scale * (point.x() - box.center().x()), 0.8F + scale * (box.max().y() - point.y()));
+        points.emplace_back(scale * (point.x() - box.center().x()),
+                            0.8F + scale * (box.max().y() - point.y()));
     return points;
 }
 

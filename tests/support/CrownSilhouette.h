@@ -41,7 +41,8 @@ inline CrownSilhouette crownSilhouette(const TreeDocument& document, const Envel
         const Vec2 centre = (document.index().nodePosition(id).head<2>() - corner) / cell;
         const float radius = reach / cell;
         for (int y = static_cast<int>(centre.y() - radius); y <= static_cast<int>(centre.y() + radius); ++y) {
-            for (int x = static_cast<int>(centre.x() - radius); x <= static_cast<int>(centre.x() + radius); ++x) {
+            for (int x = static_cast<int>(centre.x() - radius); x <= static_cast<int>(centre.x() + radius);
+                 ++x) {
                 const Vec2 middle(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
                 if (crown.contains(x, y) && (middle - centre).norm() <= radius)
                     crown(x, y) = 1;

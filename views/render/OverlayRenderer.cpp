@@ -71,8 +71,8 @@ void OverlayRenderer::render(const Overlay& overlay, const Camera& camera, GLuin
     m_gl.glActiveTexture(GL_TEXTURE0);
     m_gl.glBindTexture(GL_TEXTURE_2D, sceneDepth);
     const QVector2D overlaySize(static_cast<float>(size.width()), static_cast<float>(size.height()));
-    for (QOpenGLShaderProgram* program :
-         {m_gridProgram.get(), m_sphereProgram.get(), m_surfaceProgram.get(), m_lineProgram.get(), m_dotProgram.get()}) {
+    for (QOpenGLShaderProgram* program : {m_gridProgram.get(), m_sphereProgram.get(), m_surfaceProgram.get(),
+                                          m_lineProgram.get(), m_dotProgram.get()}) {
         program->bind();
         program->setUniformValue("sceneDepth", 0);
         program->setUniformValue("overlaySize", overlaySize);
