@@ -40,6 +40,7 @@ enum class ActionId {
     Architecture,
     LeafSheet,
     BranchSheet,
+    History,
     NextPane,
     HideInterface,
     FullScreen,

@@ -59,8 +59,8 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     auto* view = new QHBoxLayout;
     view->setSpacing(2);
     view->addStretch(1);
-    for (const ActionId id :
-         {ActionId::Markers, ActionId::Leaves, ActionId::FrameAll, ActionId::HideInterface, ActionId::Help})
+    for (const ActionId id : {ActionId::Markers, ActionId::Leaves, ActionId::History, ActionId::FrameAll,
+                              ActionId::HideInterface, ActionId::Help})
         view->addWidget(new BarButton(BarButton::Look::Icon, actions[id], this));
     line->addLayout(view, 1);
 }

@@ -7,6 +7,7 @@
 #include "app/RecipeTool.h"
 #include "app/TreeCounts.h"
 #include "panels/GrowPopOut.h"
+#include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
@@ -237,6 +238,7 @@ void MainWindow::connectView()
 
     connect(m_actions[ActionId::HideInterface], &QAction::toggled, m_workspace.get(),
             &Workspace::setInterfaceHidden);
+    connect(m_actions[ActionId::History], &QAction::toggled, m_workspace.get(), &Workspace::showHistory);
     connect(m_actions[ActionId::NextPane], &QAction::triggered, m_workspace.get(), &Workspace::focusNextPane);
     connect(m_actions[ActionId::FullScreen], &QAction::triggered, this, [this](bool on) {
         setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
@@ -346,6 +348,7 @@ void MainWindow::updateEnabled()
                                          !m_workspace->viewport().isGestureActive());
     for (int i = 0; i < Workspace::kSheetCount; ++i)
         m_workspace->sheet(i).setEnabled(!isBusy());
+    m_workspace->history().setEnabled(!isBusy());
 }
 
 void MainWindow::updateTitle()

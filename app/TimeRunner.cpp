@@ -45,11 +45,11 @@ void TimeRunner::release()
 
 void TimeRunner::play()
 {
+    m_timer.start(kFrame);
     begin();
     if (m_document.future().empty())
         m_gesture->moveTo(0);
     m_stride = m_document.future().size() / kMostFrames + 1;
-    m_timer.start(kFrame);
 }
 
 void TimeRunner::stop()

@@ -4,6 +4,7 @@
 #include "app/TreeCounts.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
+#include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
@@ -36,6 +37,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_brushPopOut(new BrushPopOut(document, settings, this)),
       m_growPopOut(new GrowPopOut(document, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
+      m_history(new HistoryPanel(document.undoStack(), this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
       m_notice(new Notice(this)),
@@ -79,6 +81,12 @@ void Workspace::showPopOut(PopOut popOut)
 void Workspace::showSheet(int index)
 {
     m_sheet = index;
+    arrange();
+}
+
+void Workspace::showHistory(bool shown)
+{
+    m_isHistoryShown = shown;
     arrange();
 }
 
@@ -160,6 +168,11 @@ void Workspace::arrange()
         popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
     }
 
+    const QSize history = m_history->sizeHint();
+    const int left = width() - history.width() - kGap;
+    const int room = height() - kTopBarHeight - kGap - kStatusHeight;
+    m_history->setGeometry(left, kTopBarHeight + kGap, history.width(), std::min(history.height(), room));
+    m_history->setVisible(shown && m_isHistoryShown);
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
     m_onlyOne->adjustSize();

@@ -17,6 +17,7 @@ namespace espalier {
 
 class BrushPopOut;
 class GrowPopOut;
+class HistoryPanel;
 class LassoPopOut;
 class Notice;
 class ParameterPanel;
@@ -42,7 +43,10 @@ public:
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
     ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
 
+    HistoryPanel& history() { return *m_history; }
+
     void showPopOut(PopOut popOut);
+    void showHistory(bool shown);
     /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
@@ -67,6 +71,7 @@ private:
     GrowPopOut* m_growPopOut;
     LassoPopOut* m_lassoPopOut;
     std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    HistoryPanel* m_history;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
     Notice* m_notice;
@@ -76,6 +81,7 @@ private:
     PopOut m_popOut = PopOut::Brush;
     int m_sheet = -1;
     bool m_isHidden = false;
+    bool m_isHistoryShown = false;
 };
 
 } // namespace espalier

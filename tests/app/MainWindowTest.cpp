@@ -37,6 +37,9 @@ private Q_SLOTS:
     void holdingGrow_isOneUndoStep();
     void growTool_growsWhileTheHandHolds();
     void manySteps_areStoppedByEscape();
+    void timeSlider_ungrowsAndGrowsOn();
+    void play_showsTheHistoryAgain();
+    void history_goesWhereItIsClicked();
     void keys_changeTheBrushAndWhatIsShown();
     void mouse_drawsALassoThatTheTreeFills();
     void finger_drawsALasso();
@@ -389,6 +392,77 @@ void MainWindowTest::manySteps_areStoppedByEscape()
     QTRY_VERIFY(!m_window->growRunner().isRunning());
     QCOMPARE(m_window->document().tree().step(), Step{3});
     QCOMPARE(m_window->document().undoStack().count(), 1);
+}
+
+void MainWindowTest::timeSlider_ungrowsAndGrowsOn()
+{
+    brush();
+    TreeDocument& document = m_window->document();
+    const std::uint32_t grown = document.index().livingCount();
+    const auto end = static_cast<int>(document.journal().size());
+    action(ActionId::Grow)->trigger();
+    auto* slider = m_window->findChild<QSlider*>(QStringLiteral("time"));
+    QVERIFY(slider->isVisible());
+    QCOMPARE(slider->value(), end);
+    const auto place = [&](int value) {
+        const double share = static_cast<double>(value) / slider->maximum();
+        return QPoint(static_cast<int>(8 + share * (slider->width() - 16)), slider->height() / 2);
+    };
+    QTest::mousePress(slider, Qt::LeftButton, {}, place(end));
+    for (int value = end; value >= end / 2; --value)
+        QTest::mouseMove(slider, place(value));
+    QVERIFY(document.index().livingCount() < grown);
+    QVERIFY(!document.future().empty());
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, place(end / 2));
+    QCOMPARE(document.undoStack().count(), 2);
+    document.undoStack().undo();
+    QCOMPARE(document.index().livingCount(), grown);
+    QCOMPARE(slider->value(), end);
+    // Beyond the present it grows.
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    QVERIFY(document.index().livingCount() > grown);
+    QCOMPARE(static_cast<int>(document.journal().size()), end + 1);
+    document.undoStack().undo();
+    QCOMPARE(document.index().livingCount(), grown);
+}
+
+void MainWindowTest::play_showsTheHistoryAgain()
+{
+    brush();
+    TreeDocument& document = m_window->document();
+    const Tree grown = document.tree();
+    const int commands = document.undoStack().count();
+    action(ActionId::Grow)->trigger();
+    auto* play = m_window->findChild<QPushButton*>(QStringLiteral("playTime"));
+    QTest::mouseClick(play, Qt::LeftButton);
+    QVERIFY(play->isChecked());
+    QVERIFY(document.index().livingCount() < 10);
+    QTRY_VERIFY_WITH_TIMEOUT(!play->isChecked(), 20000);
+    QVERIFY(document.tree() == grown);
+    QCOMPARE(document.undoStack().count(), commands);
+}
+
+void MainWindowTest::history_goesWhereItIsClicked()
+{
+    brush();
+    brush(1.0F, 1.4F, 0.4F);
+    TreeDocument& document = m_window->document();
+    QCOMPARE(document.undoStack().count(), 2);
+    action(ActionId::History)->trigger();
+    auto* list = m_window->findChild<QUndoView*>(QStringLiteral("history"));
+    QVERIFY(list->isVisible());
+    const auto click = [&](int row) {
+        const QRect place = list->visualRect(list->model()->index(row, 0));
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, place.center());
+    };
+    click(0);
+    QCOMPARE(document.index().livingCount(), 1U);
+    click(2);
+    QCOMPARE(document.undoStack().index(), 2);
+    QVERIFY(document.index().livingCount() > 1);
+    action(ActionId::History)->trigger();
+    QVERIFY(!list->isVisible());
 }
 
 void MainWindowTest::keys_changeTheBrushAndWhatIsShown()

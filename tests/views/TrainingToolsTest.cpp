@@ -18,6 +18,8 @@ private Q_SLOTS:
     void pruneFinger_takesTheBranchOff();
     void pruneEscape_leavesTheTreeAlone();
     void eraserEnd_prunes();
+    void doubleTap_prunesWithTheBrushInHand();
+    void longPressOnABud_letsItAloneGrow();
     void altClickOnABud_letsItAloneGrow();
     void budTap_letsItAloneGrow();
     void stripFinger_windsTheTrunk();
@@ -117,6 +119,57 @@ void TrainingToolsTest::eraserEnd_prunes()
     sendPen(QEvent::TabletPress, place, 0.5);
     QVERIFY(m_view->isGestureActive());
     sendPen(QEvent::TabletRelease, place, 0.0);
+}
+
+void TrainingToolsTest::doubleTap_prunesWithTheBrushInHand()
+{
+    const InternodeId branch = plantBranch();
+    const QPoint place =
+        at(0.5F * (m_document->index().nodePosition(branch) + m_document->index().nodePosition(branch + 1)));
+    // What is drawn meanwhile would make the taps long.
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20000);
+    for (int tap = 0; tap < 2; ++tap) {
+        QTest::touchEvent(m_view.get(), m_touch.get()).press(0, place);
+        QTest::touchEvent(m_view.get(), m_touch.get()).release(0, place);
+    }
+    QVERIFY(!m_document->tree().isAlive(branch));
+    QCOMPARE(alive(), 9U);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    m_document->undoStack().undo();
+    QCOMPARE(alive(), 12U);
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20000);
+    for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease,
+                                    QEvent::MouseButtonDblClick, QEvent::MouseButtonRelease}) {
+        const bool isPress = type != QEvent::MouseButtonRelease;
+        QMouseEvent event(type, place, m_view->mapToGlobal(place), Qt::LeftButton,
+                          isPress ? Qt::LeftButton : Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_view.get(), &event);
+    }
+    QVERIFY(!m_document->tree().isAlive(branch));
+    QCOMPARE(m_document->undoStack().count(), 1);
+}
+
+void TrainingToolsTest::longPressOnABud_letsItAloneGrow()
+{
+    plantBranch();
+    const BudRef bud{8, kTerminalSlot};
+    const QPoint place = at(budPosition(m_document->tree(), m_document->index(), bud, 0.0F));
+    QTest::touchEvent(m_view.get(), m_touch.get()).press(0, place);
+    QVERIFY(m_document->competitors().areAll());
+    QTRY_VERIFY(m_document->competitors() == (Competitors{bud.node, bud.slot}));
+    QTest::touchEvent(m_view.get(), m_touch.get()).release(0, place);
+    QCOMPARE(m_document->undoStack().count(), 0);
+    // A stroke from a bud is still a stroke.
+    m_document->setCompetitors({});
+    QTest::touchEvent(m_view.get(), m_touch.get()).press(0, place);
+    for (int i = 1; i <= 20; ++i) {
+        QTest::touchEvent(m_view.get(), m_touch.get()).move(0, place - QPoint(0, 3 * i));
+        QTest::qWait(25);
+    }
+    QTest::touchEvent(m_view.get(), m_touch.get()).release(0, place - QPoint(0, 60));
+    QVERIFY(m_document->competitors().areAll());
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QVERIFY(alive() > 12);
 }
 
 void TrainingToolsTest::altClickOnABud_letsItAloneGrow()

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/tools/BrushTool.h"
 
+#include "commands/Prune.h"
+#include "model/shape/Pruning.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 
@@ -21,6 +25,23 @@ constexpr float kGrazing = 0.1F;
 /// Radius of the ring around the node that a stroke would begin at, px.
 constexpr float kRing = 9.0F;
 
+/// Radius of the ring that closes in on a bud under a long press, px.
+constexpr float kHeldRing = 44.0F;
+
+/// A press that moves no further than this, px, and lasts no longer than this, s, is a tap.
+constexpr double kTapReach = 8.0;
+constexpr double kTap = 0.3;
+/// Between two taps that belong together, s.
+constexpr double kDoubleTap = 0.45;
+constexpr double kLongPress = 0.6; ///< s
+/// A long press must come nearer to its bud than a pointer must to a branch.
+constexpr double kBudReach = 0.6;
+
+double distance(const QPointF& a, const QPointF& b)
+{
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
 const QColor kBrushColour(232, 168, 100);
 const QColor kMarkerColour(255, 214, 120);
 const QColor kPickedColour(240, 168, 184);
@@ -29,6 +50,39 @@ const QColor kHintColour(150, 168, 190);
 } // namespace
 
 void BrushTool::begin(const PointerSample& sample)
+{
+    m_press = sample;
+    m_undoIndex = context().document().undoStack().index();
+    if (pruneOnSecondTap(sample))
+        return;
+    if (sample.device != PointerDevice::Mouse) {
+        const auto buds = context().pickBuds(sample.position, sample.device, kBudReach);
+        if (!buds.empty()) {
+            m_held = Hold{sample, buds.front()};
+            m_now = sample.time;
+            context().requestRepaint();
+            return;
+        }
+    }
+    beginStroke(sample);
+}
+
+bool BrushTool::pruneOnSecondTap(const PointerSample& sample)
+{
+    const Tap tap = std::exchange(m_lastTap, {});
+    if (sample.time - tap.time > kDoubleTap || distance(sample.position, tap.position) > 2.0 * kTapReach)
+        return false;
+    TreeDocument& document = context().document();
+    // What the first tap let grow was not meant.
+    if (tap.leftAStroke)
+        document.undoStack().undo();
+    const auto picked = context().pick(sample.position, sample.device);
+    if (picked)
+        pruneBranches(document, std::array{cutBelow(document.tree(), document.index(), picked->id)});
+    return picked.has_value();
+}
+
+void BrushTool::beginStroke(const PointerSample& sample)
 {
     m_pointer = sample.position;
     m_pressure = sample.pressure;
@@ -47,7 +101,12 @@ void BrushTool::begin(const PointerSample& sample)
 
 void BrushTool::move(const PointerSample& sample)
 {
-    if (!isActive())
+    if (m_held && !m_held->isChosen && distance(sample.position, m_held->sample.position) > kTapReach) {
+        PointerSample first = std::exchange(m_held, {})->sample;
+        first.time = sample.time;
+        beginStroke(first);
+    }
+    if (!m_gesture)
         return;
     m_pointer = sample.position;
     m_pressure = sample.pressure;
@@ -58,10 +117,16 @@ void BrushTool::end(const PointerSample& sample)
 {
     if (!isActive())
         return;
-    // A pen is lifted with no pressure at all: what it did last counts.
-    m_pointer = sample.position;
-    continueTo(sample.time);
-    m_gesture->finish();
+    if (m_gesture) {
+        // A pen is lifted with no pressure at all: what it did last counts.
+        m_pointer = sample.position;
+        continueTo(sample.time);
+        m_gesture->finish();
+    }
+    const bool isTap = !(m_held && m_held->isChosen) && sample.time - m_press.time < kTap &&
+                       distance(sample.position, m_press.position) < kTapReach;
+    if (isTap)
+        m_lastTap = {sample.position, sample.time, context().document().undoStack().index() > m_undoIndex};
     m_hovers = sample.device != PointerDevice::Finger;
     stop();
 }
@@ -70,13 +135,15 @@ void BrushTool::cancel()
 {
     if (!isActive())
         return;
-    m_gesture->cancel();
+    if (m_gesture)
+        m_gesture->cancel();
     stop();
 }
 
 void BrushTool::stop()
 {
     m_gesture.reset();
+    m_held.reset();
     m_trail.clear();
     m_picked.reset();
     m_pressure = 1.0;
@@ -102,8 +169,16 @@ void BrushTool::leave()
 
 void BrushTool::tick(double now)
 {
-    if (isActive())
+    m_now = now;
+    if (m_gesture)
         continueTo(now);
+    if (!m_held || m_held->isChosen)
+        return;
+    context().requestRepaint();
+    if (now - m_held->sample.time < kLongPress)
+        return;
+    m_held->isChosen = true;
+    context().document().setCompetitors({m_held->bud.bud.node, m_held->bud.bud.slot});
 }
 
 void BrushTool::wheel(double notches)
@@ -144,6 +219,16 @@ void BrushTool::paint(Overlay& overlay) const
     const ViewValues& view = context().viewSettings().values();
     if (m_gesture && view.markersShown)
         overlay.addDots(m_gesture->markers(), kMarkerColour, 3.0F, 0.7F);
+    if (m_held && !m_held->isChosen) {
+        // The ring closes in on the bud until it is chosen.
+        const Vec3& place = m_held->bud.position;
+        const auto share =
+            static_cast<float>(std::clamp((m_now - m_held->sample.time) / kLongPress, 0.0, 1.0));
+        overlay.addCircle(place, camera.right(), camera.up(),
+                          (kHeldRing - share * (kHeldRing - kRing)) /
+                              camera.pixelsPerMetre(camera.depth(place)),
+                          kPickedColour, 2.5F);
+    }
     if (!m_gesture && !m_hovers)
         return;
 

@@ -15,6 +15,8 @@ namespace espalier {
 /// moves in the plane that is parallel to the screen and goes through the base of the tree, or through the
 /// branch that the stroke begins at. The plane turns with the camera, so that a hand at rest draws a helix
 /// while the view rotates.
+///
+/// A second tap on a branch prunes it; a finger or pen that rests on a bud chooses it to grow alone.
 class BrushTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 
@@ -30,7 +32,7 @@ public:
     void tick(double now) override;
     void wheel(double notches) override;
 
-    bool isActive() const override { return m_gesture != nullptr; }
+    bool isActive() const override { return m_gesture != nullptr || m_held.has_value(); }
     bool wantsTicks() const override { return isActive(); }
     void paint(Overlay& overlay) const override;
     QString tip() const override;
@@ -40,6 +42,20 @@ public:
     static double radiusShare(double pressure);
 
 private:
+    /// A press that is not yet a stroke: it may become a long press on a bud.
+    struct Hold {
+        PointerSample sample;
+        PickedBud bud;
+        bool isChosen = false; ///< It has become one
+    };
+    struct Tap {
+        QPointF position;
+        double time = -1e9;       ///< s
+        bool leftAStroke = false; ///< On the undo stack
+    };
+
+    bool pruneOnSecondTap(const PointerSample& sample);
+    void beginStroke(const PointerSample& sample);
     BrushSample sampleAt(double time) const;
     void continueTo(double time);
     void stop();
@@ -54,6 +70,11 @@ private:
     double m_lastTime = 0.0;              ///< s, of the samples' clock
     double m_strokeTime = 0.0;            ///< s since the stroke began
     std::vector<Vec3> m_trail;
+    std::optional<Hold> m_held;
+    PointerSample m_press; ///< That the gesture under way began with
+    int m_undoIndex = 0;   ///< Then
+    double m_now = 0.0;    ///< s, of the last tick
+    Tap m_lastTap;
 };
 
 } // namespace espalier

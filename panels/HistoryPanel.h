@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/Bar.h"
+
+class QUndoStack;
+
+namespace espalier {
+
+/// All that was done, step by step; a click goes to that step.
+class HistoryPanel : public Bar {
+    Q_OBJECT
+
+public:
+    explicit HistoryPanel(QUndoStack& stack, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override { return {220, 360}; }
+};
+
+} // namespace espalier
