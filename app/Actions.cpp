@@ -51,6 +51,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
         {Width, Group::Tools, "width", QT_TRANSLATE_NOOP("Actions", "Width"),
          QT_TRANSLATE_NOOP("Actions", "Tap a branch to hold its width, and draw the handle to change it."),
          "W", "width", true},
+        {Lasso, Group::Tools, "lasso", QT_TRANSLATE_NOOP("Actions", "Lasso"),
+         QT_TRANSLATE_NOOP("Actions", "Draw the silhouette of a crown: the tree grows until it fills it."),
+         "O", "lasso", true},
         {GrowStep, Group::Tools, "growStep", QT_TRANSLATE_NOOP("Actions", "Grow One Step"),
          QT_TRANSLATE_NOOP("Actions", "Let the tree grow one step on its own."), "G", ""},
         {SmallerBrush, Group::Tools, "smallerBrush", QT_TRANSLATE_NOOP("Actions", "Smaller Brush"),
@@ -98,8 +101,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush,     ActionId::Grow, ActionId::Prune,
-                                       ActionId::SelectBud, ActionId::Bend, ActionId::Width};
+    static constexpr std::array kTools{ActionId::Brush, ActionId::Lasso, ActionId::Grow,     ActionId::Prune,
+                                       ActionId::Bend,  ActionId::Width, ActionId::SelectBud};
     return kTools;
 }
 

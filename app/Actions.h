@@ -27,6 +27,7 @@ enum class ActionId {
     SelectBud,
     Bend,
     Width,
+    Lasso,
     GrowStep,
     SmallerBrush,
     LargerBrush,

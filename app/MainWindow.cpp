@@ -3,10 +3,12 @@
 
 #include "app/CheatSheet.h"
 #include "app/GrowTool.h"
+#include "app/LassoTool.h"
 #include "app/RecipeTool.h"
 #include "app/TreeCounts.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HistoryPanel.h"
+#include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "views/Viewport.h"
@@ -50,7 +52,7 @@ QString droppedFile(const QMimeData& data)
     return FileController::canOpen(name) ? name : QString();
 }
 
-/// Where the brush will be, m; empty if the recipe has no strokes.
+/// Where the brush and the lasso will be, m; empty if the recipe has no strokes.
 Box3 strokeBounds(const Recipe& recipe)
 {
     Box3 bounds;
@@ -60,6 +62,11 @@ Box3 strokeBounds(const Recipe& recipe)
                 const Vec3 reach = Vec3::Constant(sample.radius);
                 bounds.extend(Box3(sample.position - reach, sample.position + reach));
             }
+        } else if (const auto* lasso = std::get_if<LassoOperation>(&operation)) {
+            bounds.extend(Vec3(Vec3::Zero()));
+            for (const Vec2& point : lasso->stroke.points)
+                bounds.extend(Vec3(lasso->stroke.origin + point.x() * lasso->stroke.right +
+                                   point.y() * lasso->stroke.up));
         }
     }
     return bounds;
@@ -77,6 +84,7 @@ Camera withHeadroom(const Camera& camera, const Box3& bounds)
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       m_growRunner(m_document),
+      m_lassoRunner(m_document),
       m_timeRunner(m_document),
       m_recipeRunner(m_document),
       m_actions(*this),
@@ -165,6 +173,26 @@ void MainWindow::connectTools()
     connect(&m_growRunner, &GrowRunner::exhausted, this,
             [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
     connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
+
+    LassoPopOut& lassoPopOut = m_workspace->lassoPopOut();
+    connect(&lassoPopOut, &LassoPopOut::regrowAsked, this, [this] {
+        if (!isBusy())
+            m_lassoRunner.regrow();
+    });
+    connect(&lassoPopOut, &LassoPopOut::removeAsked, this, [this] {
+        if (!isBusy())
+            removeEnvelopes(m_document);
+    });
+    connect(&lassoPopOut, &LassoPopOut::stopAsked, &m_lassoRunner, &LassoRunner::end);
+    connect(&m_lassoRunner, &LassoRunner::runningChanged, &lassoPopOut, &LassoPopOut::setGrowing);
+    connect(&m_lassoRunner, &LassoRunner::runningChanged, this, &MainWindow::updateEnabled);
+    // An eraser or another hand's gesture must find the tree at rest.
+    connect(&m_workspace->viewport(), &Viewport::gestureActiveChanged, &m_lassoRunner, [this](bool active) {
+        if (active)
+            m_lassoRunner.end();
+    });
+    connect(&m_lassoRunner, &LassoRunner::refused, this,
+            [this](const QString& why) { m_workspace->notice().showInformation(why); });
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
     connect(&m_recipeRunner, &RecipeRunner::finished, this, [this] {
         takeTool();
@@ -272,7 +300,8 @@ void MainWindow::followRecipe()
 
 bool MainWindow::isHandBusy() const
 {
-    return m_workspace->viewport().isGestureActive() || m_growRunner.isRunning() || m_timeRunner.isRunning();
+    return m_workspace->viewport().isGestureActive() || m_growRunner.isRunning() ||
+           m_timeRunner.isRunning() || m_lassoRunner.isRunning();
 }
 
 bool MainWindow::isBusy() const
@@ -285,6 +314,7 @@ void MainWindow::cancelAll()
     m_recipeRunner.stop();
     m_workspace->viewport().cancelGesture();
     m_growRunner.cancel();
+    m_lassoRunner.cancel();
     m_timeRunner.cancel();
 }
 
@@ -368,6 +398,10 @@ void MainWindow::takeTool()
         break;
     case ActionId::Width:
         viewport.setTool(std::make_unique<WidthTool>(context));
+        break;
+    case ActionId::Lasso:
+        viewport.setTool(std::make_unique<LassoTool>(context, m_lassoRunner));
+        popOut = Workspace::PopOut::Lasso;
         break;
     default:
         viewport.setTool(std::make_unique<BrushTool>(context));

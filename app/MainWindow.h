@@ -4,6 +4,7 @@
 #include "app/Actions.h"
 #include "app/FileController.h"
 #include "app/GrowRunner.h"
+#include "app/LassoRunner.h"
 #include "app/RecipeRunner.h"
 #include "app/Settings.h"
 #include "app/TimeRunner.h"
@@ -64,6 +65,7 @@ private:
     TreeDocument m_document;
     ViewSettings m_viewSettings;
     GrowRunner m_growRunner;
+    LassoRunner m_lassoRunner;
     TimeRunner m_timeRunner;
     RecipeRunner m_recipeRunner;
     Actions m_actions;

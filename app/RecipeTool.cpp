@@ -10,6 +10,12 @@ namespace espalier {
 void RecipeTool::paint(Overlay& overlay) const
 {
     const RecipePlayer* player = m_runner.player();
+    if (const LassoGesture* lasso = player ? player->lasso() : nullptr) {
+        if (context().viewSettings().values().markersShown)
+            overlay.addDots(lasso->markers(), theme::kHandle, 2.5F, 0.5F);
+        m_envelopes.show(context().document().tree().lassosInForce());
+        m_envelopes.paint(overlay, theme::kHandle);
+    }
     const BrushGesture* stroke = player ? player->stroke() : nullptr;
     if (!stroke)
         return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/RecipeRunner.h"
+#include "views/tools/EnvelopeView.h"
 #include "views/tools/Tool.h"
 
 #include <QCoreApplication>
@@ -26,6 +27,7 @@ public:
 
 private:
     const RecipeRunner& m_runner;
+    mutable EnvelopeView m_envelopes; ///< Made when they are painted
 };
 
 } // namespace espalier

@@ -23,6 +23,7 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/brushRadius"), values.brushRadius);
     visit(QStringLiteral("view/pressureScales"), values.pressureScales);
     visit(QStringLiteral("view/markersShown"), values.markersShown);
+    visit(QStringLiteral("view/envelopeShown"), values.envelopeShown);
     visit(QStringLiteral("view/planeShown"), values.planeShown);
     visit(QStringLiteral("view/bendingWeight"), values.bendingWeight);
     visit(QStringLiteral("view/stretchingWeight"), values.stretchingWeight);

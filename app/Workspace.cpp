@@ -6,6 +6,7 @@
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HistoryPanel.h"
+#include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/RotationStrip.h"
@@ -37,6 +38,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_brushPopOut(new BrushPopOut(document, settings, this)),
       m_growPopOut(new GrowPopOut(document, this)),
       m_bendPopOut(new BendPopOut(settings, this)),
+      m_lassoPopOut(new LassoPopOut(document, settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
@@ -159,8 +161,10 @@ void Workspace::arrange()
     }
 
     m_viewport->setFrameMargins({0, y - kGap, 0, kStatusHeight});
-    const std::pair<QWidget*, PopOut> popOuts[] = {
-        {m_brushPopOut, PopOut::Brush}, {m_growPopOut, PopOut::Grow}, {m_bendPopOut, PopOut::Bend}};
+    const std::pair<QWidget*, PopOut> popOuts[] = {{m_brushPopOut, PopOut::Brush},
+                                                   {m_growPopOut, PopOut::Grow},
+                                                   {m_bendPopOut, PopOut::Bend},
+                                                   {m_lassoPopOut, PopOut::Lasso}};
     for (const auto& [popOut, kind] : popOuts) {
         const QSize size = popOut->sizeHint();
         popOut->setGeometry(QRect(QPoint(x, y), size));

@@ -19,6 +19,7 @@ class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
 class HistoryPanel;
+class LassoPopOut;
 class Notice;
 class ParameterPanel;
 class RotationStrip;
@@ -30,7 +31,7 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow, Bend };
+    enum class PopOut { None, Brush, Grow, Bend, Lasso };
     static constexpr int kSheetCount = 3;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -40,6 +41,7 @@ public:
     TopBar& topBar() { return *m_topBar; }
     Notice& notice() { return *m_notice; }
     GrowPopOut& growPopOut() { return *m_growPopOut; }
+    LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
     ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
 
     HistoryPanel& history() { return *m_history; }
@@ -69,6 +71,7 @@ private:
     BrushPopOut* m_brushPopOut;
     GrowPopOut* m_growPopOut;
     BendPopOut* m_bendPopOut;
+    LassoPopOut* m_lassoPopOut;
     std::array<ParameterPanel*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
     RotationStrip* m_strip;

@@ -5,10 +5,12 @@
 
 namespace espalier {
 
-DeltaCommand::DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas)
+DeltaCommand::DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas,
+                           Journal replacedDeltas)
     : QUndoCommand(std::move(text)),
       m_document(document),
       m_deltas(std::move(appliedDeltas)),
+      m_replaced(std::move(replacedDeltas)),
       m_lost(document.takeFuture())
 {
 }
@@ -17,6 +19,7 @@ DeltaCommand::DeltaCommand(const DeltaCommand& other)
     : QUndoCommand(other.text()),
       m_document(other.m_document),
       m_deltas(other.m_deltas),
+      m_replaced(other.m_replaced),
       m_lost(other.m_lost),
       m_applied(other.m_applied)
 {
@@ -29,8 +32,8 @@ std::unique_ptr<DeltaCommand> DeltaCommand::copy() const
 
 void DeltaCommand::undo()
 {
-    for (std::size_t i = 0; i < m_deltas.size(); ++i)
-        m_document.revertLast();
+    revertAll(m_document, m_deltas);
+    applyAll(m_document, m_replaced);
     m_document.setFuture(m_lost);
     m_applied = false;
 }
@@ -40,13 +43,25 @@ void DeltaCommand::redo()
     if (std::exchange(m_applied, true))
         return;
     m_document.setFuture({});
-    for (const auto& delta : m_deltas)
-        m_document.apply(delta);
+    revertAll(m_document, m_replaced);
+    applyAll(m_document, m_deltas);
 }
 
 int DeltaCommand::id() const
 {
     return m_lost.empty() ? -1 : kTimeTravelId;
+}
+
+void revertAll(TreeDocument& document, const Journal& deltas)
+{
+    for (std::size_t i = 0; i < deltas.size(); ++i)
+        document.revertLast();
+}
+
+void applyAll(TreeDocument& document, const Journal& deltas)
+{
+    for (const auto& delta : deltas)
+        document.apply(delta);
 }
 
 } // namespace espalier

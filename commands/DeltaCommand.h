@@ -18,7 +18,8 @@ inline constexpr int kTimeTravelId = 1;
 /// back on undo.
 class DeltaCommand : public QUndoCommand {
 public:
-    DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas);
+    /// @param replacedDeltas what was taken out of the end of the journal before, in the journal's order
+    DeltaCommand(TreeDocument& document, QString text, Journal appliedDeltas, Journal replacedDeltas = {});
 
     void undo() override;
     void redo() override;
@@ -32,8 +33,13 @@ private:
 
     TreeDocument& m_document;
     Journal m_deltas;
+    Journal m_replaced;
     Journal m_lost; ///< The future before
     bool m_applied = true;
 };
+
+/// Reverts the last @p deltas of the document's journal.
+void revertAll(TreeDocument& document, const Journal& deltas);
+void applyAll(TreeDocument& document, const Journal& deltas);
 
 } // namespace espalier

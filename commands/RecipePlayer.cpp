@@ -109,6 +109,18 @@ void RecipePlayer::advance(double seconds)
                 setWidth(m_document, operation.internode, operation.diameter);
                 return true;
             },
+            [&](const LassoOperation& operation) {
+                return advanceLasso(
+                    [&] { return LassoGesture::fill(m_document, operation.stroke, operation.competitors); },
+                    seconds);
+            },
+            [&](const RegrowOperation&) {
+                return advanceLasso([&] { return LassoGesture::regrow(m_document); }, seconds);
+            },
+            [&](const RemoveLassoOperation&) {
+                removeEnvelopes(m_document);
+                return true;
+            },
         },
         m_recipe.operations[m_next]);
     if (isDoneNow)
@@ -152,6 +164,27 @@ bool RecipePlayer::advanceGrowth(const GrowOperation& operation, double seconds)
     m_growth->finish();
     m_growth.reset();
     return true;
+}
+
+/// @p begin gives the gesture, or an Error: there is nothing to fill then.
+template <class Begin>
+bool RecipePlayer::advanceLasso(Begin&& begin, double seconds)
+{
+    if (!m_lasso) {
+        LassoGesture::Begun begun = begin();
+        if (!begun)
+            return true;
+        m_lasso = std::move(*begun);
+        m_growthDue = 0.0;
+    }
+    for (m_growthDue += seconds * kGrowthStepsPerSecond; m_growthDue >= 1.0; m_growthDue -= 1.0) {
+        if (!m_lasso->step()) {
+            m_lasso->finish();
+            m_lasso.reset();
+            return true;
+        }
+    }
+    return false;
 }
 
 std::optional<BrushSample> RecipePlayer::brush() const

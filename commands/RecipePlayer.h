@@ -3,6 +3,7 @@
 
 #include "commands/BrushGesture.h"
 #include "commands/GrowGesture.h"
+#include "commands/LassoGesture.h"
 #include "model/io/Recipe.h"
 
 #include <memory>
@@ -32,10 +33,14 @@ public:
     std::optional<BrushSample> brush() const;
     /// The stroke that is being made, or null.
     const BrushGesture* stroke() const { return m_stroke.get(); }
+    /// The envelope that is being filled, or null.
+    const LassoGesture* lasso() const { return m_lasso.get(); }
 
 private:
     bool advanceStroke(const BrushStrokeOperation& operation, double seconds);
     bool advanceGrowth(const GrowOperation& operation, double seconds);
+    template <class Begin>
+    bool advanceLasso(Begin&& begin, double seconds);
 
     TreeDocument& m_document;
     Recipe m_recipe;
@@ -43,6 +48,7 @@ private:
     std::unique_ptr<BrushGesture> m_stroke;
     std::size_t m_nextSample = 0;
     double m_strokeTime = 0.0;
+    std::unique_ptr<LassoGesture> m_lasso;
     std::unique_ptr<GrowGesture> m_growth;
     int m_growthSteps = 0;
     double m_growthDue = 0.0;

@@ -143,6 +143,7 @@ void Viewport::followSettings()
     values.markersShown = m_shown.markersShown;
     values.bendingWeight = m_shown.bendingWeight;
     values.stretchingWeight = m_shown.stretchingWeight;
+    values.envelopeShown = m_shown.envelopeShown;
     values.planeShown = m_shown.planeShown;
     update();
     if (values == m_shown)

@@ -78,6 +78,11 @@ public:
     /// See Tree::forgetLastParameters.
     void forgetLastParameters();
 
+    /// See Tree::rememberLasso.
+    std::uint32_t rememberLasso(const LassoStroke& stroke) { return m_tree.rememberLasso(stroke); }
+    /// See Tree::forgetLassosFrom.
+    void forgetLassosFrom(std::uint32_t count) { m_tree.forgetLassosFrom(count); }
+
     /// Bytes of the tree, its indices and its journal.
     std::size_t bytes() const;
 

@@ -32,6 +32,7 @@ struct ViewValues {
     double brushRadius = 0.5;   ///< m, 0...kMaxBrushRadius; 0 draws a single axis
     bool pressureScales = true; ///< A pen's pressure scales the radius of the brush
     bool markersShown = true;   ///< Markers of free space while brushing
+    bool envelopeShown = true;  ///< What lassos enclose, while the lasso is in hand
     bool planeShown = true;     ///< Hints of where the drawing plane is
     double bendingWeight =
         1.0; ///< Resistance of branches against bending, kLeastBendWeight...kMostBendWeight

@@ -50,6 +50,30 @@ struct Envelope::Content {
         return corner + spacing * (x * right + y * up + z * front);
     }
 
+    /// The inverse of toWorld().
+    Point3 placeOf(const Vec3& point) const
+    {
+        const Point3 offset = (point.cast<double>() - corner) / spacing;
+        return {offset.dot(right), offset.dot(up), offset.dot(front)};
+    }
+    /// The square that a place lies over; none beside the grid.
+    std::optional<GridPlace> squareOf(const Point3& place) const
+    {
+        const Grid<float>& distance = field.distance;
+        if (!(place.x() >= 0.0 && place.y() >= 0.0 && place.x() < distance.width() - 1 &&
+              place.y() < distance.height() - 1))
+            return {};
+        const int left = static_cast<int>(place.x());
+        const int below = static_cast<int>(place.y());
+        return GridPlace{left, below, place.x() - left, place.y() - below};
+    }
+    /// 0 beside the silhouette, spacing².
+    double squaredHeightAt(const Point3& place) const
+    {
+        const std::optional<GridPlace> square = squareOf(place);
+        return square ? field.squaredHeightAt(*square) : 0.0;
+    }
+
     /// Of the box over a square: the surface between the nodes is nowhere higher than at the highest of them.
     double boxHeight(int square) const
     {
@@ -169,18 +193,27 @@ Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, con
 
 bool Envelope::contains(const Vec3& point) const
 {
+    const Point3 place = m_content->placeOf(point);
+    const double squaredHeight = m_content->squaredHeightAt(place);
+    return squaredHeight > 0.0 && place.z() * place.z() <= squaredHeight;
+}
+
+bool Envelope::containsWithin(const Vec3& point, double margin) const
+{
     const Content& content = *m_content;
-    const Point3 offset = (point.cast<double>() - content.corner) / content.spacing;
-    const double x = offset.dot(content.right);
-    const double y = offset.dot(content.up);
-    const double z = offset.dot(content.front);
-    const Grid<float>& distance = content.field.distance;
-    if (!(x >= 0.0 && y >= 0.0 && x < distance.width() - 1 && y < distance.height() - 1))
+    const Point3 place = content.placeOf(point);
+    const double height = std::sqrt(content.squaredHeightAt(place));
+    if (height == 0.0)
         return false;
-    const int left = static_cast<int>(x);
-    const int below = static_cast<int>(y);
-    const double squaredHeight = content.field.squaredHeightAt({left, below, x - left, y - below});
-    return squaredHeight > 0.0 && z * z <= squaredHeight;
+    // Of a round bar, that is the inner third of its width and depth.
+    const double within = std::min(margin / content.spacing, 0.7 * height);
+    return interpolate(content.field.distance, *content.squareOf(place)) >= within &&
+           std::abs(place.z()) <= height - within;
+}
+
+double Envelope::riseAt(const Vec3& point) const
+{
+    return m_content->spacing * std::sqrt(m_content->squaredHeightAt(m_content->placeOf(point)));
 }
 
 double Envelope::volume() const

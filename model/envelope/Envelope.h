@@ -4,7 +4,7 @@
 #include "model/base/Error.h"
 #include "model/base/Random.h"
 #include "model/envelope/EnvelopeField.h"
-#include "model/envelope/LassoStroke.h"
+#include "model/envelope/LassoLoop.h"
 
 #include <cstdint>
 #include <memory>
@@ -32,6 +32,11 @@ public:
                                         const EnvelopeOptions& options = {});
 
     bool contains(const Vec3& point) const;
+    /// Whether the point lies at least @p margin (m, ≥ 0) within the silhouette and the surface; where the
+    /// envelope is thin, the middle of it counts.
+    bool containsWithin(const Vec3& point, double margin) const;
+    /// How far the surface rises above the plane at the point's place in it, m; 0 beside the silhouette.
+    double riseAt(const Vec3& point) const;
     /// m³
     double volume() const;
     /// Contains all of it, and exceeds it by less than a node's spacing.

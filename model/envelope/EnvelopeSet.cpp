@@ -48,6 +48,22 @@ bool EnvelopeSet::contains(const Vec3& point) const
     return std::ranges::any_of(m_envelopes, [&](const Envelope& one) { return one.contains(point); });
 }
 
+bool EnvelopeSet::containsWithin(const Vec3& point, double margin) const
+{
+    return std::ranges::any_of(m_envelopes,
+                               [&](const Envelope& one) { return one.containsWithin(point, margin); });
+}
+
+double EnvelopeSet::riseAt(const Vec3& point) const
+{
+    double greatest = 0.0;
+    for (const Envelope& envelope : m_envelopes) {
+        if (envelope.contains(point))
+            greatest = std::max(greatest, envelope.riseAt(point));
+    }
+    return greatest;
+}
+
 double EnvelopeSet::volume() const
 {
     if (m_envelopes.size() == 1)

@@ -20,6 +20,10 @@ public:
     bool isEmpty() const { return m_envelopes.empty(); }
 
     bool contains(const Vec3& point) const;
+    /// Whether it lies so in one of the envelopes; see there.
+    bool containsWithin(const Vec3& point, double margin) const;
+    /// The greatest of the envelopes that contain the point; see there.
+    double riseAt(const Vec3& point) const;
     /// m³; what envelopes have in common counts once. Of several envelopes it is estimated at 20,000 points,
     /// to about one percent.
     double volume() const;

@@ -134,6 +134,12 @@ void Competition::repeat()
     });
 }
 
+void Competition::dropOwned(std::span<const BudRef> buds)
+{
+    m_markers.filter(
+        [&](std::size_t i) { return !std::binary_search(buds.begin(), buds.end(), m_claims[i].bud); });
+}
+
 std::vector<EnabledBud> Competition::enabled(InternodeId firstNode) const
 {
     std::vector<std::pair<BudRef, std::size_t>> owned; // owner, marker

@@ -84,6 +84,10 @@ public:
     /// A further round, after the tree has grown since the last: costs what is near the new nodes.
     void repeat();
 
+    /// Takes away the markers that @p buds, sorted, own; for the end of a step: nothing may be asked of the
+    /// competition any more.
+    void dropOwned(std::span<const BudRef> buds);
+
     /// The buds on @p firstNode or later ones that own markers, by ascending node and slot.
     std::vector<EnabledBud> enabled(InternodeId firstNode = 0) const;
     /// Calls @p visit(bud) for the owner of each marker that has one.

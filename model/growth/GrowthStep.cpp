@@ -81,7 +81,10 @@ private:
     const GrowthParameters& m_parameters;
 };
 
-InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction)
+/// Returns the new internode, or kNoInternode if it is not admitted; rather than that, it may be half as
+/// long.
+InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction,
+                    const GrowthStepOptions& options = {})
 {
     const GrowthParameters& p = tree.tree().parameters().growth;
     const auto [node, slot] = shoot.bud;
@@ -90,7 +93,19 @@ InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction
     const double roll = slot == kTerminalSlot ? p.phyllotaxis + p.irregularity * kRollSpread * random.normal()
                                               : random.uniform(0.0, 2.0 * std::numbers::pi);
     const double stretch = std::clamp(1.0 + p.irregularity * kLengthSpread * random.normal(), 0.35, 1.9);
-    return tree.grow(node, slot, direction, roll, p.internodeLength * stretch, shoot.vigour);
+    double length = p.internodeLength * stretch;
+    if (options.admits) {
+        const Vec3& from = tree.nodePosition(node);
+        const auto isAdmitted = [&] {
+            return options.admits(from, from + static_cast<float>(length) * direction);
+        };
+        if (!isAdmitted()) {
+            length *= 0.5;
+            if (!isAdmitted())
+                return kNoInternode;
+        }
+    }
+    return tree.grow(node, slot, direction, roll, length, shoot.vigour);
 }
 
 std::vector<Shoot> startShoots(const std::vector<EnabledBud>& enabled, VigourFlow& flow,
@@ -124,11 +139,17 @@ void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flo
     for (const Shoot& shoot : shoots)
         growingAt.push_back(shoot.bud.node);
 
+    std::vector<BudRef> refused;
     while (!shoots.empty()) {
         // By ascending node and slot: laterals that start at a node have turned its axis away before that
         // goes on.
         for (Shoot& shoot : shoots) {
-            const InternodeId id = growOne(growing, shoot, orientation.of(shoot));
+            const InternodeId id = growOne(growing, shoot, orientation.of(shoot), options);
+            if (id == kNoInternode) {
+                refused.push_back(shoot.bud);
+                shoot.remaining = 0;
+                continue;
+            }
             shoot.bud = {id, kTerminalSlot};
             ++shoot.grown;
             --shoot.remaining;
@@ -145,6 +166,10 @@ void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flo
             shoot.space = found->space;
             return false;
         });
+    }
+    if (!refused.empty()) {
+        std::ranges::sort(refused);
+        competition.dropOwned(refused);
     }
     if (options.sheds)
         shedBranches(growing, growth, flow, growingAt, workspace);
@@ -283,20 +308,26 @@ InternodeId trunkTip(const TreeIndex& index)
     return tip;
 }
 
+TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const BudRef& bud, const Vec3& target,
+                     float distance, int count, GrowthWorkspace& workspace)
+{
+    GrowingTree growing(tree, index, workspace);
+    BudRef tip = bud;
+    for (int i = 0; i < count && (growing.buds(tip.node) & budBit(tip.slot)) != 0; ++i) {
+        const Vec3 toTarget = target - growing.nodePosition(tip.node);
+        if (toTarget.norm() <= distance)
+            break;
+        const Vec3 heading = growing.budDirection(tip.node, tip.slot);
+        const Vec3 direction = growthDirection({0.6, 0.0, 0.4}, heading, heading, toTarget.normalized());
+        tip = {growOne(growing, {tip, toTarget, 1.0F, 1}, direction), kTerminalSlot};
+    }
+    return growing.takeDelta();
+}
+
 TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const Vec3& target, float distance, int count,
                      GrowthWorkspace& workspace)
 {
-    GrowingTree growing(tree, index, workspace);
-    InternodeId tip = trunkTip(index);
-    for (int i = 0; i < count && (growing.buds(tip) & kTerminalBud) != 0; ++i) {
-        const Vec3 toTarget = target - growing.nodePosition(tip);
-        if (toTarget.norm() <= distance)
-            break;
-        const Vec3 heading = growing.heading(tip);
-        const Vec3 direction = growthDirection({0.6, 0.0, 0.4}, heading, heading, toTarget.normalized());
-        tip = growOne(growing, {{tip, kTerminalSlot}, toTarget, 1.0F, 1}, direction);
-    }
-    return growing.takeDelta();
+    return growLeader(tree, index, {trunkTip(index), kTerminalSlot}, target, distance, count, workspace);
 }
 
 } // namespace espalier

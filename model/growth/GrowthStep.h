@@ -5,6 +5,8 @@
 #include "model/growth/GrowthIndex.h"
 #include "model/growth/Tropism.h"
 
+#include <functional>
+
 namespace espalier {
 
 /// How a growth step differs from what the tree's parameters say alone.
@@ -18,6 +20,9 @@ struct GrowthStepOptions {
     double leastVigour = 0.0;
     /// Whether shedding is part of the step.
     bool sheds = true;
+    /// Whether an internode may lead from one node to another, m; empty lets all. A shoot that may not go on
+    /// ends, and the markers that drew it there go.
+    std::function<bool(const Vec3& from, const Vec3& to)> admits;
 
     static GrowthStepOptions of(const GrowthParameters& parameters);
 };
@@ -38,11 +43,15 @@ TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthI
 /// n = ⌊v / v_max · n_max⌋, with 0 for a v_max of 0. Exact at v = v_max.
 int shootLength(double vigour, double greatestVigour, int longest);
 
+/// Lets @p bud grow toward @p target, @p count internodes at most, until the target is within @p distance (m)
+/// of the tip: a shoot that is called by something it does not perceive. It stays bare of branches.
+TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const BudRef& bud, const Vec3& target,
+                     float distance, int count, GrowthWorkspace& workspace);
+
 /// The trunk's last living internode.
 InternodeId trunkTip(const TreeIndex& index);
 
-/// Lets the trunk grow toward @p target, @p count internodes at most, until the target is within @p distance
-/// (m): the leader of a seedling that a distant brush calls. It stays bare of branches.
+/// The same from the trunk's tip: the leader of a seedling that a distant brush calls.
 TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const Vec3& target, float distance, int count,
                      GrowthWorkspace& workspace);
 

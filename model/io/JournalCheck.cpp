@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -36,6 +37,7 @@ private:
     QString revertBuds(const TreeDelta& delta);
     QString revertFrames(const TreeDelta& delta);
     QString revertWidths(const TreeDelta& delta);
+    QString revertLassos(const TreeDelta& delta);
     QString revertDeaths(const TreeDelta& delta);
     QString revertBirths(const TreeDelta& delta);
     QString checkStateBefore(const TreeDelta& delta) const;
@@ -55,6 +57,8 @@ private:
     std::vector<std::uint32_t>
         m_changedBuds; ///< Number of the last delta, counted from the end, that changed an id's buds
     std::vector<std::uint32_t> m_changedFrames; ///< Likewise, its frame
+    std::vector<bool> m_lassoInForce;
+    std::vector<std::uint32_t> m_changedLassos; ///< Likewise, a lasso
     std::uint32_t m_round = 0;
 };
 
@@ -71,8 +75,12 @@ Rewind::Rewind(const Tree& tree)
       m_children(tree.size(), 0),
       m_continuations(tree.size(), 0),
       m_changedBuds(tree.size(), 0),
-      m_changedFrames(tree.size(), 0)
+      m_changedFrames(tree.size(), 0),
+      m_lassoInForce(static_cast<std::size_t>(tree.lassos().strokes.size()), false),
+      m_changedLassos(m_lassoInForce.size(), 0)
 {
+    for (const std::uint32_t index : tree.lassos().inForce)
+        m_lassoInForce[index] = true;
     for (const auto [id, diameter] : tree.widthConstraints())
         m_widths[id] = diameter;
     for (InternodeId id = 0; id < tree.size(); ++id) {
@@ -103,6 +111,8 @@ QString Rewind::revert(const TreeDelta& delta)
     if (QString fault = revertFrames(delta); !fault.isEmpty())
         return fault;
     if (QString fault = revertWidths(delta); !fault.isEmpty())
+        return fault;
+    if (QString fault = revertLassos(delta); !fault.isEmpty())
         return fault;
     if (QString fault = revertDeaths(delta); !fault.isEmpty())
         return fault;
@@ -158,6 +168,17 @@ QString Rewind::revertWidths(const TreeDelta& delta)
             m_widths[change.id] = change.before;
         else
             m_widths.erase(change.id);
+    }
+    return {};
+}
+
+QString Rewind::revertLassos(const TreeDelta& delta)
+{
+    for (const auto [index, isInForce] : delta.lassos) {
+        if (index >= m_lassoInForce.size() || m_lassoInForce[index] != isInForce ||
+            std::exchange(m_changedLassos[index], m_round) == m_round)
+            return Text::tr("it changes an envelope in a way that cannot be");
+        m_lassoInForce[index] = !isInForce;
     }
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/JournalColumns.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace espalier {
@@ -14,6 +15,7 @@ JournalCounts JournalCounts::of(const Journal& journal)
         counts.budChanges += static_cast<std::uint32_t>(delta->buds.size());
         counts.frames += static_cast<std::uint32_t>(delta->frames.size());
         counts.widths += static_cast<std::uint32_t>(delta->widths.size());
+        counts.lassos += static_cast<std::uint32_t>(delta->lassos.size());
     }
     return counts;
 }
@@ -32,6 +34,7 @@ JournalColumns JournalColumns::of(const Journal& journal)
         columns.budCount.append(static_cast<std::uint32_t>(delta->buds.size()));
         columns.frameCount.append(static_cast<std::uint32_t>(delta->frames.size()));
         columns.widthCount.append(static_cast<std::uint32_t>(delta->widths.size()));
+        columns.lassoCount.append(static_cast<std::uint32_t>(delta->lassos.size()));
         for (const InternodeId id : delta->died)
             columns.died.append(id);
         for (const TreeDelta::BudChange& change : delta->buds) {
@@ -51,6 +54,10 @@ JournalColumns JournalColumns::of(const Journal& journal)
             columns.widthBefore.append(change.before);
             columns.widthAfter.append(change.after);
         }
+        for (const TreeDelta::LassoChange& change : delta->lassos) {
+            columns.lassoIndex.append(change.index);
+            columns.lassoInForce.append(change.isInForce ? 1 : 0);
+        }
     }
     return columns;
 }
@@ -61,7 +68,9 @@ std::optional<Journal> JournalColumns::toJournal(const JournalCounts& counts) co
         return std::accumulate(column.begin(), column.end(), std::uint64_t{0});
     };
     if (sum(diedCount) != counts.died || sum(budCount) != counts.budChanges ||
-        sum(frameCount) != counts.frames || sum(widthCount) != counts.widths)
+        sum(frameCount) != counts.frames || sum(widthCount) != counts.widths ||
+        sum(lassoCount) != counts.lassos ||
+        std::ranges::any_of(lassoInForce, [](std::uint8_t flag) { return flag > 1; }))
         return {};
     Journal journal;
     journal.reserve(counts.deltas);
@@ -69,6 +78,7 @@ std::optional<Journal> JournalColumns::toJournal(const JournalCounts& counts) co
     qsizetype bud = 0;
     qsizetype frame = 0;
     qsizetype width = 0;
+    qsizetype lasso = 0;
     for (qsizetype i = 0; i < stepBefore.size(); ++i) {
         auto delta = std::make_shared<TreeDelta>();
         delta->stepBefore = stepBefore[i];
@@ -88,6 +98,9 @@ std::optional<Journal> JournalColumns::toJournal(const JournalCounts& counts) co
         delta->widths.reserve(widthCount[i]);
         for (const qsizetype end = width + widthCount[i]; width < end; ++width)
             delta->widths.push_back({widthId[width], widthBefore[width], widthAfter[width]});
+        delta->lassos.reserve(lassoCount[i]);
+        for (const qsizetype end = lasso + lassoCount[i]; lasso < end; ++lasso)
+            delta->lassos.push_back({lassoIndex[lasso], lassoInForce[lasso] != 0});
         journal.push_back(std::move(delta));
     }
     return journal;

@@ -16,6 +16,7 @@ struct JournalCounts {
     std::uint32_t budChanges = 0; ///< Likewise
     std::uint32_t frames = 0;     ///< Likewise
     std::uint32_t widths = 0;     ///< Likewise
+    std::uint32_t lassos = 0;     ///< Likewise
 
     static JournalCounts of(const Journal& journal);
 };
@@ -32,6 +33,7 @@ struct JournalColumns {
     QList<std::uint32_t> budCount;
     QList<std::uint32_t> frameCount;
     QList<std::uint32_t> widthCount;
+    QList<std::uint32_t> lassoCount;
     QList<InternodeId> died;
     QList<InternodeId> budId;
     QList<BudMask> budBefore;
@@ -44,10 +46,12 @@ struct JournalColumns {
     QList<InternodeId> widthId;
     QList<float> widthBefore;
     QList<float> widthAfter;
+    QList<std::uint32_t> lassoIndex;
+    QList<std::uint8_t> lassoInForce; ///< Afterwards; 0 or 1
 
     static JournalColumns of(const Journal& journal);
-    /// Nothing if the counts of the deltas do not add up to the rows. Precondition: the columns are of the
-    /// sizes that @p counts says.
+    /// Nothing if the counts of the deltas do not add up to the rows, or if a flag is none. Precondition: the
+    /// columns are of the sizes that @p counts says.
     std::optional<Journal> toJournal(const JournalCounts& counts) const;
 
     /// Calls @p visitor(name, column, rows) for each column, in a fixed order.
@@ -64,6 +68,7 @@ struct JournalColumns {
         visitor("budCount", self.budCount, counts.deltas);
         visitor("frameCount", self.frameCount, counts.deltas);
         visitor("widthCount", self.widthCount, counts.deltas);
+        visitor("lassoCount", self.lassoCount, counts.deltas);
         visitor("died", self.died, counts.died);
         visitor("budId", self.budId, counts.budChanges);
         visitor("budBefore", self.budBefore, counts.budChanges);
@@ -76,6 +81,8 @@ struct JournalColumns {
         visitor("widthId", self.widthId, counts.widths);
         visitor("widthBefore", self.widthBefore, counts.widths);
         visitor("widthAfter", self.widthAfter, counts.widths);
+        visitor("lassoIndex", self.lassoIndex, counts.lassos);
+        visitor("lassoInForce", self.lassoInForce, counts.lassos);
     }
 };
 

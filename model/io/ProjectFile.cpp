@@ -4,6 +4,7 @@
 #include "model/io/JournalCheck.h"
 #include "model/io/JournalColumns.h"
 #include "model/io/JsonReader.h"
+#include "model/io/LassoColumns.h"
 #include "model/io/ParametersJson.h"
 #include "model/io/ZipArchive.h"
 #include "model/tree/TreeIndex.h"
@@ -24,6 +25,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the columns of a project file are little-endian");
 static_assert(sizeof(Rotation) == 4 * sizeof(float));
+static_assert(sizeof(Vec3) == 3 * sizeof(float) && sizeof(Vec2) == 2 * sizeof(float));
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(ProjectFile)
@@ -46,6 +48,8 @@ struct Description {
     JournalCounts journal;
     std::uint32_t ahead = 0;
     std::vector<WidthConstraint> widths;
+    std::uint32_t lassos = 0;
+    std::uint32_t lassoPoints = 0;
     QList<TreeParameters> parameterSets;
     std::uint32_t currentParameters = 0;
 };
@@ -69,6 +73,14 @@ Result<void> readColumn(const ZipReader& archive, const QByteArray& name, std::u
     return archive.readExactly(name.constData(), std::as_writable_bytes(std::span(column.data(), rows)));
 }
 
+std::uint32_t lassoPointsOf(const Tree& tree)
+{
+    std::size_t sum = 0;
+    for (const LassoStroke& stroke : tree.lassos().strokes)
+        sum += stroke.points.size();
+    return static_cast<std::uint32_t>(sum);
+}
+
 QByteArray describe(const Project& project, const JournalCounts& counts)
 {
     const Tree& tree = project.tree;
@@ -82,7 +94,8 @@ QByteArray describe(const Project& project, const JournalCounts& counts)
                               {QStringLiteral("died"), qint64{counts.died}},
                               {QStringLiteral("budChanges"), qint64{counts.budChanges}},
                               {QStringLiteral("frames"), qint64{counts.frames}},
-                              {QStringLiteral("widths"), qint64{counts.widths}}};
+                              {QStringLiteral("widths"), qint64{counts.widths}},
+                              {QStringLiteral("lassos"), qint64{counts.lassos}}};
     QJsonArray widths;
     for (const auto [id, diameter] : tree.widthConstraints())
         widths.append(QJsonArray{qint64{id}, static_cast<double>(diameter)});
@@ -96,6 +109,8 @@ QByteArray describe(const Project& project, const JournalCounts& counts)
                            {QStringLiteral("journal"), journal},
                            {QStringLiteral("ahead"), qint64{project.ahead}},
                            {QStringLiteral("widths"), widths},
+                           {QStringLiteral("lassos"), tree.lassos().strokes.size()},
+                           {QStringLiteral("lassoPoints"), qint64{lassoPointsOf(tree)}},
                            {QStringLiteral("currentParameters"), qint64{tree.currentParameterSet()}},
                            {QStringLiteral("parameterSets"), sets}};
     return QJsonDocument(json).toJson();
@@ -116,6 +131,7 @@ JournalCounts readJournalCounts(JsonReader& parent, std::uint32_t internodes)
     counts.budChanges = readCount(reader, "budChanges", 0, projectLimits::kBudChanges);
     counts.frames = readCount(reader, "frames", 0, projectLimits::kFrames);
     counts.widths = readCount(reader, "widths", 0, projectLimits::kWidths);
+    counts.lassos = readCount(reader, "lassos", 0, projectLimits::kLassoChanges);
     if (const Result<void> end = reader.finish(); !end)
         parent.fail(end.error());
     return counts;
@@ -185,6 +201,8 @@ Result<Description> readDescription(const QByteArray& text)
     description.journal = readJournalCounts(reader, description.internodes);
     description.ahead = readCount(reader, "ahead", 0, description.journal.deltas);
     description.widths = readWidths(reader);
+    description.lassos = readCount(reader, "lassos", 0, projectLimits::kLassos);
+    description.lassoPoints = readCount(reader, "lassoPoints", 0, projectLimits::kLassoPoints);
     const QJsonArray sets = reader.array(QLatin1StringView("parameterSets"));
     if (sets.isEmpty() || sets.size() > projectLimits::kParameterSets)
         reader.fail(QLatin1StringView("parameterSets"),
@@ -216,6 +234,23 @@ Result<void> checkPositions(const Tree& tree)
     return {};
 }
 
+Result<Lassos> readLassos(const ZipReader& archive, const Description& description)
+{
+    LassoColumns columns;
+    Result<void> read;
+    LassoColumns::visit(columns, description.lassos, description.lassoPoints,
+                        [&](const char* name, auto& column, std::uint32_t rows) {
+                            if (read)
+                                read = readColumn(archive, QByteArray("lasso/") + name, rows, column);
+                        });
+    if (!read)
+        return read.error();
+    std::optional<Lassos> lassos = columns.toLassos();
+    if (!lassos)
+        return inputError(Text::tr("the lassos"), Text::tr("their parts do not add up"));
+    return std::move(*lassos);
+}
+
 Result<Tree> readTree(const ZipReader& archive, Description description)
 {
     InternodeColumns columns;
@@ -226,9 +261,12 @@ Result<Tree> readTree(const ZipReader& archive, Description description)
     });
     if (!read)
         return read.error();
+    Result<Lassos> lassos = readLassos(archive, description);
+    if (!lassos)
+        return lassos.error();
     Result<Tree> tree = Tree::fromColumns(description.seed, description.step, std::move(columns),
                                           std::move(description.parameterSets), description.currentParameters,
-                                          std::move(description.widths));
+                                          std::move(description.widths), std::move(*lassos));
     if (tree) {
         if (const Result<void> positions = checkPositions(*tree); !positions)
             return positions.error();
@@ -292,7 +330,9 @@ Result<QByteArray> packProject(const Project& project)
     const JournalCounts counts = JournalCounts::of(project.journal);
     if (project.tree.size() > projectLimits::kInternodes || counts.deltas > projectLimits::kDeltas ||
         counts.budChanges > projectLimits::kBudChanges || counts.frames > projectLimits::kFrames ||
-        counts.widths > projectLimits::kWidths)
+        counts.widths > projectLimits::kWidths || counts.lassos > projectLimits::kLassoChanges ||
+        project.tree.lassos().strokes.size() > qsizetype{projectLimits::kLassos} ||
+        lassoPointsOf(project.tree) > projectLimits::kLassoPoints)
         return Error{Error::Kind::Output,
                      Text::tr("the tree or its history is too large for a project file")};
     ZipWriter archive;
@@ -303,6 +343,10 @@ Result<QByteArray> packProject(const Project& project)
     const JournalColumns journal = JournalColumns::of(project.journal);
     JournalColumns::visit(journal, counts, [&](const char* name, const auto& column, std::uint32_t) {
         archive.add(QByteArray("journal/") + name, bytesOf(column));
+    });
+    const LassoColumns lassos = LassoColumns::of(project.tree.lassos());
+    LassoColumns::visit(lassos, 0, 0, [&](const char* name, const auto& column, std::uint32_t) {
+        archive.add(QByteArray("lasso/") + name, bytesOf(column));
     });
     if (!project.thumbnail.isNull())
         archive.add(kThumbnailEntry, toPng(project.thumbnail), ZipWriter::Packing::Store);

@@ -17,6 +17,7 @@ namespace espalier {
 /// - tree/<column>: one file a column of InternodeColumns, numbers little-endian, a rotation as four floats
 ///   x, y, z, w;
 /// - journal/<column>: the deltas as columns, then their deaths and changed buds in the same order;
+/// - lasso/<column>: the strokes of the lasso as columns, then their points in the same order;
 /// - thumbnail.png, if there is one.
 struct Project {
     Tree tree{};
@@ -37,6 +38,9 @@ inline constexpr std::uint32_t kDeltas = 4'000'000;
 inline constexpr std::uint32_t kBudChanges = 100'000'000;
 inline constexpr std::uint32_t kFrames = 100'000'000;
 inline constexpr std::uint32_t kWidths = 10'000'000;
+inline constexpr std::uint32_t kLassos = 100'000;
+inline constexpr std::uint32_t kLassoPoints = 10'000'000; ///< In all
+inline constexpr std::uint32_t kLassoChanges = 10'000'000;
 inline constexpr std::uint32_t kParameterSets = 65'536;
 inline constexpr float kWorld = 10'000.0F; ///< m; no node may be further away from the origin along an axis
 } // namespace projectLimits

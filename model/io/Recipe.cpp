@@ -23,8 +23,22 @@ struct Text {
 constexpr QLatin1StringView kVersionKey("espalier-recipe");
 constexpr QLatin1StringView kParametersKey("parameters");
 constexpr QLatin1StringView kSamplesKey("samples");
+constexpr QLatin1StringView kPointsKey("points");
 constexpr QLatin1StringView kViews[] = {QLatin1StringView("front"), QLatin1StringView("side"),
                                         QLatin1StringView("top"), QLatin1StringView("three-quarter")};
+
+/// The numbers of an array, or nothing if it does not hold so many, each within ±@p limit.
+template <int Count>
+std::optional<Eigen::Matrix<float, Count, 1>> numbers(const QJsonArray& array, double limit)
+{
+    Eigen::Matrix<float, Count, 1> result;
+    for (int i = 0; i < Count; ++i) {
+        if (array.size() != Count || !array.at(i).isDouble() || !(std::abs(array.at(i).toDouble()) <= limit))
+            return {};
+        result[i] = static_cast<float>(array.at(i).toDouble());
+    }
+    return result;
+}
 
 /// All buds, or the one that "only" names.
 Competitors parseCompetitors(JsonReader& parent)
@@ -55,6 +69,8 @@ public:
 private:
     Result<RecipeOperation> parseParameters(JsonReader& reader);
     RecipeOperation parseStroke(JsonReader& reader);
+    RecipeOperation parseLasso(JsonReader& reader);
+    bool admit(JsonReader& reader, QLatin1StringView key, qsizetype samples);
     RecipeOperation parsePrune(JsonReader& reader);
     static RecipeOperation parseBend(JsonReader& reader);
     static RecipeOperation parseWidth(JsonReader& reader);
@@ -95,10 +111,16 @@ Result<RecipeOperation> OperationsParser::parse(const QJsonValue& value, const Q
         operation = parseBend(reader);
     } else if (op == QLatin1StringView("setWidth")) {
         operation = parseWidth(reader);
+    } else if (op == QLatin1StringView("lasso")) {
+        operation = parseLasso(reader);
+    } else if (op == QLatin1StringView("regrow")) {
+        operation = RecipeOperation(RegrowOperation{});
+    } else if (op == QLatin1StringView("removeLasso")) {
+        operation = RecipeOperation(RemoveLassoOperation{});
     } else {
         reader.fail(QLatin1StringView("op"),
                     Text::tr("there is no operation “%1”; there are setParameters, brushStroke, grow, prune, "
-                             "travel, undo, redo, bend and setWidth")
+                             "travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso")
                         .arg(op));
     }
     if (!operation)
@@ -129,11 +151,8 @@ RecipeOperation OperationsParser::parseStroke(JsonReader& reader)
     stroke.competitors = parseCompetitors(reader);
     if (array.isEmpty())
         reader.fail(kSamplesKey, Text::tr("a stroke has at least one sample"));
-    m_samples += array.size();
-    if (m_samples > recipeLimits::kSamples) {
-        reader.fail(kSamplesKey, Text::tr("a recipe has at most %1 samples").arg(recipeLimits::kSamples));
+    if (!admit(reader, kSamplesKey, array.size()))
         return stroke;
-    }
     stroke.samples.resize(static_cast<std::size_t>(array.size()));
     double time = -1.0;
     for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
@@ -144,6 +163,53 @@ RecipeOperation OperationsParser::parseStroke(JsonReader& reader)
         time = stroke.samples[i].time;
     }
     return stroke;
+}
+
+bool OperationsParser::admit(JsonReader& reader, QLatin1StringView key, qsizetype samples)
+{
+    m_samples += samples;
+    if (m_samples > recipeLimits::kSamples)
+        reader.fail(key, Text::tr("a recipe has at most %1 samples").arg(recipeLimits::kSamples));
+    return m_samples <= recipeLimits::kSamples;
+}
+
+RecipeOperation OperationsParser::parseLasso(JsonReader& reader)
+{
+    LassoOperation lasso;
+    lasso.competitors = parseCompetitors(reader);
+    const auto readVector = [&](QLatin1StringView key, Vec3& vector) {
+        if (!reader.has(key))
+            return;
+        if (const auto read = numbers<3>(reader.array(key), recipeLimits::kCoordinate))
+            vector = *read;
+        else
+            reader.fail(key,
+                        Text::tr("three numbers within ±%1 are expected").arg(recipeLimits::kCoordinate));
+    };
+    readVector(QLatin1StringView("origin"), lasso.stroke.origin);
+    readVector(QLatin1StringView("right"), lasso.stroke.right);
+    readVector(QLatin1StringView("up"), lasso.stroke.up);
+    if (!isLasso(lasso.stroke))
+        reader.fail(QLatin1StringView("up"),
+                    Text::tr("right and up must have length 1 and be at right angles"));
+
+    const QJsonArray array = reader.array(kPointsKey);
+    if (array.size() < 3)
+        reader.fail(kPointsKey, Text::tr("a lasso has at least three points"));
+    if (!admit(reader, kPointsKey, array.size()))
+        return lasso;
+    lasso.stroke.points.reserve(static_cast<std::size_t>(array.size()));
+    for (qsizetype i = 0; i < array.size(); ++i) {
+        const auto point = numbers<2>(array.at(i).toArray(), recipeLimits::kCoordinate);
+        if (!point) {
+            reader.fail(inputError(QStringLiteral("%1[%2]").arg(reader.placeOf(kPointsKey)).arg(i),
+                                   Text::tr("two numbers within ±%1 are expected, right and up, in m")
+                                       .arg(recipeLimits::kCoordinate)));
+            break;
+        }
+        lasso.stroke.points.push_back(*point);
+    }
+    return lasso;
 }
 
 RecipeOperation OperationsParser::parsePrune(JsonReader& reader)
@@ -323,6 +389,25 @@ struct OperationWriter {
             text += (&id == operation.internodes.data() ? "" : ",") + QByteArray::number(id);
         text += "]}";
     }
+    void operator()(const LassoOperation& operation) const
+    {
+        text += R"({"op":"lasso")";
+        const LassoStroke& stroke = operation.stroke;
+        write("origin", stroke.origin);
+        write("right", stroke.right);
+        write("up", stroke.up);
+        text += R"(,"points":[)";
+        for (const Vec2& point : stroke.points) {
+            text += &point == stroke.points.data() ? "\n      [" : ",\n      [";
+            appendNumber(text, point.x());
+            text += ',';
+            appendNumber(text, point.y());
+            text += ']';
+        }
+        text += "\n    ]" + only(operation.competitors) + '}';
+    }
+    void operator()(const RegrowOperation&) const { text += R"({"op":"regrow"})"; }
+    void operator()(const RemoveLassoOperation&) const { text += R"({"op":"removeLasso"})"; }
     void operator()(const TravelOperation& operation) const { write("travel", "by", operation.by); }
     void operator()(const BendOperation& operation) const
     {
@@ -354,6 +439,15 @@ struct OperationWriter {
     void operator()(const UndoOperation& operation) const { write("undo", "count", operation.count); }
     void operator()(const RedoOperation& operation) const { write("redo", "count", operation.count); }
 
+    void write(const char* key, const Vec3& vector) const
+    {
+        text += ",\"" + QByteArray(key) + "\":[";
+        for (int i = 0; i < 3; ++i) {
+            text += i == 0 ? "" : ",";
+            appendNumber(text, vector[i]);
+        }
+        text += ']';
+    }
     static QByteArray only(const Competitors& competitors)
     {
         return competitors.areAll() ? QByteArray()

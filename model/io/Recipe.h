@@ -5,6 +5,7 @@
 #include "model/base/Ids.h"
 #include "model/growth/BrushSample.h"
 #include "model/growth/Competition.h"
+#include "model/tree/LassoStroke.h"
 #include "model/tree/Parameters.h"
 
 #include <QByteArray>
@@ -66,9 +67,21 @@ struct SetWidthOperation {
     double diameter = 0.0; ///< m, 0...100; 0 takes the constraint away
     bool operator==(const SetWidthOperation&) const = default;
 };
+struct LassoOperation {
+    LassoStroke stroke;        ///< Raw: any number of points from 3 on
+    Competitors competitors{}; ///< The buds that may grow
+    bool operator==(const LassoOperation&) const = default;
+};
+struct RegrowOperation {
+    bool operator==(const RegrowOperation&) const = default;
+};
+struct RemoveLassoOperation {
+    bool operator==(const RemoveLassoOperation&) const = default;
+};
 using RecipeOperation =
     std::variant<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
-                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation>;
+                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
+                 RegrowOperation, RemoveLassoOperation>;
 
 /// From where a picture is taken.
 struct RecipeCamera {
@@ -93,7 +106,7 @@ inline constexpr int kVersion = 1;
 inline constexpr double kCoordinate = 1000.0;    ///< m, either way
 inline constexpr double kRadius = 100.0;         ///< m
 inline constexpr double kStrokeTime = 600.0;     ///< s
-inline constexpr qsizetype kSamples = 1'000'000; ///< in all
+inline constexpr qsizetype kSamples = 1'000'000; ///< in all, points of lassos among them
 inline constexpr qsizetype kOperations = 100'000;
 inline constexpr int kGrowSteps = 10'000;    ///< an operation
 inline constexpr int kTravel = 1'000'000;    ///< an operation

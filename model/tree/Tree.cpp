@@ -78,6 +78,17 @@ bool isFrame(const Rotation& rotation, float length)
     return isUnit(rotation) && isLength(length);
 }
 
+bool isLasso(const LassoStroke& stroke)
+{
+    const auto isUnitVector = [](const Vec3& v) { return std::abs(v.squaredNorm() - 1.0F) < 1e-3F; };
+    return stroke.origin.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kFarthestLassoPlane &&
+           isUnitVector(stroke.right) && isUnitVector(stroke.up) &&
+           std::abs(stroke.right.dot(stroke.up)) < 1e-3F && stroke.points.size() <= kMostLassoPoints &&
+           std::ranges::all_of(stroke.points, [](const Vec2& point) {
+               return point.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kFarthestLassoPoint;
+           });
+}
+
 Tree::Tree(std::uint64_t seed, const TreeParameters& parameters) : m_seed(seed)
 {
     m_parameterSets.append(parameters);
@@ -96,7 +107,7 @@ Tree::Tree(std::uint64_t seed, const TreeParameters& parameters) : m_seed(seed)
 
 Result<Tree> Tree::fromColumns(std::uint64_t seed, Step step, InternodeColumns columns,
                                QList<TreeParameters> parameterSets, std::uint32_t currentParameters,
-                               std::vector<WidthConstraint> widths)
+                               std::vector<WidthConstraint> widths, Lassos lassos)
 {
     const std::uint32_t count = columns.size();
     bool equalSizes = true;
@@ -134,8 +145,18 @@ Result<Tree> Tree::fromColumns(std::uint64_t seed, Step step, InternodeColumns c
             !(diameter > 0.0F && diameter <= kGreatestDiameter))
             return Error{Error::Kind::Input, tr("width %1 cannot be").arg(i)};
     }
+    for (qsizetype i = 0; i < lassos.strokes.size(); ++i) {
+        if (!isLasso(lassos.strokes.at(i)))
+            return Error{Error::Kind::Input, tr("lasso %1 cannot be").arg(i)};
+    }
+    for (std::size_t i = 0; i < lassos.inForce.size(); ++i) {
+        if (lassos.inForce[i] >= lassos.strokes.size() ||
+            (i > 0 && lassos.inForce[i] <= lassos.inForce[i - 1]))
+            return Error{Error::Kind::Input, tr("the lassos in force are out of order")};
+    }
 
     Tree tree;
+    tree.m_lassos = std::move(lassos);
     tree.m_widths = std::move(widths);
     tree.m_columns = std::move(columns);
     tree.m_parameterSets = std::move(parameterSets);
@@ -180,6 +201,8 @@ void Tree::apply(TreeDelta& delta)
     }
     for (const TreeDelta::WidthChange& change : delta.widths)
         setWidth(change.id, change.after);
+    for (const TreeDelta::LassoChange& change : delta.lassos)
+        setLasso(change.index, change.isInForce);
     m_currentParameters = delta.parametersAfter;
     m_step = delta.stepAfter;
 }
@@ -187,6 +210,8 @@ void Tree::apply(TreeDelta& delta)
 void Tree::revert(const TreeDelta& delta)
 {
     Q_ASSERT(m_step == delta.stepAfter && !delta.rows);
+    for (const TreeDelta::LassoChange& change : delta.lassos)
+        setLasso(change.index, !change.isInForce);
     for (const TreeDelta::WidthChange& change : delta.widths)
         setWidth(change.id, change.before);
     for (const TreeDelta::FrameChange& change : delta.frames) {
@@ -208,11 +233,11 @@ bool Tree::operator==(const Tree& other) const
     const InternodeColumns& b = other.m_columns;
     const auto sameRotation = [](const Rotation& r, const Rotation& s) { return r.coeffs() == s.coeffs(); };
     return m_seed == other.m_seed && m_step == other.m_step && m_widths == other.m_widths &&
-           m_currentParameters == other.m_currentParameters && m_parameterSets == other.m_parameterSets &&
-           a.parent == b.parent && std::ranges::equal(a.rotation, b.rotation, sameRotation) &&
-           a.length == b.length && a.vigour == b.vigour && a.slot == b.slot && a.buds == b.buds &&
-           a.birth == b.birth && a.death == b.death && a.present == b.present &&
-           a.parameterSet == b.parameterSet;
+           m_lassos == other.m_lassos && m_currentParameters == other.m_currentParameters &&
+           m_parameterSets == other.m_parameterSets && a.parent == b.parent &&
+           std::ranges::equal(a.rotation, b.rotation, sameRotation) && a.length == b.length &&
+           a.vigour == b.vigour && a.slot == b.slot && a.buds == b.buds && a.birth == b.birth &&
+           a.death == b.death && a.present == b.present && a.parameterSet == b.parameterSet;
 }
 
 float Tree::widthConstraint(InternodeId id) const
@@ -233,10 +258,43 @@ void Tree::setWidth(InternodeId id, float diameter)
         m_widths.insert(place, {id, diameter});
 }
 
+std::vector<LassoStroke> Tree::lassosInForce() const
+{
+    std::vector<LassoStroke> strokes;
+    for (const std::uint32_t index : m_lassos.inForce)
+        strokes.push_back(m_lassos.strokes[index]);
+    return strokes;
+}
+
+std::uint32_t Tree::rememberLasso(const LassoStroke& stroke)
+{
+    Q_ASSERT(isLasso(stroke));
+    m_lassos.strokes.append(stroke);
+    return static_cast<std::uint32_t>(m_lassos.strokes.size() - 1);
+}
+
+void Tree::forgetLassosFrom(std::uint32_t count)
+{
+    Q_ASSERT(m_lassos.inForce.empty() || m_lassos.inForce.back() < count);
+    m_lassos.strokes.resize(std::min<qsizetype>(count, m_lassos.strokes.size()));
+}
+
+void Tree::setLasso(std::uint32_t index, bool inForce)
+{
+    const auto place = std::ranges::lower_bound(m_lassos.inForce, index);
+    const bool isIn = place != m_lassos.inForce.end() && *place == index;
+    if (inForce && !isIn)
+        m_lassos.inForce.insert(place, index);
+    else if (!inForce && isIn)
+        m_lassos.inForce.erase(place);
+}
+
 std::size_t Tree::bytes() const
 {
     std::size_t sum = m_widths.capacity() * sizeof(WidthConstraint) +
                       static_cast<std::size_t>(m_parameterSets.size()) * sizeof(TreeParameters);
+    for (const LassoStroke& stroke : m_lassos.strokes)
+        sum += sizeof(stroke) + stroke.points.capacity() * sizeof(Vec2);
     InternodeColumns::visit(m_columns, [&](const char*, const auto& column) {
         sum += static_cast<std::size_t>(column.capacity()) * sizeof(*column.constData());
     });
@@ -255,13 +313,14 @@ TreeDelta TreeDelta::startingAt(const Tree& tree)
 bool TreeDelta::isEmpty() const
 {
     return stepBefore == stepAfter && parametersBefore == parametersAfter && born.count == 0 &&
-           died.empty() && buds.empty() && frames.empty() && widths.empty();
+           died.empty() && buds.empty() && frames.empty() && widths.empty() && lassos.empty();
 }
 
 std::size_t TreeDelta::bytes() const
 {
     return sizeof(*this) + died.capacity() * sizeof(InternodeId) + buds.capacity() * sizeof(BudChange) +
-           frames.capacity() * sizeof(FrameChange) + widths.capacity() * sizeof(WidthChange);
+           frames.capacity() * sizeof(FrameChange) + widths.capacity() * sizeof(WidthChange) +
+           lassos.capacity() * sizeof(LassoChange);
 }
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 
 #include "model/base/Error.h"
 #include "model/tree/InternodeColumns.h"
+#include "model/tree/LassoStroke.h"
 #include "model/tree/Parameters.h"
 #include "model/tree/TreeDelta.h"
 #include "model/tree/WidthConstraint.h"
@@ -18,6 +19,14 @@ inline constexpr float kGreatestDiameter = 100.0F; ///< Of a width constraint
 /// Whether an internode may have such a local frame and length.
 bool isFrame(const Rotation& rotation, float length);
 
+/// The lasso strokes of a tree: its envelopes.
+struct Lassos {
+    QList<LassoStroke> strokes;         ///< That were ever in force
+    std::vector<std::uint32_t> inForce; ///< Their indices, ascending
+
+    bool operator==(const Lassos&) const = default;
+};
+
 /// The plant graph. An internode is a row of the columns; its upper end is a node, which carries buds; an
 /// axis is a chain of internodes that each continue the one before (slot kTerminalSlot). Nothing is erased:
 /// what is shed or pruned gets a death step, and what is undone is marked absent. Internode 0 is the
@@ -31,10 +40,10 @@ public:
 
     /// A tree read from elsewhere. Fails unless the columns agree with each other: equal sizes, parents
     /// before children, at most one living continuation a node, living parents of living internodes, finite
-    /// numbers, known parameter sets, positive widths by ascending id.
+    /// numbers, known parameter sets, positive widths by ascending id, lassos that are some.
     static Result<Tree> fromColumns(std::uint64_t seed, Step step, InternodeColumns columns,
                                     QList<TreeParameters> parameterSets, std::uint32_t currentParameters,
-                                    std::vector<WidthConstraint> widths = {});
+                                    std::vector<WidthConstraint> widths = {}, Lassos lassos = {});
 
     std::uint64_t seed() const { return m_seed; }
     Step step() const { return m_step; }
@@ -72,6 +81,15 @@ public:
     /// and it is not in force.
     void forgetLastParameters();
 
+    const Lassos& lassos() const { return m_lassos; }
+    /// Copies of the strokes in force.
+    std::vector<LassoStroke> lassosInForce() const;
+    /// Keeps @p stroke and returns its index. A delta puts it in force. Precondition: isLasso(stroke).
+    std::uint32_t rememberLasso(const LassoStroke& stroke);
+    /// Drops the strokes from @p count on. Precondition: none of them is in force, nor does a delta refer to
+    /// one.
+    void forgetLassosFrom(std::uint32_t count);
+
     void apply(TreeDelta& delta);
     void revert(const TreeDelta& delta);
 
@@ -82,9 +100,11 @@ public:
 
 private:
     void setWidth(InternodeId id, float diameter);
+    void setLasso(std::uint32_t index, bool inForce);
 
     InternodeColumns m_columns;
     std::vector<WidthConstraint> m_widths;
+    Lassos m_lassos;
     QList<TreeParameters> m_parameterSets;
     std::uint32_t m_currentParameters = 0;
     std::uint64_t m_seed = 1;

@@ -36,6 +36,13 @@ struct TreeDelta {
         bool operator==(const WidthChange&) const = default;
     };
 
+    /// An envelope that came into force or was taken away.
+    struct LassoChange {
+        std::uint32_t index; ///< Of the tree's lassos
+        bool isInForce;      ///< Afterwards; before, the opposite
+        bool operator==(const LassoChange&) const = default;
+    };
+
     Step stepBefore = 0;
     Step stepAfter = 0;
     std::uint32_t parametersBefore = 0; ///< Index of the parameter set in force
@@ -45,6 +52,7 @@ struct TreeDelta {
     std::vector<BudChange> buds;     ///< Of internodes that lived before; each id at most once
     std::vector<FrameChange> frames; ///< Likewise
     std::vector<WidthChange> widths; ///< Each id at most once
+    std::vector<LassoChange> lassos; ///< Each index at most once
     /// The new internodes' rows on their way into the tree: the first apply takes them, and they stay in its
     /// columns from then on.
     std::unique_ptr<InternodeColumns> rows;

@@ -56,6 +56,9 @@ void FuzzFilesTest::initTestCase()
         GrowOperation{5},
         UndoOperation{2},
         RedoOperation{1},
+        LassoOperation{{Vec3(0, 1, 0), Vec3::UnitX(), Vec3::UnitY(), {{-1, 0}, {1, 0.5F}, {0, 2}}}},
+        RegrowOperation{},
+        RemoveLassoOperation{},
         SetParametersOperation{}};
     m_recipes = {writeRecipe(recipe), R"({"espalier-recipe":1,"operations":[{"op":"grow","steps":3}]})"};
 }

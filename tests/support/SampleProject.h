@@ -7,7 +7,7 @@
 namespace espalier::test {
 
 /// A project of about @p count internodes with all that a history can hold: births, deaths, parameter
-/// changes, bends, widths, and steps that were taken back.
+/// changes, bends, widths, envelopes, and steps that were taken back.
 inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
 {
     TreeParameters parameters;
@@ -30,6 +30,13 @@ inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
     builder.apply(widthChange(builder.tree, 1, 0.05F));
     builder.apply(widthChange(builder.tree, 2, 0.03F));
     builder.apply(widthChange(builder.tree, 1, 0.0F));
+    LassoStroke stroke;
+    stroke.origin = Vec3(0.5F, 1.0F, -0.25F);
+    stroke.points = {{-1.0F, 0.0F}, {1.0F, 0.125F}, {0.3F, 2.0F}};
+    builder.apply(lassoChange(builder.tree, builder.tree.rememberLasso(stroke), true));
+    stroke.points.push_back({-0.3F, 1.5F});
+    builder.apply(lassoChange(builder.tree, builder.tree.rememberLasso(stroke), true));
+    builder.apply(lassoChange(builder.tree, 0, false));
     // What is taken back stays in the columns, absent.
     builder.apply(randomGrowth(builder.tree, 5, seed));
     builder.revert();
@@ -47,7 +54,7 @@ inline bool operator==(const TreeDelta& a, const TreeDelta& b)
     return a.stepBefore == b.stepBefore && a.stepAfter == b.stepAfter &&
            a.parametersBefore == b.parametersBefore && a.parametersAfter == b.parametersAfter &&
            a.born == b.born && a.died == b.died && a.buds == b.buds && a.widths == b.widths &&
-           a.frames == b.frames;
+           a.frames == b.frames && a.lassos == b.lassos;
 }
 
 inline bool sameJournal(const Journal& a, const Journal& b)

@@ -120,6 +120,13 @@ inline TreeDelta widthChange(const Tree& tree, InternodeId id, float diameter)
     return delta;
 }
 
+inline TreeDelta lassoChange(const Tree& tree, std::uint32_t index, bool inForce)
+{
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.lassos.push_back({index, inForce});
+    return delta;
+}
+
 /// One step of about @p count internodes on shoots of one to five, from random living buds; young internodes
 /// and terminal buds are preferred, so that axes become long. A pure function of the tree and @p seed.
 inline TreeDelta randomGrowth(const Tree& tree, std::uint32_t count, std::uint64_t seed = 1)

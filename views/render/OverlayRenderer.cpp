@@ -25,11 +25,14 @@ OverlayRenderer::OverlayRenderer(Gl& gl)
     : m_gl(gl),
       m_gridProgram(loadProgram("grid.vert", "grid.frag")),
       m_sphereProgram(loadProgram("sphere.vert", "sphere.frag")),
+      m_surfaceProgram(loadProgram("surface.vert", "surface.frag")),
       m_lineProgram(loadProgram("line.vert", "line.frag")),
       m_dotProgram(loadProgram("dot.vert", "dot.frag")),
       m_noVertices(gl),
+      m_surfaceVertices(gl),
       m_lineVertices(gl),
       m_dotVertices(gl),
+      m_surfaceBuffer(gl),
       m_lineBuffer(gl),
       m_dotBuffer(gl)
 {
@@ -48,6 +51,10 @@ OverlayRenderer::OverlayRenderer(Gl& gl)
     gl.glBindVertexArray(m_dotVertices.get());
     gl.glBindBuffer(GL_ARRAY_BUFFER, m_dotBuffer.name());
     attribute(0, 3, sizeof(Vec3), 0);
+    gl.glBindVertexArray(m_surfaceVertices.get());
+    gl.glBindBuffer(GL_ARRAY_BUFFER, m_surfaceBuffer.name());
+    attribute(0, 3, 2 * sizeof(Vec3), 0);
+    attribute(1, 3, 2 * sizeof(Vec3), sizeof(Vec3));
     gl.glBindVertexArray(0);
 }
 
@@ -64,8 +71,8 @@ void OverlayRenderer::render(const Overlay& overlay, const Camera& camera, GLuin
     m_gl.glActiveTexture(GL_TEXTURE0);
     m_gl.glBindTexture(GL_TEXTURE_2D, sceneDepth);
     const QVector2D overlaySize(static_cast<float>(size.width()), static_cast<float>(size.height()));
-    for (QOpenGLShaderProgram* program :
-         {m_gridProgram.get(), m_sphereProgram.get(), m_lineProgram.get(), m_dotProgram.get()}) {
+    for (QOpenGLShaderProgram* program : {m_gridProgram.get(), m_sphereProgram.get(), m_surfaceProgram.get(),
+                                          m_lineProgram.get(), m_dotProgram.get()}) {
         program->bind();
         program->setUniformValue("sceneDepth", 0);
         program->setUniformValue("overlaySize", overlaySize);
@@ -73,6 +80,7 @@ void OverlayRenderer::render(const Overlay& overlay, const Camera& camera, GLuin
     const auto ratio = static_cast<float>(pixelRatio);
     drawGrids(overlay);
     drawSpheres(overlay, camera, ratio);
+    drawSurfaces(overlay);
     drawLines(overlay, camera, ratio);
     drawDots(overlay, ratio);
     m_gl.glDisable(GL_BLEND);
@@ -111,6 +119,33 @@ void OverlayRenderer::drawSpheres(const Overlay& overlay, const Camera& camera, 
         m_sphereProgram->setUniformValue("tint", colour);
         m_gl.glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
+}
+
+void OverlayRenderer::drawSurfaces(const Overlay& overlay)
+{
+    m_gl.glEnable(GL_CULL_FACE);
+    m_gl.glBindVertexArray(m_surfaceVertices.get());
+    m_surfaceProgram->bind();
+    for (const Overlay::Surface& surface : overlay.surfaces()) {
+        const EnvelopeMesh& mesh = *surface.mesh;
+        if (m_surface != surface.mesh) {
+            std::vector<Vec3> corners;
+            corners.reserve(2 * mesh.triangles.size());
+            for (const std::uint32_t vertex : mesh.triangles) {
+                corners.push_back(mesh.positions[vertex]);
+                corners.push_back(mesh.normals[vertex]);
+            }
+            const std::size_t bytes = corners.size() * sizeof(Vec3);
+            m_surfaceBuffer.reserve(bytes);
+            m_surfaceBuffer.write(0, corners.data(), bytes);
+            m_surface = surface.mesh;
+        }
+        QVector4D colour = tint(surface.colour);
+        colour.setW(surface.rim);
+        m_surfaceProgram->setUniformValue("tint", colour);
+        m_gl.glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(mesh.triangles.size()));
+    }
+    m_gl.glDisable(GL_CULL_FACE);
 }
 
 void OverlayRenderer::drawLines(const Overlay& overlay, const Camera& camera, float pixelRatio)

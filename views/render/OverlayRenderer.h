@@ -31,20 +31,25 @@ private:
 
     void drawGrids(const Overlay& overlay);
     void drawSpheres(const Overlay& overlay, const Camera& camera, float pixelRatio);
+    void drawSurfaces(const Overlay& overlay);
     void drawLines(const Overlay& overlay, const Camera& camera, float pixelRatio);
     void drawDots(const Overlay& overlay, float pixelRatio);
 
     Gl& m_gl;
     std::unique_ptr<QOpenGLShaderProgram> m_gridProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_sphereProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_surfaceProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_lineProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_dotProgram;
     GlVertexArray m_noVertices;
+    GlVertexArray m_surfaceVertices;
     GlVertexArray m_lineVertices;
     GlVertexArray m_dotVertices;
+    GlBuffer m_surfaceBuffer;
     GlBuffer m_lineBuffer;
     GlBuffer m_dotBuffer;
     std::vector<Segment> m_segments;
+    std::shared_ptr<const EnvelopeMesh> m_surface; ///< That the buffer holds
 };
 
 } // namespace espalier

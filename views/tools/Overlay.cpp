@@ -10,6 +10,7 @@ namespace espalier {
 void Overlay::clear()
 {
     m_spheres.clear();
+    m_surfaces.clear();
     m_lines.clear();
     m_dots.clear();
     m_grids.clear();

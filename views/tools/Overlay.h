@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/base/Vector.h"
+#include "model/envelope/EnvelopeMesh.h"
 
 #include <QColor>
 #include <QCoreApplication>
 #include <QPointF>
 #include <QString>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -59,17 +60,26 @@ public:
         QColor colour;
     };
 
+    /// A translucent skin, clear where one looks straight at it.
+    struct Surface {
+        std::shared_ptr<const EnvelopeMesh> mesh; ///< Never null
+        QColor colour;
+        float rim = 0.3F; ///< Opacity where it curves away, 0...1
+    };
+
     void clear();
     void addSphere(const Sphere& sphere) { m_spheres.push_back(sphere); }
     void addLine(std::span<const Vec3> points, const QColor& colour, float width, float dash = 0.0F);
     void addDots(std::span<const Vec3> points, const QColor& colour, float size, float glow = 0.0F);
     void addLabel(const Label& label) { m_labels.push_back(label); }
+    void addSurface(const Surface& surface) { m_surfaces.push_back(surface); }
     void addGrid(const Grid& grid) { m_grids.push_back(grid); }
     /// A circle as a line; @p u and @p v are perpendicular unit vectors.
     void addCircle(const Vec3& centre, const Vec3& u, const Vec3& v, float radius, const QColor& colour,
                    float width);
 
     const std::vector<Sphere>& spheres() const { return m_spheres; }
+    const std::vector<Surface>& surfaces() const { return m_surfaces; }
     const std::vector<Line>& lines() const { return m_lines; }
     const std::vector<Dots>& dots() const { return m_dots; }
     const std::vector<Grid>& grids() const { return m_grids; }
@@ -81,6 +91,7 @@ public:
 
 private:
     std::vector<Sphere> m_spheres;
+    std::vector<Surface> m_surfaces;
     std::vector<Line> m_lines;
     std::vector<Dots> m_dots;
     std::vector<Grid> m_grids;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/envelope/LassoStroke.h"
+#include "model/envelope/LassoLoop.h"
 
 #include <algorithm>
 #include <cmath>

@@ -79,6 +79,16 @@ Recipe randomRecipe(std::uint64_t seed)
         result.operations.emplace_back(bend);
         result.operations.emplace_back(
             SetWidthOperation{0xffff'fffe - static_cast<InternodeId>(i), random.uniform(0.0, 100.0)});
+        LassoOperation lasso;
+        lasso.competitors = stroke.competitors;
+        lasso.stroke.origin = 100.0F * random.inBall();
+        lasso.stroke.right = random.direction();
+        lasso.stroke.up = anyPerpendicular(lasso.stroke.right);
+        for (int j = 0; j < 3 + i; ++j)
+            lasso.stroke.points.push_back(10.0F * random.inBall().head<2>());
+        result.operations.emplace_back(lasso);
+        result.operations.emplace_back(RegrowOperation{});
+        result.operations.emplace_back(RemoveLassoOperation{});
     }
     return result;
 }
@@ -122,7 +132,10 @@ void RecipeTest::everyOperation_isRead()
             {"op": "setParameters", "parameters": {"widths": {"exponent": 3}}},
             {"op": "bend", "base": 2, "handles": [{"internode": 9, "along": 0.25, "target": [1, -2, 0.5]},
                 {"internode": 5, "target": [0, 1, 0]}], "bending": 0.5, "stretching": 8},
-            {"op": "setWidth", "internode": 4, "diameter": 0.125}])"));
+            {"op": "setWidth", "internode": 4, "diameter": 0.125},
+            {"op": "lasso", "origin": [1, 2, 3], "right": [0, 0, -1], "points": [[0, 1], [2, 3.5], [-1, 2]],
+             "only": {"internode": 5}},
+            {"op": "regrow"}, {"op": "removeLasso"}])"));
     QVERIFY2(result, result ? "" : qPrintable(result.error().message));
     QCOMPARE(result->name, QStringLiteral("Oak"));
     QCOMPARE(result->description, QStringLiteral("d"));
@@ -136,6 +149,11 @@ void RecipeTest::everyOperation_isRead()
     const BrushStrokeOperation stroke{{{0.0, Vec3(1, 2, 3), 0.5F}, {1.5, Vec3(-1, 0, 0.1F), 0.0F}}, {}};
     TreeParameters later = result->parameters;
     later.widths.exponent = 3;
+    LassoOperation lasso;
+    lasso.stroke.origin = Vec3(1, 2, 3);
+    lasso.stroke.right = -Vec3::UnitZ();
+    lasso.stroke.points = {{0, 1}, {2, 3.5F}, {-1, 2}};
+    lasso.competitors = {5, kTerminalSlot};
     const std::vector<RecipeOperation> expected{
         stroke,
         GrowOperation{7},
@@ -149,7 +167,10 @@ void RecipeTest::everyOperation_isRead()
                       .handles = {{9, 0.25, Vec3(1, -2, 0.5F)}, {5, 1.0, Vec3(0, 1, 0)}},
                       .bending = 0.5,
                       .stretching = 8},
-        SetWidthOperation{4, 0.125}};
+        SetWidthOperation{4, 0.125},
+        lasso,
+        RegrowOperation{},
+        RemoveLassoOperation{}};
     QVERIFY(result->operations == expected);
 }
 
@@ -282,6 +303,17 @@ void RecipeTest::wrongRecipes_nameThePlace_data()
     row(operations(R"({"op": "grow", "steps": 2.5})"),
         "operations[0].steps: a whole number from 1 to 10000 is expected");
     row(operations(R"({"op": "grow", "steps": 5, "count": 5})"), "operations[0]: “count” is not known here");
+    row(operations(R"({"op": "lasso", "points": [[0, 1], [2, 3]]})"),
+        "operations[0].points: a lasso has at least three points");
+    row(operations(R"({"op": "lasso", "points": [[0, 1], [2, 3], [1]]})"),
+        "operations[0].points[2]: two numbers within");
+    row(operations(R"({"op": "lasso", "points": [[0, 1], [2, 3], [1, 1001]]})"),
+        "operations[0].points[2]: two numbers within");
+    row(operations(R"({"op": "lasso", "up": [1, 0, 0], "points": [[0, 1], [2, 3], [1, 1]]})"),
+        "operations[0].up: right and up must have length 1");
+    row(operations(R"({"op": "lasso", "origin": [1, 0], "points": [[0, 1], [2, 3], [1, 1]]})"),
+        "operations[0].origin: three numbers within");
+    row(operations(R"({"op": "regrow", "steps": 2})"), "operations[0]: “steps” is not known here");
     row(operations(R"({"op": "undo", "count": -1})"), "operations[0].count: a whole number from 1 to 100000");
     row(operations(R"({"op": "setParameters"})"), "operations[0].parameters: it is missing");
     row(operations(R"({"op": "setParameters", "parameters": {"growth": {"x": 1}}})"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/envelope/LassoStroke.h"
+#include "model/envelope/LassoLoop.h"
 
 #include <algorithm>
 #include <cmath>

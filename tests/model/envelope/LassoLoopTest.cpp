@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/envelope/LassoStroke.h"
+#include "model/envelope/LassoLoop.h"
 
 #include "model/base/Random.h"
 #include "tests/model/envelope/Silhouettes.h"
@@ -11,7 +11,7 @@
 
 namespace espalier::test {
 
-class LassoStrokeTest : public QObject {
+class LassoLoopTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -68,7 +68,7 @@ Points shakyCircle(int count, double shake)
 
 } // namespace
 
-void LassoStrokeTest::simplified_staysWithinItsTolerance()
+void LassoLoopTest::simplified_staysWithinItsTolerance()
 {
     for (const Points& points :
          {circle(1.0, 0.0, 0.0, 3000), heart(), swan(), arch(), shakyCircle(2000, 0.01)}) {
@@ -83,7 +83,7 @@ void LassoStrokeTest::simplified_staysWithinItsTolerance()
     QVERIFY(simplified(circle(1.0, 0.0, 0.0, 3000)).size() < 120);
 }
 
-void LassoStrokeTest::simplified_keepsEndsAndCorners()
+void LassoLoopTest::simplified_keepsEndsAndCorners()
 {
     Points points;
     for (int i = 0; i <= 100; ++i)
@@ -96,7 +96,7 @@ void LassoStrokeTest::simplified_keepsEndsAndCorners()
     QCOMPARE(simplified(back), (Points{{0.0F, 0.0F}, {1.0F, 0.0F}, {0.2F, 0.0F}}));
 }
 
-void LassoStrokeTest::simplified_ofManyPointsIsBounded()
+void LassoLoopTest::simplified_ofManyPointsIsBounded()
 {
     for (const double shake : {0.0, 0.002, 0.1}) {
         const Points points = shakyCircle(100000, shake);
@@ -112,7 +112,7 @@ void LassoStrokeTest::simplified_ofManyPointsIsBounded()
     }
 }
 
-void LassoStrokeTest::simplified_leavesOutNonsense()
+void LassoLoopTest::simplified_leavesOutNonsense()
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinite = std::numeric_limits<float>::infinity();
@@ -125,14 +125,14 @@ void LassoStrokeTest::simplified_leavesOutNonsense()
     QCOMPARE(simplified(heart(), 0.0).size(), heart().size());
 }
 
-void LassoStrokeTest::simplified_again_changesLittle()
+void LassoLoopTest::simplified_again_changesLittle()
 {
     const Points once = simplified(swan());
     const Points twice = simplified(once);
     QVERIFY(deviation(swan(), twice) <= 3.0 / 2048.0 * longerSide(swan()));
 }
 
-void LassoStrokeTest::closedLoop_cutsTailsThatCross()
+void LassoLoopTest::closedLoop_cutsTailsThatCross()
 {
     // A square whose ends cross at (0.2, 0) and go on.
     const Points points{{0.2F, -0.3F}, {0.2F, 2.0F}, {2.0F, 2.0F}, {2.0F, 0.0F}, {-0.1F, 0.0F}};
@@ -145,14 +145,14 @@ void LassoStrokeTest::closedLoop_cutsTailsThatCross()
     QCOMPARE(closedLoop(points, 0.05), points);
 }
 
-void LassoStrokeTest::closedLoop_withoutCrossing_keepsAllPoints()
+void LassoLoopTest::closedLoop_withoutCrossing_keepsAllPoints()
 {
     const Points open = curve(100, [](double t) { return std::pair(std::cos(5.0 * t), std::sin(5.0 * t)); });
     QCOMPARE(closedLoop(open), open);
     QCOMPARE(closedLoop(letterE()), letterE());
 }
 
-void LassoStrokeTest::closedLoop_keepsTheLobesOfAFigureEight()
+void LassoLoopTest::closedLoop_keepsTheLobesOfAFigureEight()
 {
     const Points eight = curve(101, [](double t) {
         const double a = 2.0 * std::numbers::pi * t + 1.0;
@@ -161,7 +161,7 @@ void LassoStrokeTest::closedLoop_keepsTheLobesOfAFigureEight()
     QCOMPARE(closedLoop(eight), eight);
 }
 
-void LassoStrokeTest::coplanar_knowsPlanesApart()
+void LassoLoopTest::coplanar_knowsPlanesApart()
 {
     const LassoStroke stroke{.origin = {1, 2, 3}, .points = {}};
     LassoStroke other = stroke;
@@ -179,8 +179,8 @@ void LassoStrokeTest::coplanar_knowsPlanesApart()
     QVERIFY(!coplanar(stroke, other));
 }
 
-const TestClass<LassoStrokeTest> entered;
+const TestClass<LassoLoopTest> entered;
 
 } // namespace espalier::test
 
-#include "LassoStrokeTest.moc"
+#include "LassoLoopTest.moc"

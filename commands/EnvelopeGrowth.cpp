@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/EnvelopeGrowth.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+/// More markers than this bring nothing but waiting; fewer leave thin parts to luck.
+constexpr double kMostMarkers = 120'000;
+constexpr double kFewestMarkers = 400;
+/// In densities of a brush's living markers: a brush brings ever new ones, here all are there at once.
+constexpr double kDensity = 10.0;
+/// Nodes keep this far from the surface, in leaf lengths, so that leaves end about there.
+constexpr double kMargin = 0.8;
+/// Leaders of one growth: pockets that are left after so many are not worth the waiting.
+constexpr int kMostLeaders = 200;
+/// Of the markers left, so many are asked whether a bud is near; they are in no order.
+constexpr std::size_t kAsked = 300;
+
+/// What rises less than this above the drawing plane, in occupancy radii, is filled a second time, by nodes
+/// that keep less space for themselves.
+constexpr double kThin = 1.5;
+constexpr float kThinOccupancy = 0.5F;
+
+double marginOf(const TreeParameters& p)
+{
+    const double leaf = p.leaves.visible && p.leaves.perNode > 0 ? p.leaves.length : 0.0;
+    return kMargin * leaf;
+}
+
+/// The living bud at a node that points at @p target best.
+BudRef bestBud(const Tree& tree, const TreeIndex& index, InternodeId id, const Vec3& target,
+               GrowthWorkspace& workspace)
+{
+    const GrowingTree growing(tree, index, workspace);
+    const Vec3 toTarget = target - index.nodePosition(id);
+    BudRef best{id, kTerminalSlot};
+    float greatest = -std::numeric_limits<float>::infinity();
+    for (unsigned rest = tree.buds(id); rest != 0; rest &= rest - 1) {
+        const int slot = std::countr_zero(rest);
+        const float along = growing.budDirection(id, slot).dot(toTarget);
+        if (along > greatest) {
+            greatest = along;
+            best.slot = slot;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+EnvelopeGrowth::EnvelopeGrowth(EnvelopeSet envelopes, const Tree& tree, Competitors competitors)
+    : m_envelopes(std::move(envelopes)), m_competitors(competitors)
+{
+    layMarkers(tree);
+}
+
+void EnvelopeGrowth::layMarkers(const Tree& tree)
+{
+    const GrowthParameters& p = tree.parameters().growth;
+    const double volume = m_envelopes.volume() / std::pow(p.internodeLength, 3);
+    const double count = std::clamp(kDensity * p.markerDensity * volume, kFewestMarkers, kMostMarkers);
+    m_markers.positions =
+        m_envelopes.sampleUniform(static_cast<std::size_t>(count), tree.seed(), tree.step());
+    // Below the ground is no free space.
+    const double thin = kThin * p.occupancyRadius * p.internodeLength;
+    std::erase_if(m_markers.positions, [&](const Vec3& marker) {
+        return marker.y() < 0.0F || (m_isInThinParts && m_envelopes.riseAt(marker) > thin);
+    });
+    m_markers.born.assign(m_markers.positions.size(), 0);
+}
+
+TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth)
+{
+    GrowthStepOptions options = GrowthStepOptions::of(tree.parameters().growth);
+    // The lasso says where the crown is; what would be shed would leave holes in it.
+    options.sheds = false;
+    options.competitors = m_competitors;
+    const double margin = marginOf(tree.parameters());
+    // Whoever stands outside may come in; once somebody is in, the others stay where they are: a stem remains
+    // bare.
+    m_hasEntered = m_hasEntered || isInside(tree, index);
+    options.admits = [&](const Vec3& from, const Vec3& to) {
+        return m_envelopes.containsWithin(to, margin) || (!m_hasEntered && !m_envelopes.contains(from));
+    };
+    const float occupancy = options.perception.occupancy;
+    while (m_steps < kMostSteps) {
+        options.perception.occupancy = (m_isInThinParts ? kThinOccupancy : 1.0F) * occupancy;
+        ++m_steps;
+        if (!m_leader) {
+            const std::size_t before = m_markers.size();
+            TreeDelta delta = growthStep(tree, index, growth, m_markers, options, m_workspace);
+            if (!delta.isEmpty())
+                return delta;
+            if (m_markers.size() < before) // those that buds may not follow have gone: it is others' turn
+                continue;
+            m_leader = nextLeader(tree, index, options.perception);
+            if (!m_leader && !std::exchange(m_isInThinParts, true)) {
+                layMarkers(tree);
+                continue;
+            }
+            if (!m_leader)
+                break;
+        }
+        TreeDelta delta = lead(tree, index, options.perception);
+        if (!delta.isEmpty())
+            return delta;
+    }
+    m_markers.clear();
+    return TreeDelta::startingAt(tree);
+}
+
+bool EnvelopeGrowth::isInside(const Tree& tree, const TreeIndex& index) const
+{
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id) && tree.buds(id) != 0 && m_envelopes.contains(index.nodePosition(id)))
+            return true;
+    }
+    return false;
+}
+
+std::optional<EnvelopeGrowth::Leader> EnvelopeGrowth::nextLeader(const Tree& tree, const TreeIndex& index,
+                                                                 const Perception& perception)
+{
+    if (m_competitors.node != kNoInternode || m_leaders >= kMostLeaders)
+        return {};
+    std::vector<InternodeId> nodes;
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id) && tree.buds(id) != 0)
+            nodes.push_back(id);
+    }
+    // The nearest marker that is out of every bud's reach.
+    float least = std::numeric_limits<float>::infinity();
+    InternodeId from = kNoInternode;
+    Vec3 target = Vec3::Zero();
+    for (std::size_t i = 0; i < std::min(kAsked, m_markers.size()); ++i) {
+        const Vec3& marker = m_markers.positions[i];
+        float nearest = std::numeric_limits<float>::infinity();
+        InternodeId node = kNoInternode;
+        for (const InternodeId id : nodes) {
+            const float squared = (index.nodePosition(id) - marker).squaredNorm();
+            if (squared < nearest) {
+                nearest = squared;
+                node = id;
+            }
+        }
+        if (node != kNoInternode && nearest > perception.reach * perception.reach && nearest < least) {
+            least = nearest;
+            from = node;
+            target = marker;
+        }
+    }
+    if (from == kNoInternode)
+        return {};
+    ++m_leaders;
+    const double length = tree.parameters().growth.internodeLength;
+    const bool isSeedling = index.tipCount(0) == 1;
+    const BudRef bud = isSeedling && (tree.buds(trunkTip(index)) & kTerminalBud) != 0
+                           ? BudRef{trunkTip(index), kTerminalSlot}
+                           : bestBud(tree, index, from, target, m_workspace);
+    return Leader{bud, target, 10 + static_cast<int>(std::min(2.0 * std::sqrt(least) / length, 1e5))};
+}
+
+TreeDelta EnvelopeGrowth::lead(const Tree& tree, const TreeIndex& index, const Perception& perception)
+{
+    Leader& leader = *m_leader;
+    const int count = std::min(tree.parameters().growth.maxShootLength, leader.remaining);
+    // The first goes all the way in, so that its branches begin there.
+    const float sight = 0.5F * (perception.occupancy + (m_hasEntered ? perception.reach : 0.0F));
+    TreeDelta delta = growLeader(tree, index, leader.tip, leader.target, sight, count, m_workspace);
+    leader.remaining -= count;
+    if (delta.born.count > 0)
+        leader.tip = {delta.born.end() - 1, kTerminalSlot};
+    if (delta.born.count < static_cast<std::uint32_t>(count) || leader.remaining == 0) {
+        // It is there, or it will never be: either way, that marker does not call again.
+        std::erase(m_markers.positions, leader.target);
+        m_markers.born.resize(m_markers.positions.size());
+        m_leader.reset();
+    }
+    return delta;
+}
+
+} // namespace espalier

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/envelope/EnvelopeSet.h"
+#include "model/growth/GrowthStep.h"
+
+#include <optional>
+#include <span>
+
+namespace espalier {
+
+/// Growth into envelopes (TreeSketch §3.2): markers fill them uniformly, and the tree grows until nothing is
+/// left to grow into; branches do not leave the envelopes. Thin parts and rims are then filled a second time,
+/// more densely: there are no branches behind that would close the gaps. Where no bud perceives the markers
+/// that are left, a bare shoot leads there from the nearest bud: a seedling's trunk into a crown above it, a
+/// branch from one part of a topiary to the next.
+class EnvelopeGrowth {
+public:
+    /// Growth ends after that many steps, whatever is left.
+    static constexpr int kMostSteps = 600;
+
+    /// Only the buds that @p competitors names may grow.
+    EnvelopeGrowth(EnvelopeSet envelopes, const Tree& tree, Competitors competitors = {});
+
+    /// The next step; empty if growth has come to its end.
+    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth);
+
+    /// World positions of the living markers.
+    std::span<const Vec3> markers() const { return m_markers.positions; }
+    const EnvelopeSet& envelopes() const { return m_envelopes; }
+
+private:
+    /// A shoot on its way to markers that no bud perceives.
+    struct Leader {
+        BudRef tip;
+        Vec3 target = Vec3::Zero();
+        int remaining = 0; ///< internodes
+    };
+
+    bool isInside(const Tree& tree, const TreeIndex& index) const;
+    void layMarkers(const Tree& tree);
+    TreeDelta lead(const Tree& tree, const TreeIndex& index, const Perception& perception);
+    std::optional<Leader> nextLeader(const Tree& tree, const TreeIndex& index, const Perception& perception);
+
+    EnvelopeSet m_envelopes;
+    Competitors m_competitors;
+    MarkerSet m_markers;
+    GrowthWorkspace m_workspace;
+    std::optional<Leader> m_leader;
+    bool m_hasEntered = false;    ///< A bud stands in an envelope
+    bool m_isInThinParts = false; ///< The second filling
+    int m_steps = 0;
+    int m_leaders = 0;
+};
+
+} // namespace espalier

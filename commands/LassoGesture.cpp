@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/LassoGesture.h"
+
+#include "commands/DeltaCommand.h"
+#include "model/envelope/LassoLoop.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Lasso)
+};
+
+std::uint32_t lassoCount(const TreeDocument& document)
+{
+    return static_cast<std::uint32_t>(document.tree().lassos().strokes.size());
+}
+
+/// The journal's first delta that brought an envelope in that is in force still.
+std::size_t firstFilling(const TreeDocument& document)
+{
+    const std::vector<std::uint32_t>& inForce = document.tree().lassos().inForce;
+    const auto brings = [&](const std::shared_ptr<TreeDelta>& delta) {
+        return std::ranges::any_of(delta->lassos, [&](const TreeDelta::LassoChange& change) {
+            return change.isInForce && std::ranges::binary_search(inForce, change.index);
+        });
+    };
+    return static_cast<std::size_t>(std::ranges::find_if(document.journal(), brings) -
+                                    document.journal().begin());
+}
+
+} // namespace
+
+LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke& stroke,
+                                       Competitors competitors)
+{
+    LassoStroke kept = stroke;
+    kept.points = simplified(stroke.points);
+    if (!isLasso(kept))
+        return Error{Error::Kind::Input, Text::tr("The lasso's drawing plane is not valid.")};
+    // Alone it must enclose something, or it would be kept for nothing.
+    if (const Result<Envelope> alone = Envelope::fromStrokes(std::span(&kept, 1)); !alone)
+        return alone.error();
+    std::vector<LassoStroke> strokes = document.tree().lassosInForce();
+    strokes.push_back(kept);
+    Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(strokes);
+    if (!envelopes)
+        return envelopes.error();
+
+    const std::uint32_t before = lassoCount(document);
+    auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(document.tree()));
+    delta->lassos.push_back({document.rememberLasso(kept), true});
+    document.apply(delta);
+    return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes),
+                                                          competitors, {}, std::move(delta), before));
+}
+
+LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
+{
+    const std::vector<std::uint32_t> wanted = document.tree().lassos().inForce;
+    if (wanted.empty())
+        return Error{Error::Kind::Input, Text::tr("There is no envelope to regrow.")};
+    Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(document.tree().lassosInForce());
+    if (!envelopes)
+        return envelopes.error();
+
+    const std::uint32_t parameters = document.tree().currentParameterSet();
+    const Journal& journal = document.journal();
+    Journal replaced(journal.begin() + static_cast<std::ptrdiff_t>(firstFilling(document)), journal.end());
+    revertAll(document, replaced);
+    auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(document.tree()));
+    delta->parametersAfter = parameters;
+    const std::vector<std::uint32_t>& standing = document.tree().lassos().inForce;
+    for (const std::uint32_t index : standing) {
+        if (!std::ranges::binary_search(wanted, index))
+            delta->lassos.push_back({index, false});
+    }
+    for (const std::uint32_t index : wanted) {
+        if (!std::ranges::binary_search(standing, index))
+            delta->lassos.push_back({index, true});
+    }
+    document.apply(delta);
+    return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Regrow"), std::move(*envelopes),
+                                                          {}, std::move(replaced), std::move(delta),
+                                                          lassoCount(document)));
+}
+
+LassoGesture::LassoGesture(TreeDocument& document, QString text, EnvelopeSet envelopes,
+                           Competitors competitors, Journal replaced, std::shared_ptr<TreeDelta> first,
+                           std::uint32_t lassosBefore)
+    : m_document(document),
+      m_text(std::move(text)),
+      m_growth(std::move(envelopes), document.tree(), competitors),
+      m_replaced(std::move(replaced)),
+      m_deltas{std::move(first)},
+      m_lassosBefore(lassosBefore)
+{
+}
+
+LassoGesture::~LassoGesture()
+{
+    cancel();
+}
+
+bool LassoGesture::step()
+{
+    if (m_ended)
+        return false;
+    TreeDelta delta = m_growth.step(m_document.tree(), m_document.index(), m_document.growthIndex());
+    if (delta.isEmpty())
+        return false;
+    m_deltas.push_back(std::make_shared<TreeDelta>(std::move(delta)));
+    m_document.apply(m_deltas.back());
+    return true;
+}
+
+void LassoGesture::finish()
+{
+    if (std::exchange(m_ended, true))
+        return;
+    m_document.undoStack().push(
+        new DeltaCommand(m_document, m_text, std::move(m_deltas), std::move(m_replaced)));
+}
+
+void LassoGesture::cancel()
+{
+    if (std::exchange(m_ended, true))
+        return;
+    revertAll(m_document, m_deltas);
+    applyAll(m_document, m_replaced);
+    m_deltas.clear();
+    m_replaced.clear();
+    m_document.forgetLassosFrom(m_lassosBefore);
+}
+
+bool removeEnvelopes(TreeDocument& document)
+{
+    auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(document.tree()));
+    for (const std::uint32_t index : document.tree().lassos().inForce)
+        delta->lassos.push_back({index, false});
+    if (delta->lassos.empty())
+        return false;
+    document.apply(delta);
+    document.undoStack().push(new DeltaCommand(document, Text::tr("Remove Envelope"), {std::move(delta)}));
+    return true;
+}
+
+} // namespace espalier

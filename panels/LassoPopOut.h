@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/document/TreeDocument.h"
+#include "model/document/ViewSettings.h"
+#include "panels/Bar.h"
+
+class QPushButton;
+
+namespace espalier {
+
+class Toggle;
+
+/// What can be done with the envelopes that stand. It only asks; see its signals.
+class LassoPopOut : public Bar {
+    Q_OBJECT
+
+public:
+    LassoPopOut(const TreeDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+
+    /// While the tree fills an envelope, only ending that is offered.
+    void setGrowing(bool growing);
+
+Q_SIGNALS:
+    void regrowAsked();
+    void removeAsked();
+    /// Growth shall stay as it is.
+    void stopAsked();
+
+private:
+    void showValues();
+
+    const TreeDocument& m_document;
+    ViewSettings& m_settings;
+    QPushButton* m_regrow;
+    QPushButton* m_remove;
+    QPushButton* m_stop;
+    Toggle* m_envelope;
+    Toggle* m_markers;
+    bool m_isGrowing = false;
+};
+
+} // namespace espalier

@@ -1,0 +1,16 @@
+#version 330 core
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "frame.glsl"
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+
+out vec3 worldPosition;
+out vec3 worldNormal;
+
+void main()
+{
+    worldPosition = position;
+    worldNormal = normal;
+    gl_Position = frame.viewProjection * vec4(position, 1.0);
+}
