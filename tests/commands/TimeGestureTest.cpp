@@ -79,7 +79,7 @@ void TimeGestureTest::cancel_returnsToTheMomentBefore()
     {
         TimeGesture gesture(*m_document);
         gesture.moveTo(2);
-        gesture.moveTo(position() + 500);
+        gesture.moveTo(position() + 5);
     }
     QCOMPARE(visibleDifference(before, *m_document), QString());
     QCOMPARE(m_document->undoStack().index(), before.undoIndex);
