@@ -94,7 +94,7 @@ MainWindow::MainWindow(QWidget* parent)
                                                [this] { return thumbnailOf(m_workspace->viewport()); }))
 {
     setCentralWidget(m_workspace.get());
-    setMinimumSize(920, 580);
+    setMinimumSize(920, 680);
     setAcceptDrops(true);
     m_viewSettings.setValues(m_settings.viewValues());
     connectFiles();
