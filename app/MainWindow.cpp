@@ -206,6 +206,11 @@ void MainWindow::connectView()
     Viewport& viewport = m_workspace->viewport();
     // A hand at work ends a film that is playing; it goes on from what is seen.
     connect(&viewport, &Viewport::gestureActiveChanged, &m_timeRunner, &TimeRunner::release);
+    // Likewise growth, unless the hand holds it: what two make at once could not be undone apart.
+    connect(&viewport, &Viewport::gestureActiveChanged, this, [this, &viewport](bool active) {
+        if (active && !(toolInHand() == ActionId::Grow && viewport.tool().isActive()))
+            m_growRunner.end();
+    });
     connect(&viewport, &Viewport::gestureActiveChanged, this, &MainWindow::updateEnabled);
     connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
     const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},

@@ -16,6 +16,7 @@ HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent) : Bar(parent)
     list->setEmptyLabel(tr("Seedling"));
     list->setFrameShape(QFrame::NoFrame);
     list->setUniformItemSizes(true);
+    list->setStyleSheet(QStringLiteral("QListView::item { min-height: 34px; }")); // a finger's height
     title->setBuddy(list);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 10, 12, 12);

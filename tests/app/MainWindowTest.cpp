@@ -37,6 +37,7 @@ private Q_SLOTS:
     void holdingGrow_isOneUndoStep();
     void growTool_growsWhileTheHandHolds();
     void manySteps_areStoppedByEscape();
+    void strokeDuringGrowth_endsIt();
     void bendAndWidth_areAtHand();
     void timeSlider_ungrowsAndGrowsOn();
     void play_showsTheHistoryAgain();
@@ -451,6 +452,23 @@ void MainWindowTest::bendAndWidth_areAtHand()
     QCOMPARE(document.tree().widthConstraints().size(), 1U);
     QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(document.tree() == grown);
+}
+
+void MainWindowTest::strokeDuringGrowth_endsIt()
+{
+    TreeDocument& document = m_window->document();
+    m_window->growRunner().run(1000);
+    QTRY_VERIFY(document.journal().size() > 2);
+    brush();
+    QVERIFY(!m_window->growRunner().isRunning());
+    QCOMPARE(document.undoStack().count(), 2);
+    const Tree whole = document.tree();
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QCOMPARE(document.index().livingCount(), 1U);
+    document.undoStack().redo();
+    document.undoStack().redo();
+    QVERIFY(document.tree() == whole);
 }
 
 void MainWindowTest::timeSlider_ungrowsAndGrowsOn()
