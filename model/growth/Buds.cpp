@@ -31,7 +31,8 @@ double smallCosine(double x)
 BudAngles::BudAngles(const GrowthParameters& grown)
     : m_branchingAngle(grown.branchingAngle),
       m_branching{std::cos(grown.branchingAngle), std::sin(grown.branchingAngle)},
-      m_irregularity(grown.irregularity)
+      m_irregularity(grown.irregularity),
+      m_lateralsPerNode(grown.lateralsPerNode)
 {
     for (int slot = 0; slot < kMaxLaterals; ++slot) {
         const double azimuth = 2.0 * std::numbers::pi * slot / grown.lateralsPerNode;
