@@ -102,7 +102,7 @@ std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& sc
 {
     Picker picker(scene, screen, reach);
     const QList<float>& lengths = scene.tree.columns().length;
-    const float beyond = *std::ranges::max_element(lengths) + scene.greatestRadius;
+    const float beyond = scene.index.greatestLength() + scene.greatestRadius;
     scene.space.forEachBrick([&](const Vec3& centre, float radius, VoxelSpace::Residents residents) {
         if (!picker.mayReach(centre, radius + beyond))
             return;

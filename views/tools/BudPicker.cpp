@@ -42,8 +42,7 @@ std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, d
         const float limit = radius + std::max(0.0F, along + radius) * perDepth;
         return along > -radius && offset.squaredNorm() - along * along <= limit * limit;
     };
-    const float beyond =
-        kOffset * *std::ranges::max_element(scene.tree.columns().length) + scene.greatestRadius;
+    const float beyond = kOffset * scene.index.greatestLength() + scene.greatestRadius;
     scene.space.forEachBrick([&](const Vec3& centre, float radius, VoxelSpace::Residents residents) {
         if (!mayReach(centre, radius + beyond))
             return;
