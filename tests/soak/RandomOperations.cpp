@@ -29,9 +29,9 @@ constexpr std::array<Weights, std::variant_size_v<RecipeOperation>> kWeights{{
     {14, 0},  // redo
     {18, 4},  // bend
     {16, 4},  // set width
-    {3, 0},   // lasso
+    {2, 0},   // lasso
     {1, 0},   // regrow
-    {3, 1},   // remove lasso
+    {1, 1},   // remove lasso
 }};
 
 } // namespace
@@ -346,6 +346,8 @@ RecipeOperation RandomOperations::next(const TreeDocument& document, int undoabl
     std::array<int, kWeights.size()> weights{};
     std::ranges::transform(kWeights, weights.begin(),
                            [&](const Weights& both) { return isCrowded ? both.cuttingBack : both.growing; });
+    if (document.tree().lassos().inForce.size() > 1) // they cost more than all the rest
+        weights[RecipeOperation(RemoveLassoOperation{}).index()] *= 10;
     if (undoable <= 0)
         weights[RecipeOperation(UndoOperation{}).index()] = 0;
     int draw = below(std::accumulate(weights.begin(), weights.end(), 0));

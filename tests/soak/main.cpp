@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
+#include <algorithm>
 #include <cstdio>
 
 /// Without options the short soak that is one of the tests.
@@ -30,6 +31,10 @@ int main(int argc, char** argv)
     options.seed = parser.value(seed).toULongLong(&isSeed);
     if (!isCount || !isSeed || options.operations < 1)
         parser.showHelp(2);
+
+    // Both cost what the tree's history has become.
+    options.saveEvery = std::max(options.saveEvery, options.operations / 120);
+    options.checkEvery = std::max(options.checkEvery, options.operations / 60);
 
     QElapsedTimer timer;
     timer.start();
