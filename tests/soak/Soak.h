@@ -12,7 +12,7 @@ namespace espalier::test {
 
 struct SoakOptions {
     std::uint64_t seed = 1;
-    int operations = 300;
+    int operations = 800;
     std::uint32_t mostLiving = 250; ///< Internodes; larger trees are cut back
     int saveEvery = 40;             ///< Operations, on average
     int checkEvery = 100;           ///< Operations, on average
