@@ -3,9 +3,9 @@
 
 #include "app/CheatSheet.h"
 #include "commands/GrowGesture.h"
+#include "panels/Bar.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
-#include "panels/ParameterPanel.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
 #include "views/Viewport.h"
@@ -749,7 +749,7 @@ void MainWindowTest::f6_leadsTheKeysToThePanelsAndBack()
 {
     action(ActionId::LeafSheet)->trigger();
     QTest::keyClick(handle(), Qt::Key_F6);
-    ParameterPanel& sheet = m_window->workspace().sheet(1);
+    Bar& sheet = m_window->workspace().sheet(1);
     QTRY_VERIFY(sheet.isAncestorOf(QApplication::focusWidget()));
     QWidget* const first = QApplication::focusWidget();
     QTest::keyClick(handle(), Qt::Key_Tab);
