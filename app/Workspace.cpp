@@ -109,7 +109,7 @@ void Workspace::focusNextPane()
         return;
     }
     for (QWidget* widget : pane->findChildren<QWidget*>()) {
-        if (widget->isEnabled() && widget->focusPolicy() & Qt::TabFocus) {
+        if (widget->isEnabled() && widget->isVisible() && widget->focusPolicy() & Qt::TabFocus) {
             widget->setFocus(Qt::ShortcutFocusReason);
             return;
         }

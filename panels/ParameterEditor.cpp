@@ -55,8 +55,10 @@ ParameterEditor::ParameterEditor(TreeDocument& document, QObject* parent)
     connect(&document, &TreeDocument::changed, this, [this](const TreeChange& change) {
         const bool parametersMoved =
             !change.delta || change.delta->parametersBefore != change.delta->parametersAfter;
-        if (parametersMoved && !m_isOwnChange)
-            show(m_document.parameters());
+        if (!parametersMoved || m_isOwnChange)
+            return;
+        Q_EMIT overtaken();
+        show(m_document.parameters());
     });
 }
 

@@ -46,6 +46,9 @@ public:
 
 Q_SIGNALS:
     void shownChanged();
+    /// Somebody else has changed the document's parameters (undo, another panel): a drag that goes on is
+    /// over.
+    void overtaken();
 
 private:
     TreeDocument& m_document;

@@ -3,6 +3,7 @@
 
 #include "panels/ParameterEditor.h"
 #include "panels/ParameterNumber.h"
+#include "panels/ParameterSlider.h"
 #include "panels/Theme.h"
 #include "panels/Toggle.h"
 
@@ -14,31 +15,28 @@
 #include <QMouseEvent>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
-#include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace espalier {
 
 namespace {
 
-constexpr int kSliderSteps = 1000;
 constexpr int kRowHeight = 42;
 
 /// Takes the wheel only while it has the focus: a panel is scrolled past it.
-template <class Base>
-class Patient : public Base {
+class PatientChoice : public QComboBox {
 public:
-    using Base::Base;
+    using QComboBox::QComboBox;
 
 protected:
     void wheelEvent(QWheelEvent* event) override
     {
-        if (this->hasFocus())
-            Base::wheelEvent(event);
+        if (hasFocus())
+            QComboBox::wheelEvent(event);
         else
             event->ignore();
     }
@@ -73,6 +71,8 @@ ParameterRow::ParameterRow(ParameterEditor& editor, const ParameterText& text, Q
     m_value = m_editor.value(text.key);
     present();
     connect(&editor, &ParameterEditor::shownChanged, this, &ParameterRow::follow);
+    connect(&editor, &ParameterEditor::overtaken, this,
+            [this] { m_isTakenBack = std::exchange(m_isDragging, false); });
 }
 
 QLabel* ParameterRow::makeLabel()
@@ -120,12 +120,7 @@ void ParameterRow::makeSlider()
     QLabel* label = makeLabel();
     m_number = new ParameterNumber(m_scale, this);
 
-    m_slider = new Patient<QSlider>(Qt::Horizontal, this);
-    m_slider->setRange(0, kSliderSteps);
-    m_slider->setPageStep(kSliderSteps / 10);
-    m_slider->setSingleStep(kSliderSteps / 50);
-    m_slider->setAccessibleName(parameterTr(m_scale.text().label));
-    m_slider->setAccessibleDescription(parameterTr(m_scale.text().tip));
+    m_slider = new ParameterSlider(m_scale, this);
     m_slider->setFixedHeight(20);
     m_slider->installEventFilter(this);
 
@@ -140,8 +135,7 @@ void ParameterRow::makeSlider()
     column->addWidget(m_slider);
     setFixedHeight(kRowHeight);
 
-    connect(m_slider, &QSlider::valueChanged, this,
-            [this](int position) { edit(m_scale.at(position / static_cast<double>(kSliderSteps))); });
+    connect(m_slider, &ParameterSlider::edited, this, &ParameterRow::edit);
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
         if (std::exchange(m_isDragging, false))
             m_editor.finish(accessibleName());
@@ -162,7 +156,7 @@ void ParameterRow::makeSwitch()
 void ParameterRow::makeChoice()
 {
     QLabel* label = makeLabel();
-    m_choice = new Patient<QComboBox>(this);
+    m_choice = new PatientChoice(this);
     m_choice->addItems(choiceNames(m_scale.info().choices));
     m_choice->setAccessibleName(parameterTr(m_scale.text().label));
     auto* line = new QHBoxLayout(this);
@@ -185,9 +179,7 @@ void ParameterRow::follow()
 void ParameterRow::present()
 {
     if (m_slider) {
-        const QSignalBlocker quiet(m_slider);
-        if (m_scale.at(m_slider->value() / static_cast<double>(kSliderSteps)) != m_value)
-            m_slider->setValue(static_cast<int>(std::lround(m_scale.placeOf(m_value) * kSliderSteps)));
+        m_slider->show(m_value);
         m_number->show(m_value);
     } else if (m_switch) {
         const QSignalBlocker quiet(m_switch);

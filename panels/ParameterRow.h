@@ -8,12 +8,12 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
-class QSlider;
 
 namespace espalier {
 
 class ParameterEditor;
 class ParameterNumber;
+class ParameterSlider;
 
 /// One parameter to look at and to change: a slider below its name and its number, a switch, or a list of
 /// choices. A gesture is whatever a person feels to be one change: a drag of the slider, a number typed, a
@@ -52,7 +52,7 @@ private:
     bool m_isDragging = false;
     bool m_isTakenBack = false; ///< The pointer is still down
     bool m_isPassingOn = false;
-    QSlider* m_slider = nullptr;
+    ParameterSlider* m_slider = nullptr;
     ParameterNumber* m_number = nullptr;
     QCheckBox* m_switch = nullptr;
     QComboBox* m_choice = nullptr;

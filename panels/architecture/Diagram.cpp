@@ -31,6 +31,7 @@ double length(const QPointF& vector)
 Diagram::Diagram(ParameterEditor& editor, QWidget* parent) : QWidget(parent), m_editor(editor)
 {
     setMouseTracking(true);
+    connect(&editor, &ParameterEditor::overtaken, this, &Diagram::letGo);
     connect(&editor, &ParameterEditor::shownChanged, this, &Diagram::follow);
 }
 
@@ -102,11 +103,16 @@ void Diagram::reset(int number)
     m_editor.reset(handle(number).keys(), handle(number).accessibleName());
 }
 
-void Diagram::drop()
+void Diagram::letGo()
 {
     m_dragged = -1;
     m_moved = false;
     m_atPress.reset();
+}
+
+void Diagram::drop()
+{
+    letGo();
     m_editor.cancel();
 }
 
@@ -236,9 +242,18 @@ void Diagram::drawHandle(QPainter& painter, int number) const
         colour = colour.lighter(112);
     }
     // A dark rim keeps it apart from whatever lies below.
-    painter.setPen(QPen(QColor(0x1d, 0x20, 0x26, 200), 2.0));
-    painter.setBrush(colour);
-    painter.drawEllipse(centre, kHandleRadius, kHandleRadius);
+    const QColor rim(0x1d, 0x20, 0x26, 200);
+    painter.setBrush(Qt::NoBrush);
+    if (isRing(number)) {
+        painter.setPen(QPen(rim, 7.0));
+        painter.drawEllipse(centre, kHandleRadius - 1.0, kHandleRadius - 1.0);
+        painter.setPen(QPen(colour, 3.5));
+        painter.drawEllipse(centre, kHandleRadius - 1.0, kHandleRadius - 1.0);
+    } else {
+        painter.setPen(QPen(rim, 2.0));
+        painter.setBrush(colour);
+        painter.drawEllipse(centre, kHandleRadius, kHandleRadius);
+    }
     if (isFocused) {
         painter.setPen(QPen(Qt::white, 2.0));
         painter.setBrush(Qt::NoBrush);

@@ -55,6 +55,8 @@ protected:
                         TreeParameters& parameters) const;
     /// Draws all but the handles.
     virtual void draw(QPainter& painter, const GrowthParameters& growth) = 0;
+    /// Whether the handle is a ring, for what it lies upon is to be seen.
+    virtual bool isRing(int) const { return false; }
     /// What the value bubble at a dragged handle says.
     virtual QString bubbleText(int number) const;
 
@@ -80,6 +82,8 @@ private:
     int handleAt(const QPointF& point) const;
     void follow();
     void reset(int number);
+    /// Ends the drag that goes on, wherever it has led.
+    void letGo();
     /// Takes the drag that goes on back.
     void drop();
     void drawHandle(QPainter& painter, int number) const;

@@ -1,55 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/architecture/DiagramHandle.h"
 
+#include "panels/AccessibleParameter.h"
 #include "panels/architecture/Diagram.h"
 
 #include <QAccessible>
-#include <QAccessibleWidget>
 #include <QKeyEvent>
 
 namespace espalier {
 
 namespace {
 
-class AccessibleHandle : public QAccessibleWidget, public QAccessibleValueInterface {
-public:
-    explicit AccessibleHandle(DiagramHandle* handle)
-        : QAccessibleWidget(handle, QAccessible::Slider), m_handle(*handle)
-    {
-    }
-
-    void* interface_cast(QAccessible::InterfaceType type) override
-    {
-        if (type == QAccessible::ValueInterface)
-            return static_cast<QAccessibleValueInterface*>(this);
-        return QAccessibleWidget::interface_cast(type);
-    }
-
-    QString text(QAccessible::Text kind) const override
-    {
-        return kind == QAccessible::Value ? m_handle.valueText() : QAccessibleWidget::text(kind);
-    }
-
-    QVariant currentValue() const override { return m_handle.value(); }
-    void setCurrentValue(const QVariant& value) override { m_handle.setValue(value.toDouble()); }
-    QVariant maximumValue() const override { return m_handle.scale().info().maximum; }
-    QVariant minimumValue() const override { return m_handle.scale().info().minimum; }
-    QVariant minimumStepSize() const override
-    {
-        const double low = m_handle.scale().info().minimum;
-        return m_handle.scale().stepped(low, 1, ParameterScale::Stride::Fine) - low;
-    }
-
-private:
-    const DiagramHandle& handle() const { return m_handle; }
-
-    DiagramHandle& m_handle;
-};
-
 QAccessibleInterface* makeAccessible(const QString&, QObject* object)
 {
     auto* handle = qobject_cast<DiagramHandle*>(object);
-    return handle ? new AccessibleHandle(handle) : nullptr;
+    if (!handle)
+        return nullptr;
+    return new AccessibleParameter(handle, {handle->scale(), [handle] { return handle->value(); },
+                                            [handle](double value) { handle->setValue(value); },
+                                            [handle] { return handle->valueText(); }});
 }
 
 } // namespace

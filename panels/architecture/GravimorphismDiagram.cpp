@@ -105,6 +105,11 @@ void GravimorphismDiagram::pull(int number, const QPointF& to, TreeParameters& p
     }
 }
 
+bool GravimorphismDiagram::isRing(int number) const
+{
+    return number == Offset; // which lies on the branch, unless one side is favoured
+}
+
 QString GravimorphismDiagram::bubbleText(int number) const
 {
     const GravimorphismEllipse ellipse = ellipseOf(shown());
@@ -149,7 +154,7 @@ void GravimorphismDiagram::draw(QPainter& painter, const GrowthParameters& growt
         painter.drawEllipse(diagram::polar(origin, 15.0, chi), size, size);
     }
     painter.setBrush(diagram::kWood);
-    painter.drawEllipse(origin, 13.0, 13.0);
+    painter.drawEllipse(origin, 12.0, 12.0);
     diagram::drawLabel(painter, {origin.x() + 11.0, 9.0}, QStringLiteral("V"));
     diagram::drawLabel(painter, {width() - 8.0, origin.y() + 11.0}, QStringLiteral("P"));
 }

@@ -24,6 +24,7 @@ protected:
     QPointF place(int number, const GrowthParameters& growth) const override;
     void pull(int number, const QPointF& to, TreeParameters& parameters) const override;
     void draw(QPainter& painter, const GrowthParameters& growth) override;
+    bool isRing(int number) const override;
     QString bubbleText(int number) const override;
 };
 

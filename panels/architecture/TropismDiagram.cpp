@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kMargin = 8.0; ///< px
 
-/// Bases of twigs stay visible, trunks slim, px.
-constexpr double kThinnest = 0.9;
-constexpr double kThickest = 7.0;
-constexpr double kLeafRadius = 1.9;
+// Of the drawing's height: twigs stay visible, trunks slim.
+constexpr double kTwig = 0.0065;
+constexpr double kTrunk = 0.05;
+constexpr double kLeafRadius = 0.0138;
 
 } // namespace
 
@@ -107,7 +107,8 @@ void drawSchematic(QPainter& painter, const Schematic& schematic, const QRectF& 
 
     const Widths widths(WidthParameters{.exponent = 2.2, .tipDiameter = 1.0}, index.tipCount(0));
     const double thickness =
-        std::min(kThinnest, kThickest / (2.0 * static_cast<double>(widths.radius(index, 0))));
+        box.height() * std::min(kTwig, kTrunk / (2.0 * static_cast<double>(widths.radius(index, 0))));
+    const double leaf = box.height() * kLeafRadius;
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (!tree.isAlive(id))
             continue;
@@ -119,7 +120,7 @@ void drawSchematic(QPainter& painter, const Schematic& schematic, const QRectF& 
     painter.setBrush(theme::kAccent);
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (tree.isAlive(id) && index.tipCount(id) == 1 && index.firstChild(id) == kNoInternode)
-            painter.drawEllipse(seen(index.nodePosition(id)), kLeafRadius, kLeafRadius);
+            painter.drawEllipse(seen(index.nodePosition(id)), leaf, leaf);
     }
 }
 

@@ -53,6 +53,8 @@ private Q_SLOTS:
     void press_thatTrembles_changesNothing();
     void growth_isPutInForceWhenTheDragEnds();
     void disabled_dropsTheDrag();
+    void undoDuringADrag_endsIt();
+    void screenReader_readsAndSetsSlidersInTheirUnits();
     void tab_goesFromHandleToHandle();
     void doubleClickBesideTheHandles_resetsTheDiagram();
     void schematic_isRedrawnWhileAHandleMoves();
@@ -401,6 +403,46 @@ void ArchitecturePanelTest::disabled_dropsTheDrag()
     QCOMPARE(steps(), 0);
 }
 
+void ArchitecturePanelTest::undoDuringADrag_endsIt()
+{
+    const Place place{m_panel->diagrams().front(), 0};
+    drag(place, {-20, 30});
+    drag(place, {10, 20}, false);
+    m_document->undoStack().undo();
+    QCOMPARE(parameters(), TreeParameters());
+    QTest::mouseMove(place.diagram, QPoint(20, 20));
+    QTest::mouseRelease(place.diagram, Qt::LeftButton, {}, QPoint(20, 20));
+    QCOMPARE(parameters(), TreeParameters());
+
+    auto* slider = m_panel->row("growth.shedding")->findChild<QSlider*>();
+    const QPoint left(4, slider->height() / 2);
+    QTest::mouseClick(slider, Qt::LeftButton, {}, left);
+    QTest::mousePress(slider, Qt::LeftButton, {}, left);
+    QTest::mouseMove(slider, left + QPoint(60, 0));
+    m_document->undoStack().undo();
+    QTest::mouseMove(slider, left + QPoint(90, 0));
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, left + QPoint(90, 0));
+    QCOMPARE(parameters(), TreeParameters());
+}
+
+void ArchitecturePanelTest::screenReader_readsAndSetsSlidersInTheirUnits()
+{
+    for (const char* key : {"growth.phyllotaxis", "growth.apicalDominance", "growth.internodeLength"}) {
+        ParameterRow* row = m_panel->row(key);
+        QAccessibleInterface* read = QAccessible::queryAccessibleInterface(row->findChild<QSlider*>());
+        QVERIFY(read && read->valueInterface());
+        QCOMPARE(read->role(), QAccessible::Slider);
+        QCOMPARE(read->text(QAccessible::Name), row->accessibleName());
+        QCOMPARE(read->valueInterface()->currentValue().toDouble(), row->value());
+        const QString before = read->text(QAccessible::Value);
+        QVERIFY2(before.contains(QLatin1Char('5')) || before.contains(QLatin1Char('1')), qPrintable(before));
+        read->valueInterface()->setCurrentValue(0.25);
+        QVERIFY(std::abs(row->value() - 0.25) < 0.06);
+        QVERIFY(read->text(QAccessible::Value) != before);
+    }
+    QCOMPARE(steps(), 3);
+}
+
 void ArchitecturePanelTest::tab_goesFromHandleToHandle()
 {
     std::vector<QWidget*> expected;
@@ -591,6 +633,6 @@ void ArchitecturePanelTest::panel_fitsWindows()
     }
 }
 
-static const test::TestClass<ArchitecturePanelTest> entered;
+static const test::TestClass<ArchitecturePanelTest> architecturePanelTest;
 
 #include "ArchitecturePanelTest.moc"

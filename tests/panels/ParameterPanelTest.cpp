@@ -206,6 +206,6 @@ void ParameterPanelTest::radiusSlider_keepsTheRadiusItIsGiven()
     QCOMPARE(edits.size(), 2);
 }
 
-static const test::TestClass<ParameterPanelTest> entered;
+static const test::TestClass<ParameterPanelTest> parameterPanelTest;
 
 #include "ParameterPanelTest.moc"
