@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 
@@ -28,6 +29,8 @@ GrowthParameters inPlane(GrowthParameters parameters)
     parameters.lateralsPerNode = std::min(parameters.lateralsPerNode, 2);
     parameters.setPointAngle = std::min(parameters.setPointAngle, kSteepest);
     parameters.shadowIntensity *= kShadowOfPlane;
+    // As dense in the plane as they are in space.
+    parameters.markersPerBud = static_cast<int>(std::ceil(std::pow(parameters.markersPerBud, 2.0 / 3.0)));
     // Its size is that of a diagram, whatever the tree's.
     parameters.internodeLength = 1.0;
     return parameters;

@@ -193,6 +193,7 @@ bool ArchitecturePanel::isMoreShown() const
 void ArchitecturePanel::showMore(bool shown)
 {
     m_moreButton->setChecked(shown);
+    m_moreButton->setText(shown ? tr("‹ Less") : tr("More ›"));
     m_more->setVisible(shown);
     Q_EMIT sizeWanted();
     // Once everything has its place.

@@ -14,17 +14,26 @@ namespace {
 enum Handle { Vertical, Parallel, Offset };
 
 constexpr double kMargin = 14.0; ///< px
-/// The drawing has room for ellipses that reach so far; for larger ones it shrinks.
-constexpr double kRoom = 1.45;
+/// To each side of the branch the drawing has room for so much; for larger ellipses it shrinks.
+constexpr double kRoom = 1.25;
 
 GravimorphismEllipse ellipseOf(const GrowthParameters& growth)
 {
     return {growth.ellipseVertical, growth.ellipseParallel, growth.ellipseOffset};
 }
 
-double reachOf(const GrowthParameters& growth)
+/// How far the drawing reaches from the branch.
+struct Extent {
+    double above;
+    double below;
+    double side;
+};
+
+Extent extentOf(const GrowthParameters& growth)
 {
-    return std::max(growth.ellipseVertical + std::abs(growth.ellipseOffset), growth.ellipseParallel);
+    return {std::max(kRoom, growth.ellipseVertical + growth.ellipseOffset),
+            std::max(kRoom, growth.ellipseVertical - growth.ellipseOffset),
+            std::max(kRoom, growth.ellipseParallel)};
 }
 
 } // namespace
@@ -48,18 +57,22 @@ QString GravimorphismDiagram::caption() const
     if (side > std::max(above, below))
         return tr("amphitony");
     if (std::abs(above - below) < 0.1 * most)
-        return tr("above and below");
+        return tr("vertical");
     return above > below ? tr("epitony") : tr("hypotony");
 }
 
 QPointF GravimorphismDiagram::axis() const
 {
-    return {width() / 2.0, height() / 2.0};
+    const Extent extent = extentOf(fitted());
+    const double unused = height() - 2.0 * kMargin - unit() * (extent.above + extent.below);
+    return {width() / 2.0, kMargin + unused / 2.0 + unit() * extent.above};
 }
 
 double GravimorphismDiagram::unit() const
 {
-    return (std::min(width(), height()) / 2.0 - kMargin) / std::max(kRoom, reachOf(fitted()));
+    const Extent extent = extentOf(fitted());
+    return std::min((height() - 2.0 * kMargin) / (extent.above + extent.below),
+                    (width() / 2.0 - kMargin) / extent.side);
 }
 
 QPointF GravimorphismDiagram::rayEnd(double chi) const
@@ -82,7 +95,8 @@ QPointF GravimorphismDiagram::place(int number, const GrowthParameters& growth) 
 
 void GravimorphismDiagram::pull(int number, const QPointF& to, TreeParameters& parameters) const
 {
-    const double up = diagram::stretched(axis().y() - to.y(), height() / 2.0) / unit();
+    const double rise = axis().y() - to.y();
+    const double up = diagram::stretched(rise, rise > 0.0 ? axis().y() : height() - axis().y()) / unit();
     const double right = diagram::stretched(to.x() - axis().x(), width() / 2.0) / unit();
     const auto set = [&](const char* key, double value) {
         setParameter(parameters, key, ParameterScale::of(key).rounded(value));
@@ -155,7 +169,7 @@ void GravimorphismDiagram::draw(QPainter& painter, const GrowthParameters& growt
     }
     painter.setBrush(diagram::kWood);
     painter.drawEllipse(origin, 12.0, 12.0);
-    diagram::drawLabel(painter, {origin.x() + 11.0, 9.0}, QStringLiteral("V"));
+    diagram::drawLabel(painter, {origin.x() + 10.0, height() - 9.0}, QStringLiteral("V"));
     diagram::drawLabel(painter, {width() - 8.0, origin.y() + 11.0}, QStringLiteral("P"));
 }
 

@@ -74,7 +74,7 @@ void TropismDiagram::draw(QPainter& painter, const GrowthParameters& growth)
     drawSchematic(painter, schematic(), QRectF(rect()).adjusted(kMargin, kMargin, -kMargin, -2.0));
 
     const bool isInferred = growth.tropismFromStroke;
-    QColor colour = isInferred ? theme::kFaintText : theme::kHandle;
+    const QColor colour = isInferred ? theme::kFaintText : theme::kHandle;
     painter.setPen(diagram::guidePen());
     painter.drawLine(pivot(), diagram::polar(pivot(), arrowLength(), 0.0));
     painter.setPen(QPen(colour, 1.5, Qt::DotLine));
