@@ -88,10 +88,10 @@ CheatSheet::CheatSheet(QWidget* parent) : QDialog(parent)
     };
     const QStringList columns{
         actionSection(ActionGroup::Tools) + actionSection(ActionGroup::Edit),
-        actionSection(ActionGroup::View) + section(tr("Camera, while brushing too"), keys),
-        section(tr("Mouse"), mouse) + section(tr("Touch and pen"), touch),
-        actionSection(ActionGroup::File) + actionSection(ActionGroup::Window) +
+        actionSection(ActionGroup::View) + section(tr("Camera, while brushing too"), keys) +
             section(tr("Sliders and handles"), controls),
+        section(tr("Mouse"), mouse) + section(tr("Touch and pen"), touch),
+        actionSection(ActionGroup::File) + actionSection(ActionGroup::Window),
     };
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(26, 14, 26, 22);

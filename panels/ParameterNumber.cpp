@@ -31,7 +31,7 @@ ParameterNumber::ParameterNumber(const ParameterScale& scale, QWidget* parent)
     int widest = fontMetrics().horizontalAdvance(specialValueText());
     for (const double limit : {minimum(), maximum()})
         widest = std::max(widest, fontMetrics().horizontalAdvance(textFromValue(limit) + suffix()));
-    setFixedWidth(widest + 8);
+    setFixedWidth(widest + 6);
     connect(this, &QDoubleSpinBox::valueChanged, this,
             [this](double shown) { Q_EMIT edited(shown / m_factor); });
 }

@@ -22,14 +22,14 @@ constexpr ParameterText kTropism[] = {
 };
 
 constexpr ParameterText kGravimorphism[] = {
-    {"growth.ellipseVertical", QT_TRANSLATE_NOOP("Parameters", "Vertical"), "s_v",
+    {"growth.ellipseVertical", QT_TRANSLATE_NOOP("Parameters", "Buds above and below"), "s_v",
      QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds above and below a leaning branch."), Cubic, 2, "",
      1.0, "", QT_TRANSLATE_NOOP("Parameters", "Vertical semi-axis of the gravimorphic ellipse.")},
-    {"growth.ellipseParallel", QT_TRANSLATE_NOOP("Parameters", "Sideways"), "s_p",
+    {"growth.ellipseParallel", QT_TRANSLATE_NOOP("Parameters", "Buds at the sides"), "s_p",
      QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds on the sides of a leaning branch."), Cubic, 2, "",
      1.0, "",
      QT_TRANSLATE_NOOP("Parameters", "Semi-axis parallel to the ground; the greater one is amphitony.")},
-    {"growth.ellipseOffset", QT_TRANSLATE_NOOP("Parameters", "Above or below"), "e_v",
+    {"growth.ellipseOffset", QT_TRANSLATE_NOOP("Parameters", "Upper or lower buds"), "e_v",
      QT_TRANSLATE_NOOP("Parameters", "Above 0 the buds on the upper side are stronger, as in fruit trees; "
                                      "below 0 those on the lower side."),
      Linear, 2, "", 1.0, "",

@@ -26,11 +26,11 @@ namespace espalier {
 namespace {
 
 // px
-constexpr int kLeastCard = 178;
+constexpr int kLeastCard = 166;
 constexpr int kMostCard = 330;
-constexpr int kColumnWidth = 176;
-constexpr int kSpacing = 12;
-constexpr int kMargin = 18;
+constexpr int kColumnWidth = 162;
+constexpr int kSpacing = 10;
+constexpr int kMargin = 14;
 constexpr int kLeastDiagram = 150;
 constexpr int kMostDiagram = 290;
 /// The tree keeps at least the other part of the window's height.
@@ -111,8 +111,12 @@ QWidget* ArchitecturePanel::makeCard(const ParameterSection& section, QWidget* p
     m_diagrams.push_back(diagram);
     diagram->setAccessibleName(parameterTr(section.title));
     QStringList explanations;
-    for (const ParameterText& text : section.parameters)
+    QStringList tips;
+    for (const ParameterText& text : section.parameters) {
         explanations.append(explanation(text));
+        tips.append(parameterTr(text.tip));
+    }
+    diagram->setAccessibleDescription(tips.join(QLatin1Char(' ')));
     diagram->setToolTip(explanations.join(QStringLiteral("<br>")));
     diagram->setWhatsThis(diagram->toolTip());
 
@@ -126,7 +130,7 @@ QWidget* ArchitecturePanel::makeCard(const ParameterSection& section, QWidget* p
     lines->addLayout(heading);
     lines->addWidget(diagram, 1);
     auto* values = new QHBoxLayout;
-    values->setSpacing(6);
+    values->setSpacing(4);
     for (const ParameterText& text : section.parameters) {
         m_fields.push_back(new ValueField(m_editor, text.key, card));
         values->addWidget(m_fields.back());

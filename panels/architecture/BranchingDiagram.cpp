@@ -22,8 +22,8 @@ void drawTwig(QPainter& painter, const QPointF& from, const QPointF& to, double 
 
 BranchingDiagram::BranchingDiagram(ParameterEditor& editor, QWidget* parent) : Diagram(editor, parent)
 {
-    addHandle({"growth.branchingAngle"}, tr("Branching angle handle"));
-    addHandle({"growth.deflectionAngle"}, tr("Deflection handle"));
+    addHandle({"growth.branchingAngle"});
+    addHandle({"growth.deflectionAngle"});
 }
 
 QString BranchingDiagram::caption() const

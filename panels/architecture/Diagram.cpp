@@ -39,7 +39,8 @@ Diagram::~Diagram() = default;
 
 void Diagram::addHandle(std::vector<const char*> keys, const QString& name)
 {
-    m_handles.push_back(new DiagramHandle(*this, handleCount(), std::move(keys), name));
+    const QString own = name.isEmpty() ? parameterTr(parameterText(keys.front())->label) : name;
+    m_handles.push_back(new DiagramHandle(*this, handleCount(), std::move(keys), own));
 }
 
 QPointF Diagram::handlePlace(int number) const

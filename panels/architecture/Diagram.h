@@ -42,8 +42,8 @@ protected:
     explicit Diagram(ParameterEditor& editor, QWidget* parent = nullptr);
 
     /// Adds a handle for one parameter, or for several that it stands for together, the first of which is
-    /// the one that assistive tools read and set.
-    void addHandle(std::vector<const char*> keys, const QString& name);
+    /// the one that assistive tools read and set. @p name: that of the parameter unless given.
+    void addHandle(std::vector<const char*> keys, const QString& name = {});
 
     /// Where the handle of that number stands for parameters, px.
     virtual QPointF place(int number, const GrowthParameters& growth) const = 0;

@@ -40,9 +40,9 @@ Extent extentOf(const GrowthParameters& growth)
 
 GravimorphismDiagram::GravimorphismDiagram(ParameterEditor& editor, QWidget* parent) : Diagram(editor, parent)
 {
-    addHandle({"growth.ellipseVertical"}, tr("Height of the ellipse"));
-    addHandle({"growth.ellipseParallel"}, tr("Width of the ellipse"));
-    addHandle({"growth.ellipseOffset"}, tr("Centre of the ellipse"));
+    addHandle({"growth.ellipseVertical"});
+    addHandle({"growth.ellipseParallel"});
+    addHandle({"growth.ellipseOffset"});
 }
 
 QString GravimorphismDiagram::caption() const

@@ -33,9 +33,9 @@ Extent extentOf(const GrowthParameters& growth)
 
 PerceptionDiagram::PerceptionDiagram(ParameterEditor& editor, QWidget* parent) : Diagram(editor, parent)
 {
-    addHandle({"growth.occupancyRadius"}, tr("Occupied radius handle"));
-    addHandle({"growth.perceptionDepth"}, tr("Sight handle"));
-    addHandle({"growth.perceptionAngle"}, tr("Field of view handle"));
+    addHandle({"growth.occupancyRadius"});
+    addHandle({"growth.perceptionDepth"});
+    addHandle({"growth.perceptionAngle"});
 }
 
 QString PerceptionDiagram::caption() const

@@ -22,7 +22,7 @@ constexpr double kLeafRadius = 0.0138;
 TropismDiagram::TropismDiagram(ParameterEditor& editor, QWidget* parent)
     : Diagram(editor, parent), m_grownWith(editor.shown().growth), m_schematic(growSchematic(m_grownWith))
 {
-    addHandle({"growth.setPointAngle"}, tr("Tropism arrow"));
+    addHandle({"growth.setPointAngle"});
 }
 
 QString TropismDiagram::caption() const

@@ -38,7 +38,7 @@ ValueField::ValueField(ParameterEditor& editor, const char* key, QWidget* parent
 
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
-    line->setSpacing(3);
+    line->setSpacing(2);
     line->addWidget(label);
     line->addWidget(m_number);
     setFixedHeight(kHeight);

@@ -132,6 +132,8 @@ QPoint ArchitecturePanelTest::away(const Place& place)
         return {-18, 4};
     if (key == QStringLiteral("growth.ellipseOffset") || key == QStringLiteral("growth.perceptionDepth"))
         return {0, 14};
+    if (key == QStringLiteral("growth.setPointAngle"))
+        return {6, 18};
     return {-12, 16};
 }
 
@@ -445,6 +447,7 @@ void ArchitecturePanelTest::screenReader_readsAndSetsSlidersInTheirUnits()
 
 void ArchitecturePanelTest::tab_goesFromHandleToHandle()
 {
+    m_panel->fit({780, 1000});
     std::vector<QWidget*> expected;
     for (const Diagram* diagram : m_panel->diagrams()) {
         for (int i = 0; i < diagram->handleCount(); ++i)
@@ -456,6 +459,8 @@ void ArchitecturePanelTest::tab_goesFromHandleToHandle()
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         if (qobject_cast<DiagramHandle*>(QApplication::focusWidget()))
             reached.push_back(QApplication::focusWidget());
+        // What has the focus is scrolled into sight.
+        QVERIFY(!QApplication::focusWidget()->visibleRegion().isEmpty());
     }
     QCOMPARE(reached, expected);
 }
