@@ -15,13 +15,14 @@ class QPushButton;
 
 namespace espalier {
 
+class ArchitecturePanel;
+class Bar;
 class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
 class HistoryPanel;
 class LassoPopOut;
 class Notice;
-class ParameterPanel;
 class RotationStrip;
 class Viewport;
 
@@ -42,7 +43,8 @@ public:
     Notice& notice() { return *m_notice; }
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
-    ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
+    Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
+    ArchitecturePanel& architecture() { return *m_architecture; }
 
     HistoryPanel& history() { return *m_history; }
 
@@ -72,7 +74,8 @@ private:
     GrowPopOut* m_growPopOut;
     BendPopOut* m_bendPopOut;
     LassoPopOut* m_lassoPopOut;
-    std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    ArchitecturePanel* m_architecture;
+    std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
