@@ -15,6 +15,7 @@ namespace espalier {
 enum class ActionId {
     New,
     Open,
+    Library,
     Save,
     SaveAs,
     Export,

@@ -37,7 +37,7 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     menuButton->setMenu(makeMenu(actions, std::move(fillRecentFiles)));
 
     m_title->setTextFormat(Qt::PlainText);
-    m_title->setMinimumWidth(90);
+    m_title->setMinimumWidth(60);
     QPalette dim = m_title->palette();
     dim.setColor(QPalette::WindowText, theme::kDimText);
     m_title->setPalette(dim);
@@ -49,7 +49,7 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     auto* files = new QHBoxLayout;
     files->setSpacing(2);
     files->addWidget(menuButton);
-    for (const ActionId id : {ActionId::New, ActionId::Open, ActionId::Save, ActionId::Export})
+    for (const ActionId id : {ActionId::New, ActionId::Open, ActionId::Library, ActionId::Save, ActionId::Export})
         files->addWidget(new BarButton(BarButton::Look::Icon, actions[id], this));
     files->addSpacing(14);
     files->addWidget(m_title, 1);

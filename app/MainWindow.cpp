@@ -4,6 +4,7 @@
 #include "app/CheatSheet.h"
 #include "app/GrowTool.h"
 #include "app/LassoTool.h"
+#include "app/LibraryPanel.h"
 #include "app/RecipeTool.h"
 #include "app/TreeCounts.h"
 #include "panels/GrowPopOut.h"
@@ -97,9 +98,12 @@ MainWindow::MainWindow(QWidget* parent)
     setMinimumSize(920, 680);
     setAcceptDrops(true);
     m_viewSettings.setValues(m_settings.viewValues());
+    m_library = std::make_unique<LibraryController>(m_workspace->library(), *m_files, m_workspace->notice(),
+                                                    Library(m_settings.libraryFolder()));
     connectFiles();
     connectTools();
     connectView();
+    connectLibrary();
     followDocument();
     m_files->startNew();
     m_actions[ActionId::Brush]->trigger();
@@ -195,6 +199,8 @@ void MainWindow::connectTools()
             [this](const QString& why) { m_workspace->notice().showInformation(why); });
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
     connect(&m_recipeRunner, &RecipeRunner::finished, this, [this] {
+        if (m_recipeRunner.pace() == RecipeRunner::Pace::Hurried && !m_workspace->notice().isWarning())
+            m_workspace->notice().finish();
         takeTool();
         updateEnabled();
         m_workspace->viewport().frameAll();
@@ -257,6 +263,25 @@ void MainWindow::connectView()
     });
 }
 
+void MainWindow::connectLibrary()
+{
+    LibraryPanel& panel = m_workspace->library();
+    QAction* action = m_actions[ActionId::Library];
+    connect(action, &QAction::toggled, this, [this](bool shown) {
+        if (shown) {
+            // What a hand has begun ends here, and is kept.
+            m_growRunner.end();
+            m_lassoRunner.end();
+            m_timeRunner.release();
+            m_workspace->viewport().cancelGesture();
+            m_library->refresh();
+        }
+        m_workspace->showLibrary(shown);
+    });
+    connect(&panel, &LibraryPanel::closeAsked, action, [action] { action->setChecked(false); });
+    connect(m_files.get(), &FileController::aboutToReplace, action, [action] { action->setChecked(false); });
+}
+
 void MainWindow::followDocument()
 {
     QUndoStack& stack = m_document.undoStack();
@@ -286,6 +311,13 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
     updateTip();
 }
 
+void MainWindow::showRecipeProgress()
+{
+    if (m_recipeRunner.isRunning() && m_recipeRunner.pace() == RecipeRunner::Pace::Hurried)
+        m_workspace->notice().showProgress(tr("Growing %1").arg(m_files->file().displayName()),
+                                           m_recipeRunner.player()->progress(), [this] { cancelAll(); });
+}
+
 void MainWindow::followRecipe()
 {
     Viewport& viewport = m_workspace->viewport();
@@ -293,6 +325,7 @@ void MainWindow::followRecipe()
     if (m_followClock.isValid() && m_followClock.elapsed() < kFollowInterval)
         return;
     m_followClock.start();
+    showRecipeProgress();
     const Box3 bounds = treeBounds(m_document.tree(), m_document.index());
     for (int corner = 0; corner < 8; ++corner) {
         const auto place = viewport.camera().project(bounds.corner(static_cast<Box3::CornerType>(corner)));
@@ -358,6 +391,7 @@ void MainWindow::updateEnabled()
     for (int i = 0; i < Workspace::kSheetCount; ++i)
         m_workspace->sheet(i).setEnabled(!isBusy());
     m_workspace->history().setEnabled(!isBusy());
+    m_workspace->library().setMayKeep(!isBusy());
 }
 
 void MainWindow::updateTitle()

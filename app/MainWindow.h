@@ -5,6 +5,7 @@
 #include "app/FileController.h"
 #include "app/GrowRunner.h"
 #include "app/LassoRunner.h"
+#include "app/LibraryController.h"
 #include "app/RecipeRunner.h"
 #include "app/Settings.h"
 #include "app/TimeRunner.h"
@@ -45,6 +46,7 @@ private:
     void connectFiles();
     void connectTools();
     void connectView();
+    void connectLibrary();
     void followDocument();
     /// Ends whatever is under way.
     void cancelAll();
@@ -55,6 +57,7 @@ private:
     void updateEnabled();
     void updateTitle();
     void updateTip();
+    void showRecipeProgress();
     /// Keeps a tree in sight that a recipe lets grow.
     void followRecipe();
     ActionId toolInHand() const;
@@ -72,6 +75,7 @@ private:
     QElapsedTimer m_followClock;
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
+    std::unique_ptr<LibraryController> m_library;
 };
 
 } // namespace espalier

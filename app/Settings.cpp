@@ -11,6 +11,7 @@ namespace {
 
 const QString kRecentFiles = QStringLiteral("files/recent");
 const QString kFolder = QStringLiteral("files/folder");
+const QString kLibraryFolder = QStringLiteral("library/folder");
 const QString kExportSuffix = QStringLiteral("files/exportSuffix");
 const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
@@ -84,6 +85,19 @@ QString Settings::folder() const
 void Settings::setFolder(const QString& folder)
 {
     QSettings().setValue(kFolder, folder);
+}
+
+QString Settings::libraryFolder() const
+{
+    const QString folder = QSettings().value(kLibraryFolder).toString();
+    if (!folder.isEmpty())
+        return folder;
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/library");
+}
+
+void Settings::setLibraryFolder(const QString& folder)
+{
+    QSettings().setValue(kLibraryFolder, folder);
 }
 
 QString Settings::exportSuffix() const

@@ -26,6 +26,9 @@ public:
     /// Where files were opened or saved last; at first the person's documents.
     QString folder() const;
     void setFolder(const QString& folder);
+    /// Where the library keeps its trees; at first a folder among the program's data.
+    QString libraryFolder() const;
+    void setLibraryFolder(const QString& folder);
     /// Suffix of the last export; at first "glb".
     QString exportSuffix() const;
     void setExportSuffix(const QString& suffix);

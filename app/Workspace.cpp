@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Workspace.h"
 
+#include "app/LibraryPanel.h"
 #include "app/TreeCounts.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
@@ -42,6 +43,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
       m_architecture(new ArchitecturePanel(document, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
+      m_library(new LibraryPanel(this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
       m_notice(new Notice(this)),
@@ -93,6 +95,16 @@ void Workspace::showHistory(bool shown)
     arrange();
 }
 
+void Workspace::showLibrary(bool shown)
+{
+    m_isLibraryShown = shown;
+    arrange();
+    if (shown)
+        m_library->takeFocus();
+    else
+        m_viewport->setFocus();
+}
+
 void Workspace::setInterfaceHidden(bool hidden)
 {
     m_isHidden = hidden;
@@ -104,6 +116,10 @@ void Workspace::focusNextPane()
     QWidget* pane = m_sideBar;
     if (m_sheet >= 0 && m_sheet < kSheetCount)
         pane = &sheet(m_sheet);
+    if (m_isLibraryShown) {
+        m_library->takeFocus();
+        return;
+    }
     if (!m_viewport->hasFocus() || !pane->isVisible()) {
         m_viewport->setFocus();
         return;
@@ -140,10 +156,13 @@ void Workspace::showCounts()
 
 void Workspace::arrange()
 {
-    const bool shown = !m_isHidden;
+    const bool shown = !m_isHidden && !m_isLibraryShown;
     m_viewport->setGeometry(rect());
     m_topBar->setGeometry(0, 0, width(), kTopBarHeight);
-    m_topBar->setVisible(shown);
+    m_topBar->setVisible(!m_isHidden);
+    const int top = m_isHidden ? 0 : kTopBarHeight;
+    m_library->setGeometry(0, top, width(), height() - top);
+    m_library->setVisible(m_isLibraryShown);
 
     int y = kTopBarHeight + kGap;
     m_sideBar->setGeometry(QRect(QPoint(kGap, y), m_sideBar->sizeHint()));
@@ -187,7 +206,7 @@ void Workspace::arrange()
     m_strip->setVisible(shown);
     m_onlyOne->adjustSize();
     m_onlyOne->move((width() - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
-    m_onlyOne->setVisible(!m_document.competitors().areAll());
+    m_onlyOne->setVisible(!m_isLibraryShown && !m_document.competitors().areAll());
 
     const int bottom = height() - Viewport::kStripHeight - 2;
     m_counts->adjustSize();
@@ -203,6 +222,7 @@ void Workspace::arrange()
     m_notice->resize(m_notice->width(),
                      std::max(m_notice->sizeHint().height(), m_notice->heightForWidth(m_notice->width())));
     m_notice->move((width() - m_notice->width()) / 2, height() - m_notice->height() - 64);
+    m_library->raise();
     m_notice->raise();
 }
 

@@ -22,6 +22,7 @@ class BrushPopOut;
 class GrowPopOut;
 class HistoryPanel;
 class LassoPopOut;
+class LibraryPanel;
 class Notice;
 class RotationStrip;
 class Viewport;
@@ -49,7 +50,10 @@ public:
     HistoryPanel& history() { return *m_history; }
 
     void showPopOut(PopOut popOut);
+    LibraryPanel& library() { return *m_library; }
     void showHistory(bool shown);
+    /// The library lies over all but the top bar and notices.
+    void showLibrary(bool shown);
     /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
@@ -77,6 +81,7 @@ private:
     ArchitecturePanel* m_architecture;
     std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
+    LibraryPanel* m_library;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
     Notice* m_notice;
@@ -87,6 +92,7 @@ private:
     int m_sheet = -1;
     bool m_isHidden = false;
     bool m_isHistoryShown = false;
+    bool m_isLibraryShown = false;
 };
 
 } // namespace espalier

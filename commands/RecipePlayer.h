@@ -23,6 +23,8 @@ public:
     ~RecipePlayer();
 
     bool isDone() const;
+    /// Share of the operations that are done, 0...1.
+    double progress() const;
     void playAll();
     /// Does the next operation, or what is left of the one at hand.
     void playOperation();
