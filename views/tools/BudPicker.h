@@ -15,8 +15,8 @@ struct PickedBud {
 /// More buds than anybody tells apart around a pointer.
 inline constexpr std::size_t kMostPickedBuds = 200;
 
-/// The living buds that appear at most @p reach px from @p screen, the nearest first, at most @p most (≥ 1) of
-/// them; of those as near as makes no difference, those in front come first.
+/// The living buds that appear at most @p reach px from @p screen, the nearest first, at most @p most (≥ 1)
+/// of them; of those as near as makes no difference, those in front come first.
 std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, double reach,
                                 std::size_t most = kMostPickedBuds);
 
