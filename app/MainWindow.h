@@ -15,6 +15,8 @@
 
 namespace espalier {
 
+class Tour;
+
 /// The program's window: puts the parts together and tells them of each other.
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -33,6 +35,15 @@ public:
 
     /// Ends what is under way, and lets a recipe grow another tree before the person's eyes.
     void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace);
+    /// Plays a recipe that belongs to the program. Asks about unsaved changes first; its own tree is none, as
+    /// long as nobody works on it.
+    void playSample(const QString& fileName);
+    /// Opens the help at the page of what is at hand; closes it if that is what it shows.
+    void toggleHelp();
+    Tour& tour() { return *m_tour; }
+    void startTour();
+    /// Shows a newcomer around: the first time that it is called on a person's machine, and never again.
+    void startFirstTour();
 
     QSize sizeHint() const override { return {1440, 900}; }
 
@@ -45,6 +56,7 @@ private:
     void connectFiles();
     void connectTools();
     void connectView();
+    void connectHelp();
     void followDocument();
     /// Ends whatever is under way.
     void cancelAll();
@@ -58,6 +70,8 @@ private:
     /// Keeps a tree in sight that a recipe lets grow.
     void followRecipe();
     ActionId toolInHand() const;
+    /// Of the sheet that has the keys, or else of the tool in hand.
+    QString helpPage() const;
     void takeTool();
     void cancel();
 
@@ -70,8 +84,10 @@ private:
     RecipeRunner m_recipeRunner;
     Actions m_actions;
     QElapsedTimer m_followClock;
+    bool m_isSample = false; ///< What the recipe runner plays
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
+    std::unique_ptr<Tour> m_tour;
 };
 
 } // namespace espalier

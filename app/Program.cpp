@@ -6,6 +6,7 @@
 #include "app/Demo.h"
 #include "app/Display.h"
 #include "app/MainWindow.h"
+#include "panels/Notice.h"
 #include "panels/Theme.h"
 #include "views/render/GlResources.h"
 
@@ -96,6 +97,9 @@ int runWindow(const CommandLine& line, QApplication& application)
         window.playRecipe(*demo, RecipeRunner::Pace::OfTheHand);
     } else if (line.inputs.isEmpty()) {
         window.files().offerRecovery();
+        // First things first: what a crash has left comes before anything else.
+        if (!window.workspace().notice().isVisible() && !isDisplayVirtual())
+            window.startFirstTour();
     } else {
         window.files().openFile(line.inputs.constFirst());
     }

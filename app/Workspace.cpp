@@ -5,6 +5,7 @@
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
+#include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
@@ -40,6 +41,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
+      m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
       m_notice(new Notice(this)),
@@ -92,6 +94,12 @@ void Workspace::showHistory(bool shown)
     arrange();
 }
 
+void Workspace::showHelp(bool shown)
+{
+    m_isHelpShown = shown;
+    arrange();
+}
+
 void Workspace::setInterfaceHidden(bool hidden)
 {
     m_isHidden = hidden;
@@ -101,7 +109,9 @@ void Workspace::setInterfaceHidden(bool hidden)
 void Workspace::focusNextPane()
 {
     QWidget* pane = m_sideBar;
-    if (m_sheet >= 0 && m_sheet < kSheetCount)
+    if (m_isHelpShown)
+        pane = m_help;
+    else if (m_sheet >= 0 && m_sheet < kSheetCount)
         pane = &sheet(m_sheet);
     if (!m_viewport->hasFocus() || !pane->isVisible()) {
         m_viewport->setFocus();
@@ -145,6 +155,15 @@ void Workspace::arrange()
     m_topBar->setVisible(shown);
 
     int y = kTopBarHeight + kGap;
+    const int lowest = height() - kStatusHeight;
+    // Whatever else there is keeps to the left of the help.
+    int right = width();
+    if (m_isHelpShown && shown) {
+        const int helpWidth = HelpPanel::widthIn(width());
+        right -= helpWidth + kGap;
+        m_help->setGeometry(right, y, helpWidth, lowest - y);
+    }
+    m_help->setVisible(m_isHelpShown && shown);
     m_sideBar->setGeometry(QRect(QPoint(kGap, y), m_sideBar->sizeHint()));
     m_sideBar->setVisible(shown);
     const int x = m_sideBar->geometry().right() + 1 + kGap;
@@ -155,12 +174,12 @@ void Workspace::arrange()
         if (i != m_sheet)
             continue;
         const QSize wanted = panel.sizeHint();
-        const int room = width() - x - kGap;
+        const int room = right - x - kGap;
         panel.setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
         y = panel.geometry().bottom() + 1 + kGap;
     }
 
-    m_viewport->setFrameMargins({0, y - kGap, 0, kStatusHeight});
+    m_viewport->setFrameMargins({0, y - kGap, width() - right, kStatusHeight});
     const std::pair<QWidget*, PopOut> popOuts[] = {{m_brushPopOut, PopOut::Brush},
                                                    {m_growPopOut, PopOut::Grow},
                                                    {m_bendPopOut, PopOut::Bend},
@@ -173,14 +192,14 @@ void Workspace::arrange()
     }
 
     const QSize history = m_history->sizeHint();
-    const int left = width() - history.width() - kGap;
-    const int room = height() - kTopBarHeight - kGap - kStatusHeight;
-    m_history->setGeometry(left, kTopBarHeight + kGap, history.width(), std::min(history.height(), room));
+    const int historyTop = kTopBarHeight + kGap;
+    m_history->setGeometry(right - history.width() - kGap, historyTop, history.width(),
+                           std::min(history.height(), lowest - historyTop));
     m_history->setVisible(shown && m_isHistoryShown);
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
     m_onlyOne->adjustSize();
-    m_onlyOne->move((width() - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
+    m_onlyOne->move((right - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
     m_onlyOne->setVisible(!m_document.competitors().areAll());
 
     const int bottom = height() - Viewport::kStripHeight - 2;
