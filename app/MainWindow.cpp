@@ -199,9 +199,8 @@ void MainWindow::connectTools()
             [this](const QString& why) { m_workspace->notice().showInformation(why); });
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
     connect(&m_recipeRunner, &RecipeRunner::finished, this, [this] {
-        // The program's own samples are no work of anybody's.
         if (std::exchange(m_isSample, false))
-            m_document.undoStack().setClean();
+            handOverSample();
         takeTool();
         updateEnabled();
         m_workspace->viewport().frameAll();
@@ -355,6 +354,17 @@ void MainWindow::playSample(const QString& fileName)
     playRecipe(*recipe, RecipeRunner::Pace::OfTheHand);
     m_isSample = true;
     m_workspace->viewport().setFocus();
+}
+
+void MainWindow::handOverSample()
+{
+    // The program's own samples are no work of anybody's.
+    m_document.undoStack().setClean();
+    // Whoever reads of a tool and has seen it at work wants to try it.
+    for (const ActionId id : Actions::tools()) {
+        if (m_workspace->isHelpShown() && m_workspace->help().page() == m_actions[id]->objectName())
+            m_actions[id]->setChecked(true);
+    }
 }
 
 void MainWindow::followRecipe()

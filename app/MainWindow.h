@@ -67,6 +67,8 @@ private:
     void updateEnabled();
     void updateTitle();
     void updateTip();
+    /// A sample has been played, or stopped.
+    void handOverSample();
     /// Keeps a tree in sight that a recipe lets grow.
     void followRecipe();
     ActionId toolInHand() const;

@@ -96,8 +96,15 @@ void Workspace::showHistory(bool shown)
 
 void Workspace::showHelp(bool shown)
 {
+    if (m_isHelpShown == shown)
+        return;
     m_isHelpShown = shown;
     arrange();
+    // The tree goes on standing in the middle of its room.
+    const double covered = HelpPanel::widthIn(width()) + kGap;
+    Camera camera = m_viewport->camera();
+    camera.pan({shown ? -covered / 2.0 : covered / 2.0, 0.0});
+    m_viewport->flyTo(camera);
 }
 
 void Workspace::setInterfaceHidden(bool hidden)

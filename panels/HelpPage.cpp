@@ -171,7 +171,7 @@ void HelpPage::dress()
             letters.setFontFamilies({font().family()});
             letters.setFontFixedPitch(false);
             letters.setForeground(theme::kHandle);
-            letters.setBackground(theme::kSunken);
+            letters.setBackground(theme::kEdge);
         } else {
             return;
         }

@@ -94,8 +94,8 @@ void Viewport::showFrom(NamedView view)
 
 Camera Viewport::framed(const Camera& camera) const
 {
+    const QRect clear = rect().marginsRemoved(m_frameMargins);
     if (m_document.index().livingCount() > 1) {
-        const QRect clear = rect().marginsRemoved(m_frameMargins);
         Camera sized = camera;
         sized.setViewSize(clear.size());
         sized = sized.framing(m_scene.outline());
@@ -109,6 +109,7 @@ Camera Viewport::framed(const Camera& camera) const
     first.setViewSize(size());
     first.setAzimuth(camera.azimuth());
     first.setElevation(camera.elevation());
+    first.pan({QRectF(clear).center().x() - QRectF(rect()).center().x(), 0.0});
     return first;
 }
 
