@@ -74,11 +74,11 @@ Box3 strokeBounds(const Recipe& recipe)
     return bounds;
 }
 
-/// The same camera, moved back until it shows all of the box and some room for it to grow.
-Camera withHeadroom(const Camera& camera, const Box3& bounds)
+/// The camera, moved back until it shows all of the box and some room for it to grow.
+Camera withHeadroom(const Viewport& viewport, const Box3& bounds)
 {
     const Vec3 room = 0.06F * bounds.sizes();
-    return camera.framing(Box3(bounds.min() - room, bounds.max() + room));
+    return viewport.framing(Box3(bounds.min() - room, bounds.max() + room));
 }
 
 } // namespace
@@ -335,7 +335,7 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
     m_files->file().forgetFile(recipe.name);
     m_files->autosave().clear();
     if (const Box3 strokes = strokeBounds(recipe); !strokes.isEmpty())
-        viewport.setCamera(withHeadroom(viewport.camera(), strokes));
+        viewport.setCamera(withHeadroom(viewport, strokes));
     updateEnabled();
     updateTip();
 }
@@ -377,8 +377,8 @@ void MainWindow::followRecipe()
     const Box3 bounds = treeBounds(m_document.tree(), m_document.index());
     for (int corner = 0; corner < 8; ++corner) {
         const auto place = viewport.camera().project(bounds.corner(static_cast<Box3::CornerType>(corner)));
-        if (!place || !QRectF(viewport.rect()).contains(*place)) {
-            viewport.flyTo(withHeadroom(viewport.camera(), bounds));
+        if (!place || !QRectF(viewport.clearRect()).contains(*place)) {
+            viewport.flyTo(withHeadroom(viewport, bounds));
             return;
         }
     }

@@ -264,7 +264,7 @@ void shootBud(Photographer& by)
     by.begin("selectBud", 2, ActionId::SelectBud);
     by.window().viewSettings().set(&ViewValues::leavesShown, false);
     by.look(Box3(Vec3(-0.5F, 0.8F, -0.3F), Vec3(0.5F, 2.2F, 0.3F)));
-    by.hover(by.at(0.3, 1.75));
+    by.hover(by.at(0.19, 1.72));
     by.shoot("selectBud-window", by.left(60));
     by.window().viewSettings().set(&ViewValues::leavesShown, true);
 }
