@@ -2,12 +2,11 @@
 #include "app/MainWindow.h"
 
 #include "app/GrowTool.h"
+#include "app/HelpController.h"
 #include "app/LassoTool.h"
 #include "app/RecipeTool.h"
-#include "app/Tour.h"
 #include "app/TreeCounts.h"
 #include "panels/GrowPopOut.h"
-#include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
@@ -20,7 +19,6 @@
 #include "views/tools/WidthTool.h"
 
 #include <QActionGroup>
-#include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -93,8 +91,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_workspace(std::make_unique<Workspace>(m_document, m_viewSettings, m_actions,
                                               [this](QMenu& menu) { m_files->fillRecentFiles(menu); })),
       m_files(std::make_unique<FileController>(*this, m_document, m_settings, m_workspace->notice(),
-                                               [this] { return thumbnailOf(m_workspace->viewport()); })),
-      m_tour(std::make_unique<Tour>(*m_workspace, m_actions, m_document, m_viewSettings))
+                                               [this] { return thumbnailOf(m_workspace->viewport()); }))
 {
     setCentralWidget(m_workspace.get());
     setMinimumSize(920, 680);
@@ -103,12 +100,12 @@ MainWindow::MainWindow(QWidget* parent)
     connectFiles();
     connectTools();
     connectView();
-    connectHelp();
     followDocument();
     m_files->startNew();
     m_actions[ActionId::Brush]->trigger();
     updateTitle();
     updateEnabled();
+    m_help = std::make_unique<HelpController>(*this, m_settings);
     m_workspace->viewport().setFocus();
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(sizeHint().boundedTo(screen()->availableSize()));
@@ -199,8 +196,6 @@ void MainWindow::connectTools()
             [this](const QString& why) { m_workspace->notice().showInformation(why); });
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
     connect(&m_recipeRunner, &RecipeRunner::finished, this, [this] {
-        if (std::exchange(m_isSample, false))
-            handOverSample();
         takeTool();
         updateEnabled();
         m_workspace->viewport().frameAll();
@@ -258,58 +253,6 @@ void MainWindow::connectView()
     });
 }
 
-void MainWindow::connectHelp()
-{
-    HelpPanel& help = m_workspace->help();
-    connect(m_actions[ActionId::Help], &QAction::triggered, this, &MainWindow::toggleHelp);
-    connect(&help, &HelpPanel::recipeAsked, this, &MainWindow::playSample);
-    connect(&help, &HelpPanel::tourAsked, this, &MainWindow::startTour);
-    connect(&help, &HelpPanel::closeAsked, this, [this] {
-        m_workspace->showHelp(false);
-        m_workspace->viewport().setFocus();
-    });
-}
-
-QString MainWindow::helpPage() const
-{
-    const ActionId sheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet};
-    ActionId subject = toolInHand();
-    for (int i = 0; i < Workspace::kSheetCount; ++i) {
-        if (m_workspace->sheet(i).isAncestorOf(QApplication::focusWidget()))
-            subject = sheets[i];
-    }
-    return m_actions[subject]->objectName();
-}
-
-void MainWindow::toggleHelp()
-{
-    HelpPanel& help = m_workspace->help();
-    const QString page = helpPage();
-    if (m_workspace->isHelpShown() && help.isVisible() && help.page() == page) {
-        Q_EMIT help.closeAsked();
-        return;
-    }
-    m_actions[ActionId::HideInterface]->setChecked(false);
-    help.showPage(page);
-    m_workspace->showHelp(true);
-}
-
-void MainWindow::startTour()
-{
-    if (isBusy())
-        return;
-    m_settings.setTourSeen(true);
-    Q_EMIT m_workspace->help().closeAsked();
-    m_actions[ActionId::HideInterface]->setChecked(false);
-    m_tour->start();
-}
-
-void MainWindow::startFirstTour()
-{
-    if (!m_settings.isTourSeen())
-        startTour();
-}
-
 void MainWindow::followDocument()
 {
     QUndoStack& stack = m_document.undoStack();
@@ -328,7 +271,6 @@ void MainWindow::followDocument()
 void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
 {
     cancelAll();
-    m_tour->stop();
     Viewport& viewport = m_workspace->viewport();
     viewport.setTool(std::make_unique<RecipeTool>(viewport.toolContext(), m_recipeRunner));
     m_recipeRunner.start(recipe, pace);
@@ -338,33 +280,6 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
         viewport.setCamera(withHeadroom(viewport, strokes));
     updateEnabled();
     updateTip();
-}
-
-void MainWindow::playSample(const QString& fileName)
-{
-    const Result<Recipe> recipe = readRecipe(fileName);
-    if (!recipe) {
-        m_workspace->notice().showWarning(recipe.error().message);
-        return;
-    }
-    if (m_isSample)
-        m_recipeRunner.stop();
-    if (isHandBusy() || !m_files->mayLeave())
-        return;
-    playRecipe(*recipe, RecipeRunner::Pace::OfTheHand);
-    m_isSample = true;
-    m_workspace->viewport().setFocus();
-}
-
-void MainWindow::handOverSample()
-{
-    // The program's own samples are no work of anybody's.
-    m_document.undoStack().setClean();
-    // Whoever reads of a tool and has seen it at work wants to try it.
-    for (const ActionId id : Actions::tools()) {
-        if (m_workspace->isHelpShown() && m_workspace->help().page() == m_actions[id]->objectName())
-            m_actions[id]->setChecked(true);
-    }
 }
 
 void MainWindow::followRecipe()
@@ -412,14 +327,8 @@ void MainWindow::cancel()
     }
     if (m_workspace->viewport().keyForTool(Qt::Key_Escape))
         return;
-    if (m_tour->isRunning()) {
-        m_tour->stop();
+    if (m_help->putAway())
         return;
-    }
-    if (m_workspace->help().isVisible()) {
-        Q_EMIT m_workspace->help().closeAsked();
-        return;
-    }
     if (!m_document.competitors().areAll()) {
         m_document.setCompetitors({});
         return;

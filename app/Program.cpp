@@ -5,6 +5,7 @@
 #include "app/CommandLine.h"
 #include "app/Demo.h"
 #include "app/Display.h"
+#include "app/HelpController.h"
 #include "app/MainWindow.h"
 #include "panels/Notice.h"
 #include "panels/Theme.h"
@@ -99,7 +100,7 @@ int runWindow(const CommandLine& line, QApplication& application)
         window.files().offerRecovery();
         // First things first: what a crash has left comes before anything else.
         if (!window.workspace().notice().isVisible() && !isDisplayVirtual())
-            window.startFirstTour();
+            window.help().startFirstTour();
     } else {
         window.files().openFile(line.inputs.constFirst());
     }

@@ -217,12 +217,12 @@ void Workspace::arrange()
     m_tip->move(20, bottom - m_tip->height());
     m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x());
 
-    const int most = std::min(width() - 2 * kGap, 860);
+    const int most = std::min(right - 2 * kGap, 860);
     m_notice->setMaximumWidth(most);
     m_notice->resize(std::min(m_notice->sizeHint().width(), most), 0);
     m_notice->resize(m_notice->width(),
                      std::max(m_notice->sizeHint().height(), m_notice->heightForWidth(m_notice->width())));
-    m_notice->move((width() - m_notice->width()) / 2, height() - m_notice->height() - 64);
+    m_notice->move((right - m_notice->width()) / 2, height() - m_notice->height() - 64);
     m_notice->raise();
 }
 

@@ -56,6 +56,24 @@ bool hasPicture(const QTextBlock& block)
     return false;
 }
 
+/// Whether it is a line of a block of code.
+bool isCode(const QTextBlock& block)
+{
+    return block.isValid() && block.blockFormat().hasProperty(QTextFormat::BlockCodeFence);
+}
+
+/// Between a block and what comes below it, px.
+double spaceBelow(const QTextBlock& block)
+{
+    const QTextBlock next = block.next();
+    const int level = block.blockFormat().headingLevel();
+    if (level > 0)
+        return level == 1 ? 10.0 : 4.0;
+    if (QTextCursor(block).currentTable() || (isCode(block) && isCode(next)))
+        return 0.0;
+    return block.textList() && next.isValid() && next.textList() ? 4.0 : 10.0;
+}
+
 /// As wide as @p width px of a screen of that @p ratio, with round corners.
 QImage fitted(const QImage& picture, int width, double ratio)
 {
@@ -143,13 +161,15 @@ void HelpPage::dress()
     cursor.beginEditBlock();
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
         const int level = block.blockFormat().headingLevel();
-        const bool isListed = block.textList() != nullptr;
-        const bool isInTable = QTextCursor(block).currentTable() != nullptr;
         QTextBlockFormat shape;
-        if (!hasPicture(block))
+        if (isCode(block)) {
+            shape.setBackground(theme::kSunken);
+            shape.setNonBreakableLines(false);
+        } else if (!hasPicture(block)) {
             shape.setLineHeight(kLineHeight, QTextBlockFormat::ProportionalHeight);
+        }
         shape.setTopMargin(level == 0 ? 0.0 : level == 1 ? 2.0 : 20.0);
-        shape.setBottomMargin(isInTable ? 0.0 : level == 1 ? 10.0 : level > 1 ? 4.0 : isListed ? 4.0 : 10.0);
+        shape.setBottomMargin(spaceBelow(block));
         cursor.setPosition(block.position());
         cursor.mergeBlockFormat(shape);
     }
@@ -166,6 +186,10 @@ void HelpPage::dress()
             letters.setForeground(theme::kAccent);
             letters.setFontUnderline(false);
             letters.setFontWeight(QFont::DemiBold);
+        } else if (isCode(document()->findBlock(position))) {
+            letters.setFontFamilies({QFontDatabase::systemFont(QFontDatabase::FixedFont).family()});
+            letters.setFontPointSize(font().pointSizeF() * 0.92);
+            letters.clearBackground();
         } else if (format.fontFixedPitch()) {
             // Code is keys, most of the time: caps that can be told from the words around them.
             letters.setFontFamilies({font().family()});

@@ -167,7 +167,7 @@ QString HelpPanel::recipe() const
 {
     for (const QString& link : m_page->links()) {
         const QString file = fileOf(m_page->url().resolved(QUrl(link)));
-        if (isRecipe(file))
+        if (isRecipe(file) && file.contains(QStringLiteral("/help/recipes/")))
             return file;
     }
     return {};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/HelpController.h"
 #include "app/MainWindow.h"
 #include "app/Tour.h"
 #include "commands/RecipePlayer.h"
@@ -43,6 +44,7 @@ private Q_SLOTS:
     void button_opensAndEscapeCloses();
     void links_leadToPagesAndBack();
     void searchField_opensWhatItFinds();
+    void keys_readAndFollowLinks();
     void narrowWindow_hasTheContentsInPlaceOfThePage();
     void playing_asksAboutUnsavedWorkAndLeavesNone();
     void tour_goesOnByDoing();
@@ -107,7 +109,7 @@ void HelpTest::init()
 
 void HelpTest::cleanup()
 {
-    m_window->tour().stop();
+    m_window->help().tour().stop();
     workspace().showHelp(false);
     m_window->recipeRunner().stop();
     m_window->document().undoStack().setClean();
@@ -377,6 +379,29 @@ void HelpTest::searchField_opensWhatItFinds()
     QVERIFY(list->count() > 15);
 }
 
+void HelpTest::keys_readAndFollowLinks()
+{
+    m_window->resize(1600, 900);
+    action(ActionId::Help)->trigger();
+    QTest::keyClick(handle(), Qt::Key_F6);
+    QTRY_VERIFY(help().isAncestorOf(QApplication::focusWidget()));
+    auto* shown = part<HelpPage>("helpPage");
+    for (int i = 0; i < 8 && QApplication::focusWidget() != shown; ++i)
+        QTest::keyClick(handle(), Qt::Key_Tab);
+    QTRY_COMPARE(QApplication::focusWidget(), shown);
+    QTest::keyClick(handle(), Qt::Key_PageDown);
+    QTRY_VERIFY(shown->verticalScrollBar()->value() > 0);
+    // The first link plays the recipe, the second leads to another page.
+    QTest::keyClick(handle(), Qt::Key_Tab);
+    QTest::keyClick(handle(), Qt::Key_Tab);
+    QTest::keyClick(handle(), Qt::Key_Return);
+    QTRY_COMPARE(help().page(), QStringLiteral("selectBud"));
+    QTest::keyClick(handle(), Qt::Key_Left, Qt::AltModifier);
+    QTRY_COMPARE(help().page(), QStringLiteral("brush"));
+    QTest::keyClick(handle(), Qt::Key_F6);
+    QTRY_COMPARE(QApplication::focusWidget(), &workspace().viewport());
+}
+
 void HelpTest::narrowWindow_hasTheContentsInPlaceOfThePage()
 {
     m_window->resize(1024, 700);
@@ -422,8 +447,8 @@ void HelpTest::playing_asksAboutUnsavedWorkAndLeavesNone()
 
 void HelpTest::tour_goesOnByDoing()
 {
-    Tour& tour = m_window->tour();
-    m_window->startFirstTour();
+    Tour& tour = m_window->help().tour();
+    m_window->help().startFirstTour();
     QCOMPARE(tour.step(), 0);
     const auto base = workspace().viewport().camera().project(Vec3::Zero());
     const QPoint seedling = workspace().viewport().mapTo(m_window.get(), base->toPoint());
@@ -456,13 +481,13 @@ void HelpTest::tour_goesOnByDoing()
 
 void HelpTest::tour_isSkippedAndNeverComesBack()
 {
-    Tour& tour = m_window->tour();
+    Tour& tour = m_window->help().tour();
     QVERIFY(!tour.isRunning()); // A window alone begins none.
-    m_window->startFirstTour();
+    m_window->help().startFirstTour();
     QVERIFY(tour.isRunning() && tourButton("tourSkip")->isVisible());
     click(tourButton("tourSkip"));
     QVERIFY(!tour.isRunning() && !tourButton("tourSkip")->isVisible());
-    m_window->startFirstTour();
+    m_window->help().startFirstTour();
     QVERIFY(!tour.isRunning());
 
     // Who asks for it gets it again.
@@ -475,7 +500,7 @@ void HelpTest::tour_isSkippedAndNeverComesBack()
         click(tourButton("tourNext"));
     }
     QVERIFY(!tour.isRunning());
-    m_window->startTour();
+    m_window->help().startTour();
     QTest::keyClick(handle(), Qt::Key_Escape);
     QTRY_VERIFY(!tour.isRunning());
 }

@@ -211,10 +211,12 @@ void shootLasso(Photographer& by)
 {
     by.begin("brush", 1, ActionId::Lasso);
     by.press(by.at(0.0, 1.0));
-    for (const QPointF& place :
-         {QPointF(-0.55, 1.25), QPointF(-0.6, 1.7), QPointF(-0.25, 1.95), QPointF(0.0, 1.7),
-          QPointF(0.25, 1.95), QPointF(0.6, 1.7), QPointF(0.5, 1.25)})
-        by.drag(by.at(place.x(), place.y()), 250);
+    // A heart, from its point up the left side, over both arcs, and some of the way back.
+    for (double turn = std::numbers::pi; turn < 2.8 * std::numbers::pi; turn += 0.12) {
+        const double right = 0.6 * std::pow(std::sin(turn), 3.0);
+        const double up = 13.0 * std::cos(turn) - 5.0 * std::cos(2.0 * turn) - 2.0 * std::cos(3.0 * turn);
+        by.drag(by.at(right, 1.6 + 0.036 * (up - std::cos(4.0 * turn))), 60);
+    }
     by.shoot("lasso-window", by.left(50));
     by.takeBack();
 }
@@ -248,7 +250,7 @@ void shootBend(Photographer& by)
     by.begin("bend", 2, ActionId::Bend);
     by.press(by.at(0.02, 1.3));
     by.drag(by.at(-0.4, 1.2), 700);
-    by.shoot("bend-window", by.left(100));
+    by.shoot("bend-window", {150, 190, 640, 400});
     by.takeBack();
 }
 
