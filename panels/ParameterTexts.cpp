@@ -129,6 +129,10 @@ constexpr ParameterText kLeafPlace[] = {
      QT_TRANSLATE_NOOP("Parameters", "How many leaves grow together."), Linear, 0},
     {"leaves.maxTips", QT_TRANSLATE_NOOP("Parameters", "How far inward"), "",
      QT_TRANSLATE_NOOP("Parameters", "Branches that carry more twigs than this are bare."), Logarithmic, 0},
+    {"leaves.reach", QT_TRANSLATE_NOOP("Parameters", "Only near the tips"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Leaves grow so many internodes down from the tip of a shoot, and no further."),
+     Logarithmic, 0},
     {"leaves.angle", QT_TRANSLATE_NOOP("Parameters", "Angle"), "",
      QT_TRANSLATE_NOOP("Parameters", "Between a shoot and the leaf's stalk."), Linear, 0, "°"},
     {"leaves.droop", QT_TRANSLATE_NOOP("Parameters", "Droop"), "",
@@ -158,6 +162,8 @@ constexpr ParameterText kWidths[] = {
      QT_TRANSLATE_NOOP("Parameters",
                        "Diameter of the trunk at the ground; at 0 it follows from the exponent."),
      Cubic, 1, "cm", 100.0, QT_TRANSLATE_NOOP("Parameters", "automatic")},
+    {"widths.flare", QT_TRANSLATE_NOOP("Parameters", "Flare"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much the trunk spreads where it meets the ground.")},
 };
 
 constexpr ParameterText kBark[] = {
@@ -188,6 +194,11 @@ constexpr ParameterSection kSections[] = {
     QT_TRANSLATE_NOOP("Parameters", "lobed"),    QT_TRANSLATE_NOOP("Parameters", "needles"),
     QT_TRANSLATE_NOOP("Parameters", "furrowed"), QT_TRANSLATE_NOOP("Parameters", "smooth"),
     QT_TRANSLATE_NOOP("Parameters", "plated"),   QT_TRANSLATE_NOOP("Parameters", "birch"),
+    QT_TRANSLATE_NOOP("Parameters", "cordate"),  QT_TRANSLATE_NOOP("Parameters", "palmate"),
+    QT_TRANSLATE_NOOP("Parameters", "pinnate"),  QT_TRANSLATE_NOOP("Parameters", "willow"),
+    QT_TRANSLATE_NOOP("Parameters", "fascicle"), QT_TRANSLATE_NOOP("Parameters", "frond"),
+    QT_TRANSLATE_NOOP("Parameters", "cherry"),   QT_TRANSLATE_NOOP("Parameters", "mottled"),
+    QT_TRANSLATE_NOOP("Parameters", "fibrous"),  QT_TRANSLATE_NOOP("Parameters", "ringed"),
 };
 
 } // namespace

@@ -58,6 +58,7 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
         m_parameters.visible ? std::clamp(m_parameters.perNode, 0, static_cast<int>(m_azimuths.size())) : 0;
     m_perNode = static_cast<std::uint32_t>(perNode);
     m_maxTips = static_cast<std::uint32_t>(std::max(0, m_parameters.maxTips));
+    m_reach = static_cast<std::uint32_t>(std::max(0, m_parameters.reach));
     m_jitter = kMostJitter * static_cast<float>(tree.parameters().growth.irregularity);
     m_cosine = static_cast<float>(std::cos(m_parameters.angle));
     m_sine = static_cast<float>(std::sin(m_parameters.angle));

@@ -35,8 +35,11 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr std::array kBarks{BarkKind::Furrowed, BarkKind::Smooth, BarkKind::Plated, BarkKind::Birch};
-constexpr std::array kLeaves{LeafShape::Ovate, LeafShape::Lanceolate, LeafShape::Lobed, LeafShape::Needles};
+constexpr std::array kBarks{BarkKind::Furrowed, BarkKind::Smooth,  BarkKind::Plated,  BarkKind::Birch,
+                            BarkKind::Cherry,   BarkKind::Mottled, BarkKind::Fibrous, BarkKind::Ringed};
+constexpr std::array kLeaves{
+    LeafShape::Ovate,   LeafShape::Lanceolate, LeafShape::Lobed,  LeafShape::Needles,  LeafShape::Cordate,
+    LeafShape::Palmate, LeafShape::Pinnate,    LeafShape::Willow, LeafShape::Fascicle, LeafShape::Frond};
 
 double difference(QRgb a, QRgb b)
 {
