@@ -8,6 +8,7 @@
 #include "panels/HelpPage.h"
 #include "panels/HelpPanel.h"
 #include "panels/ParameterPanel.h"
+#include "panels/ParameterTexts.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
 #include "views/Viewport.h"
@@ -35,6 +36,7 @@ private Q_SLOTS:
     void recipes_doSomethingInEachOperation_data();
     void recipes_doSomethingInEachOperation();
     void keysPage_hasEveryShortcut();
+    void sheetPages_haveEveryParameter();
     void language_fallsBackToEnglish();
     void search_findsTitlesFirst();
 
@@ -242,6 +244,22 @@ void HelpTest::keysPage_hasEveryShortcut()
                 isThere,
                 qPrintable(
                     QStringLiteral("docs/help/en/keys.md lacks a line with \"%1\" and `%2`").arg(text, key)));
+        }
+    }
+}
+
+void HelpTest::sheetPages_haveEveryParameter()
+{
+    for (const ParameterSection& section : parameterSections()) {
+        const char* name = section.sheet == ParameterSheet::Architecture ? "architecture"
+                           : section.sheet == ParameterSheet::Leaves     ? "leafSheet"
+                                                                         : "branchSheet";
+        const QString page =
+            read(QStringLiteral("%1/%2.md").arg(QString::fromLatin1(kRoot), QString::fromLatin1(name)));
+        for (const ParameterText& text : section.parameters) {
+            QVERIFY2(page.contains(QString::fromUtf8(text.label)),
+                     qPrintable(QStringLiteral("docs/help/en/%1.md says nothing of \"%2\"")
+                                    .arg(QString::fromLatin1(name), QString::fromUtf8(text.label))));
         }
     }
 }

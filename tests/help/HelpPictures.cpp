@@ -63,7 +63,7 @@ void drawStages(const char* name, std::initializer_list<int> counts)
     PictureRequest request;
     request.size = 2 * size;
     request.camera = pictureCamera(NamedView::Front, scene, request.size).framing(bounds);
-    QImage sheet(kWidth, size.height(), QImage::Format_RGB32);
+    QImage sheet(static_cast<int>(counts.size()) * size.width(), size.height(), QImage::Format_RGB32);
     QPainter painter(&sheet);
     int x = 0;
     for (const auto& stage : stages) {
@@ -250,7 +250,7 @@ void shootBend(Photographer& by)
     by.begin("bend", 2, ActionId::Bend);
     by.press(by.at(0.02, 1.3));
     by.drag(by.at(-0.4, 1.2), 700);
-    by.shoot("bend-window", {150, 190, 640, 400});
+    by.shoot("bend-window", {150, 270, 640, 400});
     by.takeBack();
 }
 
