@@ -15,6 +15,8 @@
 
 namespace espalier {
 
+class HelpController;
+
 /// The program's window: puts the parts together and tells them of each other.
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -30,6 +32,12 @@ public:
     FileController& files() { return *m_files; }
     RecipeRunner& recipeRunner() { return m_recipeRunner; }
     GrowRunner& growRunner() { return m_growRunner; }
+    HelpController& help() { return *m_help; }
+
+    /// Whether a gesture or growth is changing the document now.
+    bool isHandBusy() const;
+    /// The same, or a recipe.
+    bool isBusy() const;
 
     /// Ends what is under way, and lets a recipe grow another tree before the person's eyes.
     void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace);
@@ -48,10 +56,6 @@ private:
     void followDocument();
     /// Ends whatever is under way.
     void cancelAll();
-    /// Whether a gesture or growth is changing the document now.
-    bool isHandBusy() const;
-    /// The same, or a recipe.
-    bool isBusy() const;
     void updateEnabled();
     void updateTitle();
     void updateTip();
@@ -72,6 +76,7 @@ private:
     QElapsedTimer m_followClock;
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
+    std::unique_ptr<HelpController> m_help;
 };
 
 } // namespace espalier

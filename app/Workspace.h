@@ -20,6 +20,7 @@ class Bar;
 class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
+class HelpPanel;
 class HistoryPanel;
 class LassoPopOut;
 class Notice;
@@ -47,14 +48,18 @@ public:
     ArchitecturePanel& architecture() { return *m_architecture; }
 
     HistoryPanel& history() { return *m_history; }
+    HelpPanel& help() { return *m_help; }
 
     void showPopOut(PopOut popOut);
     void showHistory(bool shown);
+    /// Beside the tree, which keeps the rest of the room.
+    void showHelp(bool shown);
+    bool isHelpShown() const { return m_isHelpShown; }
     /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
     void setInterfaceHidden(bool hidden);
-    /// Gives the keyboard to the open sheet or else to the tools; or back to the tree.
+    /// Gives the keyboard to the help, to the open sheet or else to the tools; or back to the tree.
     void focusNextPane();
     /// A tool's advice, in place of the counts; empty for none.
     void setTip(const QString& tip);
@@ -77,6 +82,7 @@ private:
     ArchitecturePanel* m_architecture;
     std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
+    HelpPanel* m_help;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
     Notice* m_notice;
@@ -87,6 +93,7 @@ private:
     int m_sheet = -1;
     bool m_isHidden = false;
     bool m_isHistoryShown = false;
+    bool m_isHelpShown = false;
 };
 
 } // namespace espalier

@@ -23,6 +23,8 @@ public:
     ~RecipePlayer();
 
     bool isDone() const;
+    /// The one at hand, or the next; null when all is done.
+    const RecipeOperation* operation() const { return isDone() ? nullptr : &m_recipe.operations[m_next]; }
     void playAll();
     /// Does the next operation, or what is left of the one at hand.
     void playOperation();
