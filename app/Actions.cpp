@@ -96,8 +96,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          "eye", true},
         {FullScreen, Group::Window, "fullScreen", QT_TRANSLATE_NOOP("Actions", "Full Screen"),
          QT_TRANSLATE_NOOP("Actions", "Fill the whole screen."), "F11", "fullscreen", true},
-        {Help, Group::Window, "help", QT_TRANSLATE_NOOP("Actions", "Keys and Gestures"),
-         QT_TRANSLATE_NOOP("Actions", "All keys and gestures on one sheet."), "F1", "help"},
+        {Help, Group::Window, "help", QT_TRANSLATE_NOOP("Actions", "Help"),
+         QT_TRANSLATE_NOOP("Actions", "About the tool in hand, and about everything else."), "F1", "help"},
     }};
     return entries;
 }

@@ -53,12 +53,12 @@ enum class ActionId {
 
 enum class ActionGroup { File, Edit, Tools, View, Window, Count };
 
-/// A row of the one table of actions; menus, bars, shortcuts and the cheat sheet are made of it. Texts are
-/// untranslated; their context is "Actions".
+/// A row of the one table of actions; menus, bars and shortcuts are made of it, and a tool's page of the help
+/// has its name. Texts are untranslated; their context is "Actions".
 struct ActionEntry {
     ActionId id;
     ActionGroup group;
-    const char* name; ///< For tests and style; stable
+    const char* name; ///< For tests, style and help; stable
     const char* text;
     const char* tip;
     const char* shortcuts; ///< Portable, separated by "; "

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
 
-#include "app/CheatSheet.h"
 #include "app/GrowTool.h"
+#include "app/HelpController.h"
 #include "app/LassoTool.h"
 #include "app/LibraryPanel.h"
 #include "app/RecipeTool.h"
@@ -73,11 +73,11 @@ Box3 strokeBounds(const Recipe& recipe)
     return bounds;
 }
 
-/// The same camera, moved back until it shows all of the box and some room for it to grow.
-Camera withHeadroom(const Camera& camera, const Box3& bounds)
+/// The camera, moved back until it shows all of the box and some room for it to grow.
+Camera withHeadroom(const Viewport& viewport, const Box3& bounds)
 {
     const Vec3 room = 0.06F * bounds.sizes();
-    return camera.framing(Box3(bounds.min() - room, bounds.max() + room));
+    return viewport.framing(Box3(bounds.min() - room, bounds.max() + room));
 }
 
 } // namespace
@@ -109,6 +109,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_actions[ActionId::Brush]->trigger();
     updateTitle();
     updateEnabled();
+    m_help = std::make_unique<HelpController>(*this, m_settings);
     m_workspace->viewport().setFocus();
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(sizeHint().boundedTo(screen()->availableSize()));
@@ -256,11 +257,6 @@ void MainWindow::connectView()
     connect(m_actions[ActionId::FullScreen], &QAction::triggered, this, [this](bool on) {
         setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     });
-    connect(m_actions[ActionId::Help], &QAction::triggered, this, [this] {
-        auto* sheet = new CheatSheet(this);
-        sheet->setAttribute(Qt::WA_DeleteOnClose);
-        sheet->show();
-    });
 }
 
 void MainWindow::connectLibrary()
@@ -306,7 +302,7 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
     m_files->file().forgetFile(recipe.name);
     m_files->autosave().clear();
     if (const Box3 strokes = strokeBounds(recipe); !strokes.isEmpty())
-        viewport.setCamera(withHeadroom(viewport.camera(), strokes));
+        viewport.setCamera(withHeadroom(viewport, strokes));
     updateEnabled();
     updateTip();
 }
@@ -329,8 +325,8 @@ void MainWindow::followRecipe()
     const Box3 bounds = treeBounds(m_document.tree(), m_document.index());
     for (int corner = 0; corner < 8; ++corner) {
         const auto place = viewport.camera().project(bounds.corner(static_cast<Box3::CornerType>(corner)));
-        if (!place || !QRectF(viewport.rect()).contains(*place)) {
-            viewport.flyTo(withHeadroom(viewport.camera(), bounds));
+        if (!place || !QRectF(viewport.clearRect()).contains(*place)) {
+            viewport.flyTo(withHeadroom(viewport, bounds));
             return;
         }
     }
@@ -363,6 +359,8 @@ void MainWindow::cancel()
         return;
     }
     if (m_workspace->viewport().keyForTool(Qt::Key_Escape))
+        return;
+    if (m_help->putAway())
         return;
     if (!m_document.competitors().areAll()) {
         m_document.setCompetitors({});

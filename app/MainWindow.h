@@ -16,6 +16,8 @@
 
 namespace espalier {
 
+class HelpController;
+
 /// The program's window: puts the parts together and tells them of each other.
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -31,6 +33,12 @@ public:
     FileController& files() { return *m_files; }
     RecipeRunner& recipeRunner() { return m_recipeRunner; }
     GrowRunner& growRunner() { return m_growRunner; }
+    HelpController& help() { return *m_help; }
+
+    /// Whether a gesture or growth is changing the document now.
+    bool isHandBusy() const;
+    /// The same, or a recipe.
+    bool isBusy() const;
 
     /// Ends what is under way, and lets a recipe grow another tree before the person's eyes.
     void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace);
@@ -50,10 +58,6 @@ private:
     void followDocument();
     /// Ends whatever is under way.
     void cancelAll();
-    /// Whether a gesture or growth is changing the document now.
-    bool isHandBusy() const;
-    /// The same, or a recipe.
-    bool isBusy() const;
     void updateEnabled();
     void updateTitle();
     void updateTip();
@@ -76,6 +80,7 @@ private:
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
     std::unique_ptr<LibraryController> m_library;
+    std::unique_ptr<HelpController> m_help;
 };
 
 } // namespace espalier

@@ -5,7 +5,9 @@
 #include "app/CommandLine.h"
 #include "app/Demo.h"
 #include "app/Display.h"
+#include "app/HelpController.h"
 #include "app/MainWindow.h"
+#include "panels/Notice.h"
 #include "panels/Theme.h"
 #include "views/render/GlResources.h"
 
@@ -96,6 +98,9 @@ int runWindow(const CommandLine& line, QApplication& application)
         window.playRecipe(*demo, RecipeRunner::Pace::OfTheHand);
     } else if (line.inputs.isEmpty()) {
         window.files().offerRecovery();
+        // First things first: what a crash has left comes before anything else.
+        if (!window.workspace().notice().isVisible() && !isDisplayVirtual())
+            window.help().startFirstTour();
     } else {
         window.files().openFile(line.inputs.constFirst());
     }

@@ -17,7 +17,7 @@ class RecipeRunner : public QObject {
 
 public:
     enum class Pace {
-        OfTheHand, ///< Strokes take the time that the hand took
+        OfTheHand, ///< Strokes take the time that the hand took, and what happens at once can be seen
         Hurried,   ///< As fast as it goes, a piece of a stroke at a time
     };
 
@@ -46,6 +46,7 @@ private:
     TreeDocument& m_document;
     std::unique_ptr<RecipePlayer> m_player;
     Pace m_pace = Pace::Hurried;
+    double m_pause = 0.0; ///< s that the hand still rests
     QTimer m_timer;
     QElapsedTimer m_clock;
 };

@@ -14,6 +14,7 @@ const QString kFolder = QStringLiteral("files/folder");
 const QString kLibraryFolder = QStringLiteral("library/folder");
 const QString kExportSuffix = QStringLiteral("files/exportSuffix");
 const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
+const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
 
 /// Calls @p visit(key, field) for each value that is remembered. Backdrop and sun stay as they are at the
@@ -118,6 +119,16 @@ QByteArray Settings::windowGeometry() const
 void Settings::setWindowGeometry(const QByteArray& geometry)
 {
     QSettings().setValue(kWindowGeometry, geometry);
+}
+
+bool Settings::isTourSeen() const
+{
+    return QSettings().value(kTourSeen, false).toBool();
+}
+
+void Settings::setTourSeen(bool seen)
+{
+    QSettings().setValue(kTourSeen, seen);
 }
 
 int Settings::autosaveInterval() const

@@ -37,6 +37,10 @@ public:
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
 
+    /// Whether the person has been shown around.
+    bool isTourSeen() const;
+    void setTourSeen(bool seen);
+
     /// Shortest time between two autosaves, s; 20 unless a person wrote something else into the file.
     int autosaveInterval() const;
 };

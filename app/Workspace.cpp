@@ -6,6 +6,7 @@
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
+#include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
@@ -44,6 +45,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_architecture(new ArchitecturePanel(document, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_library(new LibraryPanel(this)),
+      m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
       m_notice(new Notice(this)),
@@ -105,6 +107,19 @@ void Workspace::showLibrary(bool shown)
         m_viewport->setFocus();
 }
 
+void Workspace::showHelp(bool shown)
+{
+    if (m_isHelpShown == shown)
+        return;
+    m_isHelpShown = shown;
+    arrange();
+    // The tree goes on standing in the middle of its room.
+    const double covered = HelpPanel::widthIn(width()) + kGap;
+    Camera camera = m_viewport->camera();
+    camera.pan({shown ? -covered / 2.0 : covered / 2.0, 0.0});
+    m_viewport->flyTo(camera);
+}
+
 void Workspace::setInterfaceHidden(bool hidden)
 {
     m_isHidden = hidden;
@@ -114,7 +129,9 @@ void Workspace::setInterfaceHidden(bool hidden)
 void Workspace::focusNextPane()
 {
     QWidget* pane = m_sideBar;
-    if (m_sheet >= 0 && m_sheet < kSheetCount)
+    if (m_isHelpShown)
+        pane = m_help;
+    else if (m_sheet >= 0 && m_sheet < kSheetCount)
         pane = &sheet(m_sheet);
     if (m_isLibraryShown) {
         m_library->takeFocus();
@@ -165,6 +182,15 @@ void Workspace::arrange()
     m_library->setVisible(m_isLibraryShown);
 
     int y = kTopBarHeight + kGap;
+    const int lowest = height() - kStatusHeight;
+    // Whatever else there is keeps to the left of the help.
+    int right = width();
+    if (m_isHelpShown && shown) {
+        const int helpWidth = HelpPanel::widthIn(width());
+        right -= helpWidth + kGap;
+        m_help->setGeometry(right, y, helpWidth, lowest - y);
+    }
+    m_help->setVisible(m_isHelpShown && shown);
     m_sideBar->setGeometry(QRect(QPoint(kGap, y), m_sideBar->sizeHint()));
     m_sideBar->setVisible(shown);
     const int x = m_sideBar->geometry().right() + 1 + kGap;
@@ -174,7 +200,7 @@ void Workspace::arrange()
         panel.setVisible(shown && i == m_sheet);
         if (i != m_sheet)
             continue;
-        const int room = width() - x - kGap;
+        const int room = right - x - kGap;
         if (&panel == m_architecture) {
             m_architecture->fit({room, height()});
             panel.move(x, y);
@@ -185,7 +211,7 @@ void Workspace::arrange()
         y = panel.geometry().bottom() + 1 + kGap;
     }
 
-    m_viewport->setFrameMargins({0, y - kGap, 0, kStatusHeight});
+    m_viewport->setFrameMargins({0, y - kGap, width() - right, kStatusHeight});
     const std::pair<QWidget*, PopOut> popOuts[] = {{m_brushPopOut, PopOut::Brush},
                                                    {m_growPopOut, PopOut::Grow},
                                                    {m_bendPopOut, PopOut::Bend},
@@ -198,14 +224,14 @@ void Workspace::arrange()
     }
 
     const QSize history = m_history->sizeHint();
-    const int left = width() - history.width() - kGap;
-    const int room = height() - kTopBarHeight - kGap - kStatusHeight;
-    m_history->setGeometry(left, kTopBarHeight + kGap, history.width(), std::min(history.height(), room));
+    const int historyTop = kTopBarHeight + kGap;
+    m_history->setGeometry(right - history.width() - kGap, historyTop, history.width(),
+                           std::min(history.height(), lowest - historyTop));
     m_history->setVisible(shown && m_isHistoryShown);
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
     m_onlyOne->adjustSize();
-    m_onlyOne->move((width() - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
+    m_onlyOne->move((right - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
     m_onlyOne->setVisible(!m_isLibraryShown && !m_document.competitors().areAll());
 
     const int bottom = height() - Viewport::kStripHeight - 2;
@@ -216,12 +242,12 @@ void Workspace::arrange()
     m_tip->move(20, bottom - m_tip->height());
     m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x());
 
-    const int most = std::min(width() - 2 * kGap, 860);
+    const int most = std::min(right - 2 * kGap, 860);
     m_notice->setMaximumWidth(most);
     m_notice->resize(std::min(m_notice->sizeHint().width(), most), 0);
     m_notice->resize(m_notice->width(),
                      std::max(m_notice->sizeHint().height(), m_notice->heightForWidth(m_notice->width())));
-    m_notice->move((width() - m_notice->width()) / 2, height() - m_notice->height() - 64);
+    m_notice->move((right - m_notice->width()) / 2, height() - m_notice->height() - 64);
     m_library->raise();
     m_notice->raise();
 }

@@ -20,6 +20,7 @@ class Bar;
 class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
+class HelpPanel;
 class HistoryPanel;
 class LassoPopOut;
 class LibraryPanel;
@@ -48,17 +49,21 @@ public:
     ArchitecturePanel& architecture() { return *m_architecture; }
 
     HistoryPanel& history() { return *m_history; }
+    HelpPanel& help() { return *m_help; }
 
     void showPopOut(PopOut popOut);
     LibraryPanel& library() { return *m_library; }
     void showHistory(bool shown);
     /// The library lies over all but the top bar and notices.
     void showLibrary(bool shown);
+    /// Beside the tree, which keeps the rest of the room.
+    void showHelp(bool shown);
+    bool isHelpShown() const { return m_isHelpShown; }
     /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
     void setInterfaceHidden(bool hidden);
-    /// Gives the keyboard to the open sheet or else to the tools; or back to the tree.
+    /// Gives the keyboard to the help, to the open sheet or else to the tools; or back to the tree.
     void focusNextPane();
     /// A tool's advice, in place of the counts; empty for none.
     void setTip(const QString& tip);
@@ -82,6 +87,7 @@ private:
     std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
     LibraryPanel* m_library;
+    HelpPanel* m_help;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
     Notice* m_notice;
@@ -93,6 +99,7 @@ private:
     bool m_isHidden = false;
     bool m_isHistoryShown = false;
     bool m_isLibraryShown = false;
+    bool m_isHelpShown = false;
 };
 
 } // namespace espalier

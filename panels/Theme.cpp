@@ -86,6 +86,14 @@ void apply(QApplication& application)
         QComboBox::drop-down { border: none; width: 20px; }
         QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 12px; height: 12px; }
         QComboBox QAbstractItemView { background: #2b3039; border: 1px solid @edge; selection-background-color: @accentFill; }
+        espalier--HelpPanel QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 8px; padding: 4px 8px; }
+        espalier--HelpPanel QLineEdit:focus { border-color: @accent; }
+        espalier--HelpPanel QTextBrowser { background: transparent; }
+        espalier--HelpPanel QListWidget { background: transparent; outline: none; }
+        espalier--HelpPanel QListWidget::item { padding-left: 10px; border: 1px solid transparent; border-radius: 8px; color: @text; }
+        espalier--HelpPanel QListWidget::item:selected { background: @accentFill; color: white; }
+        espalier--HelpPanel QListWidget::item:disabled { color: @dim; }
+        espalier--HelpPanel QListWidget:focus::item:selected { border-color: @accent; }
         QSpinBox { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 2px 8px; }
         QSpinBox:focus { border-color: @accent; }
         QProgressBar { background: @sunken; border: none; border-radius: 4px; }
@@ -102,7 +110,9 @@ void apply(QApplication& application)
         QDoubleSpinBox[bare="true"]:focus { background: @sunken; border-radius: 3px; }
         QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; }
         QScrollBar:horizontal { height: 8px; background: transparent; }
+        QScrollBar:vertical { width: 8px; background: transparent; }
         QScrollBar::handle:horizontal { background: @edge; border-radius: 4px; min-width: 40px; }
+        QScrollBar::handle:vertical { background: @edge; border-radius: 4px; min-height: 40px; }
         QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
         QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
     )");

@@ -1,9 +1,24 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Renders the samples for README.md into docs/pictures.
+# Makes the pictures of README.md, in docs/pictures, and those of the help, in docs/help/pictures. "readme" or "help"
+# as an argument makes these alone.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-for recipe in resources/recipes/*.json; do
-    name="$(basename "$recipe" .json)"
-    ./run replay "$recipe" --png "docs/pictures/$name.png" --size 640x560
-done
+readonly what="${1:-all}"
+
+if [[ "$what" == all || "$what" == readme ]]; then
+    for recipe in resources/recipes/*.json; do
+        name="$(basename "$recipe" .json)"
+        ./run replay "$recipe" --png "docs/pictures/$name.png" --size 640x560
+    done
+fi
+
+if [[ "$what" == all || "$what" == help ]]; then
+    scripts/setup.sh build test display
+    scripts/build.sh release help_pictures
+    home="$(mktemp -d)" # The person's own settings have no part in them.
+    trap 'rm -rf "$home"' EXIT
+    HOME="$home" XDG_CONFIG_HOME="$home" XDG_DATA_HOME="$home" LANGUAGE=en LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb \
+        xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX -noreset" \
+        build/release/bin/help_pictures docs/help/pictures
+fi

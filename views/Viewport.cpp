@@ -92,23 +92,35 @@ void Viewport::showFrom(NamedView view)
     flyTo(framed(m_camera.turnedTo(view)));
 }
 
+/// The camera that @p frame(camera) gives for a view as large as what bars leave, for the whole view.
+template <class Frame>
+Camera Viewport::inClearRect(const Camera& camera, Frame&& frame) const
+{
+    const QRect clear = clearRect();
+    Camera sized = camera;
+    sized.setViewSize(clear.size());
+    sized = frame(sized);
+    sized.setDistance(sized.distance() * static_cast<float>(height()) /
+                      static_cast<float>(std::max(clear.height(), 1)));
+    sized.setViewSize(size());
+    sized.pan(QRectF(clear).center() - QRectF(rect()).center());
+    return sized;
+}
+
+Camera Viewport::framing(const Box3& box) const
+{
+    return inClearRect(m_camera, [&](const Camera& camera) { return camera.framing(box); });
+}
+
 Camera Viewport::framed(const Camera& camera) const
 {
-    if (m_document.index().livingCount() > 1) {
-        const QRect clear = rect().marginsRemoved(m_frameMargins);
-        Camera sized = camera;
-        sized.setViewSize(clear.size());
-        sized = sized.framing(m_scene.outline());
-        sized.setDistance(sized.distance() * static_cast<float>(height()) /
-                          static_cast<float>(std::max(clear.height(), 1)));
-        sized.setViewSize(size());
-        sized.pan(QRectF(clear).center() - QRectF(rect()).center());
-        return sized;
-    }
+    if (m_document.index().livingCount() > 1)
+        return inClearRect(camera, [&](const Camera& sized) { return sized.framing(m_scene.outline()); });
     Camera first;
     first.setViewSize(size());
     first.setAzimuth(camera.azimuth());
     first.setElevation(camera.elevation());
+    first.pan({QRectF(clearRect()).center().x() - QRectF(rect()).center().x(), 0.0});
     return first;
 }
 

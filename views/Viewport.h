@@ -49,6 +49,10 @@ public:
 
     /// What bars over the viewport cover, px: whole trees are framed in the rest of it from now on.
     void setFrameMargins(const QMargins& margins) { m_frameMargins = margins; }
+    /// What bars leave of it, px.
+    QRect clearRect() const { return rect().marginsRemoved(m_frameMargins); }
+    /// The camera, moved back or near until it shows all of the box, m, in what bars leave.
+    Camera framing(const Box3& box) const;
 
     /// What a tool for this viewport is made with.
     ToolContext& toolContext() { return *this; }
@@ -117,6 +121,8 @@ private:
     void followDocument(const TreeChange& change);
     void followSettings();
     void moveCamera(const Camera& camera);
+    template <class Frame>
+    Camera inClearRect(const Camera& camera, Frame&& frame) const;
     Camera framed(const Camera& camera) const;
     void showAnew();
     void moveByKeys(double seconds);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
 
-#include "app/CheatSheet.h"
 #include "commands/GrowGesture.h"
 #include "panels/Bar.h"
 #include "panels/GrowPopOut.h"
@@ -956,12 +955,6 @@ void MainWindowTest::window_looksLikeThis()
     QVERIFY(picture.save(QStringLiteral("window-stroke.png")));
     QTest::keyClick(handle(), Qt::Key_Escape);
     QTest::mouseRelease(handle(), Qt::LeftButton, {}, from);
-    action(ActionId::Help)->trigger();
-    QTest::qWait(500);
-    auto* sheet = m_window->findChild<CheatSheet*>();
-    QVERIFY(sheet && sheet->isVisible());
-    QVERIFY(sheet->grab().save(QStringLiteral("window-help.png")));
-    sheet->close();
 }
 
 int main(int argc, char** argv)

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <vector>
+
+class QRect;
+class QWidget;
+
+namespace espalier {
+
+class Actions;
+class TourCard;
+class TreeDocument;
+class ViewSettings;
+class Workspace;
+
+/// Leads a newcomer through the first minute: each card points at something of the workspace, and the next
+/// one comes when the person has used it, or presses Next.
+class Tour : public QObject {
+    Q_OBJECT
+
+public:
+    Tour(Workspace& workspace, const Actions& actions, TreeDocument& document, ViewSettings& settings,
+         QObject* parent = nullptr);
+
+    void start();
+    void stop();
+    bool isRunning() const { return m_step >= 0; }
+    /// 0...stepCount() - 1, or -1 while it does not run.
+    int step() const { return m_step; }
+    int stepCount() const { return static_cast<int>(m_steps.size()); }
+
+private:
+    enum Step { BrushStep, RadiusStep, ToolsStep, TimeStep, TurnStep, HelpStep };
+    struct Card {
+        QString title;
+        std::function<QString()> text;
+        std::function<QRect()> target; ///< px of the workspace; empty if it is not seen now
+        std::function<void()> prepare; ///< May be empty
+    };
+
+    void makeSteps(const Actions& actions);
+    void watch(const Actions& actions);
+    void showStep(int step);
+    void next();
+    /// The person has done what a card says; if it is the one that shows, the next one comes.
+    void did(Step step);
+    void follow();
+    QRect placeOf(const QWidget* widget) const;
+    QRect placeOfBase() const;
+
+    Workspace& m_workspace;
+    TreeDocument& m_document;
+    ViewSettings& m_settings;
+    TourCard* m_card; ///< The workspace's
+    std::vector<Card> m_steps;
+    int m_step = -1;
+    int m_undoIndex = 0;
+    double m_radius = 0.0;  ///< m, when the card of the radius came
+    double m_azimuth = 0.0; ///< rad, when the card of the strip came
+    QTimer m_following;
+    QTimer m_pause; ///< Between what was done and the next card
+};
+
+} // namespace espalier

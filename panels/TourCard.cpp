@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/TourCard.h"
+
+#include "panels/Theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+
+#include <algorithm>
+#include <array>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kTextWidth = 300; ///< px
+constexpr int kGap = 34;        ///< Between the card and what it points at, px
+constexpr int kEdge = 12;       ///< Between the card and the window's edge, px
+constexpr int kTop = 62;        ///< Below the bar at the top, px
+constexpr int kRingReach = 5;   ///< Of the ring beyond what it is around, px
+
+/// The point of @p rect that is nearest to @p point.
+QPoint nearestOn(const QRect& rect, const QPoint& point)
+{
+    return {std::clamp(point.x(), rect.left(), rect.right()),
+            std::clamp(point.y(), rect.top(), rect.bottom())};
+}
+
+} // namespace
+
+/// Ring and line; no pointer notices them.
+class TourCard::Ring : public QWidget {
+public:
+    explicit Ring(QWidget* parent) : QWidget(parent) { setAttribute(Qt::WA_TransparentForMouseEvents); }
+
+    void span(const QRect& target, const QRect& card)
+    {
+        const QRect ring = target.adjusted(-kRingReach, -kRingReach, kRingReach, kRingReach);
+        if (ring == m_ring && card == m_card && isVisible())
+            return;
+        m_ring = ring;
+        m_card = card;
+        setGeometry(ring.united(card).adjusted(-2, -2, 2, 2));
+        show();
+        update();
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.translate(-geometry().topLeft());
+        painter.setPen(QPen(theme::kHandle, 2.0, Qt::SolidLine, Qt::RoundCap));
+        const QPoint middle = nearestOn(m_ring, m_card.center());
+        painter.drawLine(nearestOn(m_card, middle), middle);
+        painter.drawRoundedRect(QRectF(m_ring), theme::kRadius, theme::kRadius);
+    }
+
+private:
+    QRect m_ring;
+    QRect m_card;
+};
+
+TourCard::TourCard(QWidget* parent)
+    : Bar(parent),
+      m_ring(new Ring(parent)),
+      m_title(new QLabel(this)),
+      m_text(new QLabel(this)),
+      m_number(new QLabel(this)),
+      m_skip(new QPushButton(tr("Skip"), this)),
+      m_next(new QPushButton(this))
+{
+    setAccessibleName(tr("Tour"));
+    QFont large = m_title->font();
+    large.setPointSizeF(large.pointSizeF() * 1.35);
+    m_title->setFont(large);
+    m_text->setTextFormat(Qt::RichText);
+    m_text->setWordWrap(true);
+    m_text->setFixedWidth(kTextWidth);
+    QPalette dim = m_number->palette();
+    dim.setColor(QPalette::WindowText, theme::kDimText);
+    m_number->setPalette(dim);
+    m_skip->setObjectName(QStringLiteral("tourSkip"));
+    m_next->setObjectName(QStringLiteral("tourNext"));
+    m_next->setDefault(true);
+    for (QPushButton* button : {m_skip, m_next}) {
+        button->setMinimumHeight(theme::kTarget);
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 16, 20, 16);
+    column->setSpacing(8);
+    column->addWidget(m_title);
+    column->addWidget(m_text);
+    column->addSpacing(8);
+    auto* line = new QHBoxLayout;
+    line->addWidget(m_number, 1);
+    line->addWidget(m_skip);
+    line->addWidget(m_next);
+    column->addLayout(line);
+    connect(m_skip, &QPushButton::clicked, this, &TourCard::skipAsked);
+    connect(m_next, &QPushButton::clicked, this, &TourCard::nextAsked);
+    m_ring->hide();
+    hide();
+}
+
+void TourCard::setWords(const QString& title, const QString& text, int number, int count)
+{
+    m_title->setText(title);
+    m_text->setText(text);
+    m_number->setText(tr("%1 of %2").arg(number).arg(count));
+    m_skip->setVisible(number < count);
+    m_next->setText(number < count ? tr("Next") : tr("Done"));
+    m_text->setFixedHeight(m_text->heightForWidth(kTextWidth));
+    adjustSize();
+}
+
+QPoint TourCard::placeBeside(const QRect& target) const
+{
+    const QRect room = parentWidget()->rect().adjusted(kEdge, kTop, -kEdge, -kEdge);
+    const QPoint middle = target.center() - QPoint(width() / 2, height() / 2);
+    const std::array places{
+        QPoint(target.right() + kGap, middle.y()),
+        QPoint(middle.x(), target.top() - kGap - height()),
+        QPoint(middle.x(), target.bottom() + kGap),
+        QPoint(target.left() - kGap - width(), middle.y()),
+    };
+    for (QPoint place : places) {
+        place.setX(std::clamp(place.x(), room.left(), std::max(room.left(), room.right() - width())));
+        place.setY(std::clamp(place.y(), room.top(), std::max(room.top(), room.bottom() - height())));
+        if (!QRect(place, size()).intersects(target.adjusted(-kEdge, -kEdge, kEdge, kEdge)))
+            return place;
+    }
+    return room.center() - QPoint(width() / 2, height() / 2);
+}
+
+void TourCard::pointAt(const QRect& target)
+{
+    if (target.isEmpty()) {
+        m_ring->hide();
+        const QRect room = parentWidget()->rect();
+        move(room.center() - QPoint(width() / 2, height() / 2));
+    } else {
+        move(placeBeside(target));
+        m_ring->span(target, geometry());
+        m_ring->raise();
+    }
+    show();
+    raise();
+}
+
+void TourCard::hideEvent(QHideEvent* event)
+{
+    m_ring->hide();
+    Bar::hideEvent(event);
+}
+
+} // namespace espalier
