@@ -274,6 +274,7 @@ void MainWindow::connectLibrary()
         }
         m_workspace->showLibrary(shown);
     });
+    connect(m_actions[ActionId::Help], &QAction::triggered, action, [action] { action->setChecked(false); });
     connect(&panel, &LibraryPanel::closeAsked, action, [action] { action->setChecked(false); });
     connect(m_files.get(), &FileController::aboutToReplace, action, [action] { action->setChecked(false); });
 }

@@ -50,9 +50,9 @@ public:
 
     HistoryPanel& history() { return *m_history; }
     HelpPanel& help() { return *m_help; }
+    LibraryPanel& library() { return *m_library; }
 
     void showPopOut(PopOut popOut);
-    LibraryPanel& library() { return *m_library; }
     void showHistory(bool shown);
     /// The library lies over all but the top bar and notices.
     void showLibrary(bool shown);
