@@ -170,11 +170,13 @@ void LibraryPanel::showSection(Section section)
 {
     m_section = section;
     m_tabs[static_cast<std::size_t>(section)]->setChecked(true);
-    QItemSelectionModel* const before = m_view->selectionModel();
-    m_view->setModel(&found());
-    delete before;
-    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            &LibraryPanel::followChosen);
+    if (m_view->model() != &found()) {
+        QItemSelectionModel* const before = m_view->selectionModel();
+        m_view->setModel(&found());
+        delete before;
+        connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this,
+                &LibraryPanel::followChosen);
+    }
     choose({});
     showWhatIsThere();
 }
@@ -284,8 +286,10 @@ void LibraryPanel::keyPressEvent(QKeyEvent* event)
         m_search->setFocus();
         m_search->selectAll();
     } else if (event->key() == Qt::Key_Escape) {
-        if (m_search->text().isEmpty())
+        if (m_search->text().isEmpty()) {
             Q_EMIT closeAsked();
+            return;
+        }
         m_search->clear();
         m_view->setFocus();
     } else if (m_search->hasFocus() && (event->key() == Qt::Key_Down || event->key() == Qt::Key_Return)) {
@@ -293,6 +297,13 @@ void LibraryPanel::keyPressEvent(QKeyEvent* event)
     } else {
         Bar::keyPressEvent(event);
     }
+}
+
+void LibraryPanel::showEvent(QShowEvent* event)
+{
+    // Whoever comes back wants to see all there is.
+    m_search->clear();
+    Bar::showEvent(event);
 }
 
 void LibraryPanel::paintEvent(QPaintEvent*)

@@ -53,6 +53,7 @@ protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     LibraryCards& cards() { return *m_cards[static_cast<std::size_t>(m_section)]; }
