@@ -19,6 +19,7 @@ enum class ActionId {
     Save,
     SaveAs,
     Export,
+    Settings,
     Quit,
     Undo,
     Redo,

@@ -38,9 +38,7 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
 
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumWidth(60);
-    QPalette dim = m_title->palette();
-    dim.setColor(QPalette::WindowText, theme::kDimText);
-    m_title->setPalette(dim);
+    theme::setTone(*m_title, theme::Tone::Dim);
 
     // Files and view have equal shares of the rest, so that the sheets stand in the middle.
     auto* line = new QHBoxLayout(this);

@@ -54,7 +54,7 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_notice(notice),
       m_thumbnail(std::move(thumbnail)),
       m_file(document),
-      m_autosave(document, m_file, settings.autosaveInterval())
+      m_autosave(document, m_file, settings.preferences().autosaveInterval)
 {
     connect(&m_file, &DocumentFile::saved, this, &FileController::showSaved);
     connect(&m_file, &DocumentFile::saveFailed, this,

@@ -24,6 +24,12 @@ LibraryController::LibraryController(LibraryPanel& panel, FileController& files,
     connect(&files, &FileController::kept, this, &LibraryController::showKept);
 }
 
+void LibraryController::setFolder(const QString& folder)
+{
+    m_library = Library(folder);
+    refresh();
+}
+
 void LibraryController::refresh()
 {
     m_panel.setEntries(LibraryPanel::Section::Trees, m_library.trees());

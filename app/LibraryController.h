@@ -19,6 +19,7 @@ public:
     LibraryController(LibraryPanel& panel, FileController& files, Notice& notice, Library library,
                       QObject* parent = nullptr);
 
+    void setFolder(const QString& folder);
     /// Looks what there is now.
     void refresh();
 

@@ -23,7 +23,7 @@ constexpr int kSearchWidth = 250;
 
 void dim(QLabel& label)
 {
-    label.setProperty("tone", "dim");
+    theme::setTone(label, theme::Tone::Dim);
     label.setTextFormat(Qt::PlainText);
 }
 

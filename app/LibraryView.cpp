@@ -25,6 +25,7 @@ constexpr int kLeastColumn = 212; ///< px
 constexpr int kMargin = 7;        ///< px around a card
 constexpr int kInset = 9;         ///< px between a card's edge and what is on it
 constexpr int kLines = 2;
+constexpr int kOverlap = 6; ///< px by which the lines reach into the finger's room around the name
 constexpr int kLongPress = 550; ///< ms
 /// Height of a picture by its width: that of the recipes' pictures.
 constexpr double kPictureAspect = 0.875;
@@ -100,7 +101,7 @@ void drawNoPicture(QPainter& painter, const QRectF& place)
 int CardPainter::heightFor(int width, const QFont& font)
 {
     const QRect card(0, 0, width, 0);
-    return namePlace(card).bottom() + 1 + kLines * QFontMetrics(lineFont(font)).lineSpacing() + kInset + kMargin;
+    return namePlace(card).bottom() + 1 - kOverlap + kLines * QFontMetrics(lineFont(font)).lineSpacing() + kInset + kMargin;
 }
 
 QRect CardPainter::menuPlace(const QRect& card)
@@ -125,9 +126,7 @@ void CardPainter::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     const QRectF body = QRectF(option.rect).adjusted(kMargin, kMargin, -kMargin, -kMargin);
     QPainterPath outline;
     outline.addRoundedRect(body, theme::kRadius, theme::kRadius);
-    QColor ground = theme::kBar;
-    ground.setAlpha(255);
-    painter->fillPath(outline, isChosen ? theme::kAccentFill : ground);
+    painter->fillPath(outline, isChosen ? theme::kAccentFill : theme::kRaised);
 
     painter->save();
     painter->setClipPath(outline);
@@ -155,7 +154,7 @@ void CardPainter::paint(QPainter* painter, const QStyleOptionViewItem& option, c
                       painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, name.width()));
     painter->setFont(lineFont(option.font));
     painter->setPen(theme::kDimText);
-    const QRect lines(name.left(), name.bottom() + 1, option.rect.width() - 2 * (kMargin + kInset), 0);
+    const QRect lines(name.left(), name.bottom() + 1 - kOverlap, option.rect.width() - 2 * (kMargin + kInset), 0);
     drawLines(*painter, lines, index.data(LibraryCards::LineRole).toString());
 
     painter->setPen(Qt::NoPen);
@@ -215,7 +214,8 @@ bool CardView::isOnDots(const QPoint& place) const
 void CardView::resizeEvent(QResizeEvent* event)
 {
     const int columns = std::max(1, viewport()->width() / kLeastColumn);
-    const int width = viewport()->width() / columns;
+    // A pixel is left over, or the last column would not be believed to fit.
+    const int width = (viewport()->width() - 1) / columns;
     const int height = CardPainter::heightFor(width, font());
     setGridSize({width, height});
     verticalScrollBar()->setSingleStep(height / 3);

@@ -55,6 +55,9 @@ private:
     void connectTools();
     void connectView();
     void connectLibrary();
+    void showSettings();
+    /// Puts the preferences in force.
+    void apply(const Preferences& preferences);
     void followDocument();
     /// Ends whatever is under way.
     void cancelAll();
@@ -69,6 +72,7 @@ private:
     void cancel();
 
     Settings m_settings;
+    Preferences m_preferences; ///< In force
     TreeDocument m_document;
     ViewSettings m_viewSettings;
     GrowRunner m_growRunner;

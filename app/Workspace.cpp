@@ -57,9 +57,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
     for (QLabel* label : {m_counts, m_tip}) {
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
-        QPalette dim = label->palette();
-        dim.setColor(QPalette::WindowText, theme::kDimText);
-        label->setPalette(dim);
+        theme::setTone(*label, theme::Tone::OverPicture);
     }
     m_onlyOne->setObjectName(QStringLiteral("growAll"));
     m_onlyOne->setToolTip(tr("Let all buds grow again"));
@@ -118,6 +116,12 @@ void Workspace::showHelp(bool shown)
     Camera camera = m_viewport->camera();
     camera.pan({shown ? -covered / 2.0 : covered / 2.0, 0.0});
     m_viewport->flyTo(camera);
+}
+
+void Workspace::setToolsRight(bool right)
+{
+    m_areToolsRight = right;
+    arrange();
 }
 
 void Workspace::setInterfaceHidden(bool hidden)
@@ -191,9 +195,16 @@ void Workspace::arrange()
         m_help->setGeometry(right, y, helpWidth, lowest - y);
     }
     m_help->setVisible(m_isHelpShown && shown);
-    m_sideBar->setGeometry(QRect(QPoint(kGap, y), m_sideBar->sizeHint()));
+    // Places are worked out for tools on the left.
+    const auto placed = [this, right](QRect place) {
+        if (m_areToolsRight)
+            place.moveLeft(right - place.x() - place.width());
+        return place;
+    };
+    const QRect tools(QPoint(kGap, y), m_sideBar->sizeHint());
+    m_sideBar->setGeometry(placed(tools));
     m_sideBar->setVisible(shown);
-    const int x = m_sideBar->geometry().right() + 1 + kGap;
+    const int x = tools.right() + 1 + kGap;
 
     for (int i = 0; i < kSheetCount; ++i) {
         Bar& panel = sheet(i);
@@ -203,10 +214,10 @@ void Workspace::arrange()
         const int room = right - x - kGap;
         if (&panel == m_architecture) {
             m_architecture->fit({room, height()});
-            panel.move(x, y);
+            panel.move(placed(QRect(QPoint(x, y), panel.size())).topLeft());
         } else {
             const QSize wanted = panel.sizeHint();
-            panel.setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
+            panel.setGeometry(placed({x, y, std::min(wanted.width(), room), wanted.height()}));
         }
         y = panel.geometry().bottom() + 1 + kGap;
     }
@@ -218,15 +229,15 @@ void Workspace::arrange()
                                                    {m_lassoPopOut, PopOut::Lasso}};
     for (const auto& [popOut, kind] : popOuts) {
         const QSize size = popOut->sizeHint();
-        popOut->setGeometry(QRect(QPoint(x, y), size));
+        popOut->setGeometry(placed(QRect(QPoint(x, y), size)));
         // A small window has room for a sheet or for a pop-out.
         popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
     }
 
     const QSize history = m_history->sizeHint();
     const int historyTop = kTopBarHeight + kGap;
-    m_history->setGeometry(right - history.width() - kGap, historyTop, history.width(),
-                           std::min(history.height(), lowest - historyTop));
+    m_history->setGeometry(placed({right - history.width() - kGap, historyTop, history.width(),
+                                   std::min(history.height(), lowest - historyTop)}));
     m_history->setVisible(shown && m_isHistoryShown);
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);

@@ -59,6 +59,8 @@ public:
     /// Beside the tree, which keeps the rest of the room.
     void showHelp(bool shown);
     bool isHelpShown() const { return m_isHelpShown; }
+    /// The bar of tools, and what opens beside it, on the right, and the history on the left.
+    void setToolsRight(bool right);
     /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
@@ -99,6 +101,7 @@ private:
     bool m_isHidden = false;
     bool m_isHistoryShown = false;
     bool m_isLibraryShown = false;
+    bool m_areToolsRight = false;
     bool m_isHelpShown = false;
 };
 

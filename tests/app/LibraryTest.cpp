@@ -7,9 +7,8 @@
 #include "commands/GrowGesture.h"
 #include "commands/SetParameters.h"
 #include "panels/Notice.h"
-#include "panels/Theme.h"
+#include "tests/support/TestClasses.h"
 #include "views/Viewport.h"
-#include "views/render/GlResources.h"
 
 #include <QtTest>
 #include <QtWidgets>
@@ -272,7 +271,9 @@ private:
 void LibraryPanelTest::init()
 {
     QSettings().clear();
-    Settings().setLibraryFolder(m_folder.path());
+    Preferences preferences;
+    preferences.libraryFolder = m_folder.path();
+    Settings().setPreferences(preferences);
     // A window takes its time to come up where the processor draws it, so that the tests share one.
     if (!m_window)
         m_window = std::make_unique<MainWindow>();
@@ -592,16 +593,11 @@ void LibraryPanelTest::library_looksLikeThis()
     m_window->resize(1024, 700);
 }
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat::setDefaultFormat(surfaceFormat());
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("Espalier"));
-    QCoreApplication::setApplicationName(QStringLiteral("espalier-test"));
-    theme::apply(application);
-    LibraryTest model;
-    LibraryPanelTest panel;
-    return QTest::qExec(&model, argc, argv) + QTest::qExec(&panel, argc, argv);
-}
+namespace {
+
+const test::TestClass<LibraryTest> kLibraryEntered;
+const test::TestClass<LibraryPanelTest> kLibraryPanelEntered;
+
+} // namespace
 
 #include "LibraryTest.moc"
