@@ -12,6 +12,7 @@
 #include "panels/ParameterPanel.h"
 #include "panels/RotationStrip.h"
 #include "panels/Theme.h"
+#include "panels/architecture/ArchitecturePanel.h"
 #include "views/Viewport.h"
 
 #include <QLabel>
@@ -40,6 +41,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_growPopOut(new GrowPopOut(document, this)),
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
+      m_architecture(new ArchitecturePanel(document, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
@@ -48,10 +50,9 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_counts(new QLabel(this)),
       m_tip(new QLabel(this))
 {
-    const ParameterSheet sheets[] = {ParameterSheet::Architecture, ParameterSheet::Leaves,
-                                     ParameterSheet::Branches};
-    for (std::size_t i = 0; i < m_sheets.size(); ++i)
-        m_sheets[i] = new ParameterPanel(document, sheets[i], this);
+    m_sheets = {m_architecture, new ParameterPanel(document, ParameterSheet::Leaves, this),
+                new ParameterPanel(document, ParameterSheet::Branches, this)};
+    connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
     for (QLabel* label : {m_counts, m_tip}) {
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
         QPalette dim = label->palette();
@@ -125,7 +126,7 @@ void Workspace::focusNextPane()
         return;
     }
     for (QWidget* widget : pane->findChildren<QWidget*>()) {
-        if (widget->isEnabled() && widget->focusPolicy() & Qt::TabFocus) {
+        if (widget->isEnabled() && widget->isVisible() && widget->focusPolicy() & Qt::TabFocus) {
             widget->setFocus(Qt::ShortcutFocusReason);
             return;
         }
@@ -176,13 +177,18 @@ void Workspace::arrange()
     const int x = m_sideBar->geometry().right() + 1 + kGap;
 
     for (int i = 0; i < kSheetCount; ++i) {
-        ParameterPanel& panel = sheet(i);
+        Bar& panel = sheet(i);
         panel.setVisible(shown && i == m_sheet);
         if (i != m_sheet)
             continue;
-        const QSize wanted = panel.sizeHint();
         const int room = right - x - kGap;
-        panel.setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
+        if (&panel == m_architecture) {
+            m_architecture->fit({room, height()});
+            panel.move(x, y);
+        } else {
+            const QSize wanted = panel.sizeHint();
+            panel.setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
+        }
         y = panel.geometry().bottom() + 1 + kGap;
     }
 

@@ -15,6 +15,8 @@ class QPushButton;
 
 namespace espalier {
 
+class ArchitecturePanel;
+class Bar;
 class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
@@ -22,7 +24,6 @@ class HelpPanel;
 class HistoryPanel;
 class LassoPopOut;
 class Notice;
-class ParameterPanel;
 class RotationStrip;
 class Viewport;
 
@@ -43,7 +44,8 @@ public:
     Notice& notice() { return *m_notice; }
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
-    ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
+    Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
+    ArchitecturePanel& architecture() { return *m_architecture; }
 
     HistoryPanel& history() { return *m_history; }
     HelpPanel& help() { return *m_help; }
@@ -77,7 +79,8 @@ private:
     GrowPopOut* m_growPopOut;
     BendPopOut* m_bendPopOut;
     LassoPopOut* m_lassoPopOut;
-    std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    ArchitecturePanel* m_architecture;
+    std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
     HelpPanel* m_help;
     RotationStrip* m_strip;

@@ -42,17 +42,20 @@ std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, d
         const float limit = radius + std::max(0.0F, along + radius) * perDepth;
         return along > -radius && offset.squaredNorm() - along * along <= limit * limit;
     };
-    const float beyond =
-        kOffset * *std::ranges::max_element(scene.tree.columns().length) + scene.greatestRadius;
+    const float beyond = kOffset * scene.index.greatestLength() + scene.greatestRadius;
     scene.space.forEachBrick([&](const Vec3& centre, float radius, VoxelSpace::Residents residents) {
         if (!mayReach(centre, radius + beyond))
             return;
         for (const Resident& resident : residents) {
-            if (!mayReach(Vec3(resident.x, resident.y, resident.z), beyond))
+            const Vec3 node(resident.x, resident.y, resident.z);
+            if (!mayReach(node, beyond))
+                continue;
+            const float bark = scene.radius(resident.id);
+            if (!mayReach(node, kOffset * scene.tree.length(resident.id) + bark))
                 continue;
             for (unsigned rest = scene.tree.buds(resident.id); rest != 0; rest &= rest - 1) {
                 const BudRef bud{resident.id, std::countr_zero(rest)};
-                const Vec3 position = budPosition(scene.tree, scene.index, bud, scene.radius(bud.node));
+                const Vec3 position = budPosition(scene.tree, scene.index, bud, bark);
                 const auto place = camera.project(position);
                 if (!place)
                     continue;
