@@ -195,6 +195,11 @@ constexpr ParameterText kLeafColour[] = {
      QT_TRANSLATE_NOOP("Parameters", "0° is red, 60° yellow, 120° green."), Linear, 0, "°"},
     {"leaves.hueVariation", QT_TRANSLATE_NOOP("Parameters", "Variation of hue"), "",
      QT_TRANSLATE_NOOP("Parameters", "How much the colours of leaves differ."), Linear, 0, "°"},
+    {"leaves.saturation", QT_TRANSLATE_NOOP("Parameters", "Saturation"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How strong the colour is: little of it makes blossom and silver leaves.")},
+    {"leaves.brightness", QT_TRANSLATE_NOOP("Parameters", "Brightness"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How light the leaves are.")},
     {"leaves.vigourHue", QT_TRANSLATE_NOOP("Parameters", "Yellowing"), "",
      QT_TRANSLATE_NOOP("Parameters", "How far the leaves of weak shoots turn toward yellow and red.")},
 };

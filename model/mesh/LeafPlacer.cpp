@@ -83,7 +83,7 @@ void LeafPlacer::place(InternodeId id, std::span<LeafInstance> leaves) const
     const auto upward = static_cast<float>(m_parameters.upward);
     const double shift = m_parameters.vigourHue * shootWeakness(m_tree.vigour(id));
     const double hue = shiftedLeafHue(m_parameters.hue, shift);
-    const auto value = static_cast<float>(1.0 - kWeakDarkening * shift);
+    const auto value = static_cast<float>(m_parameters.brightness * (1.0 - kWeakDarkening * shift));
 
     for (std::uint32_t i = 0; i < m_perNode; ++i) {
         const std::array<float, 4> spread = fourSigned(random);

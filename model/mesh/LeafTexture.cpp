@@ -4,6 +4,8 @@
 #include "model/mesh/NeedleSpray.h"
 #include "model/mesh/Textures.h"
 
+#include <algorithm>
+
 namespace espalier {
 
 namespace {
@@ -108,6 +110,21 @@ QImage withLeaf(LeafShape shape, int size, double hue, const Paint& paint)
 QImage leafAlbedo(LeafShape shape, int size, double hue)
 {
     return withLeaf(shape, size, hue, [size](const auto& leaf, float) { return paintLeaf(size, leaf); });
+}
+
+void saturateLeaf(QImage& albedo, double factor)
+{
+    if (factor == 1.0)
+        return;
+    const auto share = static_cast<float>(factor);
+    for (int y = 0; y < albedo.height(); ++y) {
+        uchar* pixel = albedo.scanLine(y);
+        for (int x = 0; x < albedo.width(); ++x, pixel += 4) {
+            const auto value = static_cast<float>(std::max({pixel[0], pixel[1], pixel[2]}));
+            for (int i = 0; i < 3; ++i)
+                pixel[i] = toByte((value - share * (value - static_cast<float>(pixel[i]))) / 255.0F);
+        }
+    }
 }
 
 QImage leafNormal(LeafShape shape, int size)

@@ -93,6 +93,8 @@ struct LeafParameters {
     double sizeVariation = 0.25; ///< 0...1
     double hue = radians(98);    ///< rad on the colour wheel (0 red, 120° green)
     double hueVariation = radians(8); ///< rad
+    double saturation = 1.0;          ///< of the texture's: 0 grey, 1 as painted
+    double brightness = 1.0;          ///< of the texture's
     double vigourHue = 0.25;          ///< 0...1, shift of weak shoots' leaves toward yellow and red
 
     bool operator==(const LeafParameters&) const = default;
@@ -189,6 +191,8 @@ void visitParameters(Parameters& p, Visit&& visit)
     visit(ParameterInfo{"leaves.sizeVariation", Number, 0, 1}, f.sizeVariation);
     visit(ParameterInfo{"leaves.hue", Angle, 0, 360}, f.hue);
     visit(ParameterInfo{"leaves.hueVariation", Angle, 0, 90}, f.hueVariation);
+    visit(ParameterInfo{"leaves.saturation", Number, 0, 1.5}, f.saturation);
+    visit(ParameterInfo{"leaves.brightness", Number, 0.2, 2.5}, f.brightness);
     visit(ParameterInfo{"leaves.vigourHue", Number, 0, 1}, f.vigourHue);
 
     auto& b = p.bark;

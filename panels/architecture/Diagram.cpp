@@ -233,7 +233,8 @@ void Diagram::drawHandle(QPainter& painter, int number) const
     const bool isGrasped = number == m_dragged;
     const bool isHovered = number == m_hovered && !isDragging();
     const bool isFocused = handle(number).hasFocus();
-    QColor colour = isEnabled() ? theme::kHandle : theme::kFaintText;
+    // The same while the panel rests during a stroke: it shall not flicker.
+    QColor colour = theme::kHandle;
     if (isGrasped || isHovered) {
         QColor halo = colour;
         halo.setAlpha(isGrasped ? 70 : 45);

@@ -3,6 +3,8 @@
 
 #include "panels/architecture/DiagramStyle.h"
 
+#include <QLocale>
+
 #include <algorithm>
 
 namespace espalier {

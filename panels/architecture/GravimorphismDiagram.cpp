@@ -4,6 +4,8 @@
 #include "model/growth/Gravimorphism.h"
 #include "panels/architecture/DiagramStyle.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <numbers>
 

@@ -147,8 +147,9 @@ void ProgramTest::replay_givesTheSameBytesOnOneThreadAndOnTwo_data()
 {
     QTest::addColumn<QString>("recipe");
     const QDir samples(QStringLiteral(SOURCE_DIR "/resources/recipes"));
-    for (const QString& name : samples.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
-        QTest::newRow(qPrintable(name)) << samples.filePath(name);
+    // Brushed, grown alone, filled, and trained; test_samples undoes and redoes every sample.
+    for (const char* name : {"oak.json", "spruce.json", "swan.json", "bonsai.json"})
+        QTest::newRow(name) << samples.filePath(QLatin1String(name));
 }
 
 void ProgramTest::replay_givesTheSameBytesOnOneThreadAndOnTwo()

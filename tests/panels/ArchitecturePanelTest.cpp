@@ -18,6 +18,7 @@
 #include <QtTest>
 #include <QtWidgets>
 
+#include <map>
 #include <numbers>
 
 using namespace espalier;
@@ -43,8 +44,8 @@ private Q_SLOTS:
     void doubleClick_bringsTheDefaultBack();
     void arrows_moveAHandleAsTheyPoint_data() { handles(); }
     void arrows_moveAHandleAsTheyPoint();
-    void handle_isWhereItWasPulled_data() { handles(); }
-    void handle_isWhereItWasPulled();
+    void handle_andParameterFollowFromEachOther_data() { handles(); }
+    void handle_andParameterFollowFromEachOther();
     void screenReader_readsAndSetsHandles_data() { handles(); }
     void screenReader_readsAndSetsHandles();
     void typedNumber_movesTheHandle_data() { handles(); }
@@ -299,29 +300,40 @@ void ArchitecturePanelTest::arrows_moveAHandleAsTheyPoint()
     QCOMPARE(parameters(), TreeParameters());
 }
 
-void ArchitecturePanelTest::handle_isWhereItWasPulled()
+void ArchitecturePanelTest::handle_andParameterFollowFromEachOther()
 {
-    // Handle and parameter follow from each other, but for the digits that are shown.
     const Place place = fetched();
-    const QPoint from = place.point();
-    drag(place, away(place), false);
-    const QPointF pulled = place.diagram->handlePlace(place.number);
-    const QPointF wanted = from + away(place);
     const QString key = place.handle().objectName();
-    QVERIFY2((pulled - wanted).manhattanLength() < 30.0, qPrintable(key));
-    // To pull it to where it is leaves it there.
-    QTest::mouseRelease(place.diagram, Qt::LeftButton, {}, from + away(place));
-    const TreeParameters once = parameters();
-    const QPoint at = place.point();
-    QTest::mousePress(place.diagram, Qt::LeftButton, {}, at);
-    for (const QPoint& by : {QPoint(9, 9), QPoint(-9, -9), QPoint(0, 0)})
-        QTest::mouseMove(place.diagram, at + by);
-    QTest::mouseRelease(place.diagram, Qt::LeftButton, {}, at);
-    visitParameters(parameters(), [&](const ParameterInfo& info, const auto& field) {
-        visitParameter(once, info.key, [&](const ParameterInfo&, const auto& other) {
-            QVERIFY2(std::abs(surfaceValue(info, field) - surfaceValue(info, other)) < 1.01, info.key);
-        });
-    });
+    const std::map<QString, double> wanted{
+        {QStringLiteral("growth.setPointAngle"), 100.0}, {QStringLiteral("growth.ellipseVertical"), 1.2},
+        {QStringLiteral("growth.ellipseParallel"), 0.6}, {QStringLiteral("growth.ellipseOffset"), 0.2},
+        {QStringLiteral("growth.branchingAngle"), 95.0}, {QStringLiteral("growth.deflectionAngle"), 30.0},
+        {QStringLiteral("growth.axisWeight"), 0.2},      {QStringLiteral("growth.occupancyRadius"), 1.5},
+        {QStringLiteral("growth.perceptionDepth"), 2.5}, {QStringLiteral("growth.perceptionAngle"), 140.0}};
+    const double value = wanted.at(key);
+    const QPointF from = place.diagram->handlePlace(place.number);
+    QPointF to;
+    if (const auto* cone = qobject_cast<PerceptionDiagram*>(place.diagram)) {
+        // Its drawing fits what it shows, but not while a handle is dragged: there r = 2, d = 3.5.
+        const double reach = 5.5 * cone->unit();
+        if (key == QStringLiteral("growth.occupancyRadius"))
+            to = cone->bud() - QPointF(value * cone->unit(), 0.0);
+        else if (key == QStringLiteral("growth.perceptionDepth"))
+            to = cone->bud() - QPointF(0.0, (2.0 + value) * cone->unit());
+        else
+            to = cone->bud() + reach * QPointF(std::sin(radians(70)), -std::cos(radians(70)));
+    } else {
+        place.handle().setValue(value);
+        to = place.diagram->handlePlace(place.number);
+        m_document->undoStack().undo();
+    }
+    QVERIFY(QLineF(from, to).length() > 8.0);
+    drag(place, (to - from).toPoint(), false);
+    // But for a pixel's rounding, and for the digits that are shown.
+    const QPointF reached = place.diagram->handlePlace(place.number);
+    QVERIFY2(QLineF(reached, to).length() < 1.6, qPrintable(QString::number(QLineF(reached, to).length())));
+    QVERIFY2(std::abs(place.handle().value() - value) < std::max(0.04, 0.015 * value),
+             qPrintable(QString::number(place.handle().value())));
 }
 
 void ArchitecturePanelTest::screenReader_readsAndSetsHandles()
