@@ -197,11 +197,14 @@ void Workspace::arrange()
                                                    {m_growPopOut, PopOut::Grow},
                                                    {m_bendPopOut, PopOut::Bend},
                                                    {m_lassoPopOut, PopOut::Lasso}};
+    QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {
         const QSize size = popOut->sizeHint();
         popOut->setGeometry(QRect(QPoint(x, y), size));
         // A small window has room for a sheet or for a pop-out.
         popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
+        if (popOut->isVisibleTo(this))
+            popOutPlace = popOut->geometry();
     }
 
     const QSize history = m_history->sizeHint();
@@ -221,7 +224,8 @@ void Workspace::arrange()
     m_counts->setVisible(shown);
     m_tip->adjustSize();
     m_tip->move(20, bottom - m_tip->height());
-    m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x());
+    m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x() &&
+                      !m_tip->geometry().intersects(popOutPlace));
 
     const int most = std::min(right - 2 * kGap, 860);
     m_notice->setMaximumWidth(most);

@@ -792,6 +792,8 @@ void MainWindowTest::architecture_isDraggedOverTheLiveTree()
     // The tree is still there to be brushed.
     brush(0.5F, 1.2F, 0.5F);
     QVERIFY(document.index().livingCount() > grown);
+    action(ActionId::Architecture)->trigger();
+    QVERIFY(!panel.isVisible());
 }
 
 void MainWindowTest::recipe_isPlayedAndHandedOver()
