@@ -172,7 +172,7 @@ void Viewport::cancelGesture()
 bool Viewport::needsTicks() const
 {
     return m_hand->wantsTicks() || areRingsExpanding() || m_flight.isFlying() || m_keys.isAnyHeld() ||
-           m_pacer.isPhasingIn();
+           m_pacer.isPhasingIn() || isRefining();
 }
 
 bool Viewport::areRingsExpanding() const
@@ -228,6 +228,10 @@ void Viewport::tick()
         m_pictureIsOld = true;
         update();
     }
+    if (isRefining()) {
+        m_passIsDue = true;
+        update();
+    }
     if (!needsTicks())
         m_ticks.stop();
 }
@@ -275,17 +279,22 @@ void Viewport::drawPicture()
     Gl& gl = *currentGl();
     QElapsedTimer timer;
     timer.start();
-    m_renderer->render(m_scene, camera, options, *m_picture);
+    if (m_pictureIsOld)
+        m_passes = 0;
+    m_renderer->renderPass(m_scene, camera, options, *m_picture, m_passes);
     // Only a finished frame tells how long it took, and waiting for it also keeps input from running ahead
     // of what is seen.
     gl.glFinish();
     m_pacer.frameTook(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
     m_pictureIsOld = false;
+    m_passIsDue = false;
+    ++m_passes;
+    startTicking();
 }
 
 void Viewport::paintGL()
 {
-    if (m_pictureIsOld)
+    if (m_pictureIsOld || (m_passIsDue && isRefining()))
         drawPicture();
     Gl& gl = *currentGl();
     const GLuint widgetBuffer = defaultFramebufferObject();

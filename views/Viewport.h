@@ -65,7 +65,7 @@ public:
     bool keyForTool(int key) { return !isGestureActive() && m_hand->keyPressed(key); }
 
     /// Whether nothing moves and the picture is as good as it gets.
-    bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld; }
+    bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld && !isRefining(); }
 
     QSize minimumSizeHint() const override { return {320, 240}; }
     QSize sizeHint() const override { return {1280, 800}; }
@@ -125,6 +125,11 @@ private:
     bool needsTicks() const;
     bool areRingsExpanding() const;
     void startTicking();
+    /// Whether passes of the picture at its best are still to be drawn.
+    bool isRefining() const
+    {
+        return m_pacer.isAtRest() && !m_pictureIsOld && m_passes < RenderOptions::kBestSamples;
+    }
     void drawPicture();
     void paintLabels();
     void releaseGl();
@@ -147,6 +152,8 @@ private:
 
     FramePacer m_pacer;
     bool m_pictureIsOld = true;
+    int m_passes = 0; ///< That the picture shown is the mean of
+    bool m_passIsDue = false;
     QBasicTimer m_ticks;
     QBasicTimer m_restTimer;
     double m_lastTick = 0.0;    ///< s
