@@ -4,9 +4,11 @@
 #include "views/render/OverlayRenderer.h"
 #include "views/render/RenderTarget.h"
 #include "views/render/Renderer.h"
+#include "views/render/Sun.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/SelectionRings.h"
+#include "views/tools/SunTool.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -34,6 +36,7 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
       m_scene(document),
       m_tool(std::make_unique<BrushTool>(toolContext())),
       m_eraser(std::make_unique<PruneTool>(toolContext())),
+      m_sun(std::make_unique<SunTool>(toolContext())),
       m_hand(m_tool.get())
 {
     setFormat(surfaceFormat());
@@ -60,6 +63,7 @@ Viewport::~Viewport()
 {
     m_tool.reset();
     m_eraser.reset();
+    m_sun.reset();
     releaseGl();
 }
 
@@ -136,6 +140,13 @@ void Viewport::showAnew()
 
 void Viewport::followSettings()
 {
+    // Pinned or let go, the sun stays where it is.
+    if (const bool isPinned = m_settings.values().sunPinned; isPinned != m_shown.sunPinned) {
+        ViewValues moved = m_settings.values();
+        moved.sunPinned = std::exchange(m_shown.sunPinned, isPinned);
+        pinSun(moved, m_camera, isPinned);
+        m_settings.setValues(moved);
+    }
     // What only tools show does not touch the picture of the tree.
     ViewValues values = m_settings.values();
     values.brushRadius = m_shown.brushRadius;
@@ -145,6 +156,7 @@ void Viewport::followSettings()
     values.stretchingWeight = m_shown.stretchingWeight;
     values.envelopeShown = m_shown.envelopeShown;
     values.planeShown = m_shown.planeShown;
+    values.sunShown = m_shown.sunShown;
     update();
     if (values == m_shown)
         return;
@@ -162,6 +174,17 @@ void Viewport::setTool(std::unique_ptr<Tool> tool)
     setCursor(m_tool->cursor());
     update();
     Q_EMIT toolChanged();
+}
+
+QPointF Viewport::sunPlace() const
+{
+    return m_sun->place();
+}
+
+bool Viewport::keyForTool(int key)
+{
+    Tool& tool = m_hand == m_sun.get() ? *m_tool : *m_hand;
+    return !isGestureActive() && tool.keyPressed(key);
 }
 
 void Viewport::cancelGesture()
@@ -307,6 +330,8 @@ void Viewport::paintGL()
     gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
     m_overlay.clear();
     m_hand->paint(m_overlay);
+    if (m_hand != m_sun.get())
+        m_sun->paint(m_overlay);
     if (const Competitors& only = m_document.competitors(); !only.areAll()) {
         const BudRef bud{only.node, only.slot};
         const Vec3 place = budPosition(m_document.tree(), m_document.index(), bud, branchRadius(only.node));
