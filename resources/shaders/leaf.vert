@@ -44,7 +44,7 @@ void main()
     float ambient = ambientShare(place) * crownDepth(place);
     vec3 tint = hueFactor(leafLook.y) * leafLook.z * leafVariety();
     // Under a warm sun and a filmic curve, leaves as they are would look like paint: this is more like what a camera sees.
-    tint *= vec3(0.90, 0.62, 0.80);
+    tint *= vec3(0.84, 0.63, 0.80);
     leafUv = cardUv;
     gl_Position = frame.viewProjection * vec4(place, 1.0);
 #ifdef PLAIN

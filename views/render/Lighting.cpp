@@ -7,7 +7,7 @@ namespace {
 
 constexpr Lighting kStudio{
     .sun = {3.7F, 3.2F, 2.45F, 0.0F},
-    .sky = {0.50F, 0.60F, 0.76F, 0.0F},
+    .sky = {0.58F, 0.69F, 0.86F, 0.0F},
     .ground = {0.17F, 0.16F, 0.14F, 0.0F},
     .rim = {0.5F, 0.6F, 0.75F, 0.0F},
     .groundAlbedo = {0.0255F, 0.0315F, 0.0415F, 0.0F},
