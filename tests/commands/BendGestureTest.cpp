@@ -323,7 +323,7 @@ void BendGestureTest::bendingForEver_staysWithinWhatATreeMayHold()
     }
 }
 
-const TestClass<BendGestureTest> entered;
+const TestClass<BendGestureTest> bendGestureTest;
 
 } // namespace espalier::test
 

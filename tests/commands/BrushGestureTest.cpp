@@ -559,7 +559,7 @@ void BrushGestureTest::liveMarkers_areShownWhileBrushing()
     QVERIFY(gesture.markers().empty());
 }
 
-const TestClass<BrushGestureTest> entered;
+const TestClass<BrushGestureTest> brushGestureTest;
 
 } // namespace espalier::test
 

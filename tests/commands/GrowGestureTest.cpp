@@ -163,7 +163,7 @@ void GrowGestureTest::parametersInForce_areNoCommand()
     QVERIFY(document.journal().empty());
 }
 
-const TestClass<GrowGestureTest> entered;
+const TestClass<GrowGestureTest> growGestureTest;
 
 } // namespace espalier::test
 

@@ -159,7 +159,7 @@ void HostileNumbersTest::strokeOfManySamplesInOnePlace_growsSoundly()
     }
 }
 
-const TestClass<HostileNumbersTest> entered;
+const TestClass<HostileNumbersTest> hostileNumbersTest;
 
 } // namespace espalier::test
 

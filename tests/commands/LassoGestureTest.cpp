@@ -419,7 +419,7 @@ void LassoGestureTest::recipe_givesTheSameTree()
     QVERIFY(sliced.tree() == whole.tree());
 }
 
-const TestClass<LassoGestureTest> entered;
+const TestClass<LassoGestureTest> lassoGestureTest;
 
 } // namespace espalier::test
 

@@ -261,7 +261,7 @@ void RecipePlayerTest::demonstration_takesTheHandsTime()
     QCOMPARE(player.stroke(), nullptr);
 }
 
-const TestClass<RecipePlayerTest> entered;
+const TestClass<RecipePlayerTest> recipePlayerTest;
 
 } // namespace espalier::test
 

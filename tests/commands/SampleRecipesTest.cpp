@@ -67,7 +67,7 @@ void SampleRecipesTest::undoingAndRedoingAll_restoresTheDocument()
     QCOMPARE(indexFault(document), QString());
 }
 
-const TestClass<SampleRecipesTest> entered;
+const TestClass<SampleRecipesTest> sampleRecipesTest;
 
 } // namespace espalier::test
 

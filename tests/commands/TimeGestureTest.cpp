@@ -223,7 +223,7 @@ void TimeGestureTest::thousandSteps_thereAndBack()
     gesture.cancel();
 }
 
-const TestClass<TimeGestureTest> entered;
+const TestClass<TimeGestureTest> timeGestureTest;
 
 } // namespace espalier::test
 

@@ -217,7 +217,7 @@ void WidthGestureTest::deadAndUnknown_haveNoWidth()
     QVERIFY(DocumentState(document) == before);
 }
 
-const TestClass<WidthGestureTest> entered;
+const TestClass<WidthGestureTest> widthGestureTest;
 
 } // namespace espalier::test
 

@@ -124,4 +124,9 @@ void growAtRandom(TreeDocument& document, std::uint64_t seed, std::uint32_t leas
     }
 }
 
+double diameterOf(const Widths& widths, const TreeIndex& index, InternodeId id)
+{
+    return 2.0 * static_cast<double>(widths.radius(index, id));
+}
+
 } // namespace espalier::test

@@ -4,6 +4,7 @@
 #include "commands/BrushGesture.h"
 #include "commands/GrowGesture.h"
 #include "model/base/Random.h"
+#include "model/shape/Widths.h"
 
 #include <span>
 #include <vector>
@@ -28,5 +29,8 @@ int grow(TreeDocument& document, int steps, Competitors competitors = {});
 /// @p least internodes where its parameters allow that, and hardly more than @p most.
 void growAtRandom(TreeDocument& document, std::uint64_t seed, std::uint32_t least = 60,
                   std::uint32_t most = 500);
+
+/// How thick @p widths makes an internode, m.
+double diameterOf(const Widths& widths, const TreeIndex& index, InternodeId id);
 
 } // namespace espalier::test

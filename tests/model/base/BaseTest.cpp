@@ -196,7 +196,7 @@ void BaseTest::result_holdsAValueOrAnError()
     QVERIFY(!Result<void>(Error{}));
 }
 
-const TestClass<BaseTest> entered;
+const TestClass<BaseTest> baseTest;
 
 } // namespace espalier::test
 

@@ -176,7 +176,7 @@ void TreeDocumentTest::revertAndApplyOfEachDelta_passesThroughTheSameTrees()
     }
 }
 
-const TestClass<TreeDocumentTest> entered;
+const TestClass<TreeDocumentTest> treeDocumentTest;
 
 } // namespace espalier::test
 

@@ -151,7 +151,7 @@ void EnvelopeMeshTest::thinParts_leaveAMesh()
     QVERIFY(topology(mesh).isClosedManifold());
 }
 
-const TestClass<EnvelopeMeshTest> entered;
+const TestClass<EnvelopeMeshTest> envelopeMeshTest;
 
 } // namespace espalier::test
 

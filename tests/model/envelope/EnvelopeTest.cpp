@@ -580,7 +580,7 @@ void EnvelopeTest::set_leavesOutStrokesThatEncloseNothing()
     QCOMPARE(set->envelopes().size(), std::size_t{1});
 }
 
-const TestClass<EnvelopeTest> entered;
+const TestClass<EnvelopeTest> envelopeTest;
 
 } // namespace espalier::test
 

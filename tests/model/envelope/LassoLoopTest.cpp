@@ -179,7 +179,7 @@ void LassoLoopTest::coplanar_knowsPlanesApart()
     QVERIFY(!coplanar(stroke, other));
 }
 
-const TestClass<LassoLoopTest> entered;
+const TestClass<LassoLoopTest> lassoLoopTest;
 
 } // namespace espalier::test
 

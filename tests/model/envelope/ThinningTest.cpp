@@ -258,7 +258,7 @@ void ThinningTest::axes_keepComponentsAndHoles()
     }
 }
 
-const TestClass<ThinningTest> entered;
+const TestClass<ThinningTest> thinningTest;
 
 } // namespace espalier::test
 

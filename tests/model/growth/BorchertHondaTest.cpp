@@ -225,7 +225,7 @@ void BorchertHondaTest::vigour_doesNotDependOnTheOrderOfQuestions()
     }
 }
 
-const TestClass<BorchertHondaTest> entered;
+const TestClass<BorchertHondaTest> borchertHondaTest;
 
 } // namespace espalier::test
 

@@ -105,7 +105,7 @@ void BudsTest::newInternode_bearsATerminalAndItsLaterals()
     }
 }
 
-const TestClass<BudsTest> entered;
+const TestClass<BudsTest> budsTest;
 
 } // namespace espalier::test
 

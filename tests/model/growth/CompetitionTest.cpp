@@ -353,7 +353,7 @@ void CompetitionTest::markers_keepTheirOrderWhenSomeGo()
     }
 }
 
-const TestClass<CompetitionTest> entered;
+const TestClass<CompetitionTest> competitionTest;
 
 } // namespace espalier::test
 

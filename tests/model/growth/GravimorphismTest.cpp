@@ -206,7 +206,7 @@ void GravimorphismTest::bias_isNeverNegative()
         QVERIFY(gravimorphicBias(randomEllipse(random), random.direction(), random.direction()) >= 0.0);
 }
 
-const TestClass<GravimorphismTest> entered;
+const TestClass<GravimorphismTest> gravimorphismTest;
 
 } // namespace espalier::test
 

@@ -208,7 +208,7 @@ void GrowthIndexTest::gravimorphism_leavesTerminalBudsAlone()
     QVERIFY(terminals() == neutral);
 }
 
-const TestClass<GrowthIndexTest> entered;
+const TestClass<GrowthIndexTest> growthIndexTest;
 
 } // namespace espalier::test
 

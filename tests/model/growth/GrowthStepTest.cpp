@@ -514,7 +514,7 @@ void GrowthStepTest::autonomousStep_goesOnWhereTheStrongestAreHemmedIn()
         QVERIFY(slot != kTerminalSlot);
 }
 
-const TestClass<GrowthStepTest> entered;
+const TestClass<GrowthStepTest> growthStepTest;
 
 } // namespace espalier::test
 

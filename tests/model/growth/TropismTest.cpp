@@ -149,7 +149,7 @@ void TropismTest::vanishingSum_keepsTheHeading()
     QCOMPARE(growthDirection({0.0, 0.0, 1.0}, heading, up(), Vec3::Zero()), heading);
 }
 
-const TestClass<TropismTest> entered;
+const TestClass<TropismTest> tropismTest;
 
 } // namespace espalier::test
 

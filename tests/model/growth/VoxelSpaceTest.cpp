@@ -332,7 +332,7 @@ void VoxelSpaceTest::shaded_areTheOccupiedVoxelsBelowTheCasters()
     QVERIFY(found == expected);
 }
 
-const TestClass<VoxelSpaceTest> entered;
+const TestClass<VoxelSpaceTest> voxelSpaceTest;
 
 } // namespace espalier::test
 

@@ -445,7 +445,7 @@ void ExporterTest::progress_ascendsToOne()
     QCOMPARE(seen.back(), 1.0);
 }
 
-static const TestClass<ExporterTest> entered;
+static const TestClass<ExporterTest> exporterTest;
 
 } // namespace espalier::test
 

@@ -180,7 +180,7 @@ void FbxRepairTest::wrongOffsets_areRefused()
     }
 }
 
-static const TestClass<FbxRepairTest> entered;
+static const TestClass<FbxRepairTest> fbxRepairTest;
 
 } // namespace espalier::test
 

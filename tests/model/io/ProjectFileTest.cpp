@@ -407,7 +407,7 @@ void ProjectFileTest::halfAMillionInternodes_areSavedAndLoadedInSeconds()
     QVERIFY(loaded < 5000);
 }
 
-static const TestClass<ProjectFileTest> entered;
+static const TestClass<ProjectFileTest> projectFileTest;
 
 } // namespace espalier::test
 

@@ -629,7 +629,7 @@ void RecipeTest::sampleRecipes_areRecipes()
     }
 }
 
-static const TestClass<RecipeTest> entered;
+static const TestClass<RecipeTest> recipeTest;
 
 } // namespace espalier::test
 

@@ -105,7 +105,7 @@ void BranchMesherTest::mesh_ofADeadBranch_isGone()
     QVERIFY(again.indices == before.indices);
 }
 
-const TestClass<BranchMesherTest> entered;
+const TestClass<BranchMesherTest> branchMesherTest;
 
 } // namespace espalier::test
 

@@ -158,7 +158,7 @@ void LeafCardTest::expansion_isTheSameOnOneThreadAndMany()
     QVERIFY(single.indices == many.indices);
 }
 
-const TestClass<LeafCardTest> entered;
+const TestClass<LeafCardTest> leafCardTest;
 
 } // namespace espalier::test
 

@@ -360,7 +360,7 @@ void LeafPlacerTest::hue_ofPlacedLeaves_followsVigour()
     }
 }
 
-const TestClass<LeafPlacerTest> entered;
+const TestClass<LeafPlacerTest> leafPlacerTest;
 
 } // namespace espalier::test
 

@@ -493,7 +493,7 @@ void MeshPoolTest::applyAndRevert_overAndOver_needNoMoreRoom()
     QCOMPARE(follower.pool.leaves().size(), leaves);
 }
 
-const TestClass<MeshPoolTest> entered;
+const TestClass<MeshPoolTest> meshPoolTest;
 
 } // namespace espalier::test
 

@@ -306,7 +306,7 @@ void TexturesTest::images_areTheSameOnOneThreadAndMany()
     QVERIFY(all(1) == all(4));
 }
 
-const TestClass<TexturesTest> entered;
+const TestClass<TexturesTest> texturesTest;
 
 } // namespace espalier::test
 

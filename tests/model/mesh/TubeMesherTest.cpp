@@ -490,7 +490,7 @@ void TubeMesherTest::detail_thinsTheMesh()
     QVERIFY(tenth < half);
 }
 
-const TestClass<TubeMesherTest> entered;
+const TestClass<TubeMesherTest> tubeMesherTest;
 
 } // namespace espalier::test
 

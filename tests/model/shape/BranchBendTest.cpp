@@ -230,7 +230,7 @@ void BranchBendTest::collapsedBranch_keepsAHundredthOfItsLength()
     QVERIFY(changes[0].after.coeffs().allFinite());
 }
 
-const TestClass<BranchBendTest> entered;
+const TestClass<BranchBendTest> branchBendTest;
 
 } // namespace espalier::test
 

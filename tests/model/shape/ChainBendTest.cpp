@@ -454,7 +454,7 @@ void ChainBendTest::sameCalls_giveTheSameBits()
     QCOMPARE(one.energy(), other.energy());
 }
 
-const TestClass<ChainBendTest> entered;
+const TestClass<ChainBendTest> chainBendTest;
 
 } // namespace espalier::test
 

@@ -114,7 +114,7 @@ void PruningTest::stub_keepsItsWidthByAConstraint()
     QCOMPARE(widths.radius(builder.index, 3), below);
 }
 
-const TestClass<PruningTest> entered;
+const TestClass<PruningTest> pruningTest;
 
 } // namespace espalier::test
 

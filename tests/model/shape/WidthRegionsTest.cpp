@@ -3,6 +3,7 @@
 
 #include "model/shape/BranchBend.h"
 #include "model/shape/Widths.h"
+#include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -48,11 +49,6 @@ WidthLaw solve(double base, std::initializer_list<double> extremities)
     for (const double d : extremities)
         all.push_back({1.0, std::log(d)});
     return solveWidths(std::log(base), all, 2.2);
-}
-
-double diameter(const Widths& widths, const TreeIndex& index, InternodeId id)
-{
-    return 2.0 * static_cast<double>(widths.radius(index, id));
 }
 
 /// The diameter of @p id for exponent @p n by da Vinci's rule, from each tip and constraint on.
@@ -108,7 +104,7 @@ Constraints randomConstraints(const TreeBuilder& builder, std::size_t count, dou
     Constraints constraints;
     for (const InternodeId id : ids) {
         const double factor = random.uniform(least, most);
-        constraints.push_back({id, static_cast<float>(factor * diameter(widths, builder.index, id))});
+        constraints.push_back({id, static_cast<float>(factor * diameterOf(widths, builder.index, id))});
     }
     return constraints;
 }
@@ -211,7 +207,7 @@ void WidthRegionsTest::radii_areAsByRecursionOverTips()
                 (at(0.5 * (low + high)) > wanted ? low : high) = 0.5 * (low + high);
             for (const InternodeId id : regionOf(builder, constraints, constraint.id)) {
                 const double expected = recursive(builder, constraints, constraint.id, id, low);
-                QVERIFY(std::abs(diameter(widths, builder.index, id) / expected - 1.0) < 2e-6);
+                QVERIFY(std::abs(diameterOf(widths, builder.index, id) / expected - 1.0) < 2e-6);
                 const InternodeId parent = builder.tree.parent(id);
                 if (id != constraint.id)
                     QVERIFY(widths.radius(builder.index, parent) >= widths.radius(builder.index, id));
@@ -222,7 +218,7 @@ void WidthRegionsTest::radii_areAsByRecursionOverTips()
         if (constraints.front().id != 0) {
             for (const InternodeId id : regionOf(builder, constraints, 0)) {
                 const double expected = recursive(builder, constraints, 0, id, n);
-                QVERIFY(std::abs(diameter(widths, builder.index, id) / expected - 1.0) < 2e-6);
+                QVERIFY(std::abs(diameterOf(widths, builder.index, id) / expected - 1.0) < 2e-6);
             }
         }
         for (InternodeId id = 0; id < builder.tree.size(); ++id)
@@ -239,7 +235,7 @@ void WidthRegionsTest::constrainedInternodes_haveTheirDiameters()
         const Widths widths(builder.tree, builder.index, constraints);
         for (const WidthConstraint& constraint : constraints) {
             const auto wanted = static_cast<double>(constraint.diameter);
-            QVERIFY(std::abs(diameter(widths, builder.index, constraint.id) - wanted) <= 1e-6 * wanted);
+            QVERIFY(std::abs(diameterOf(widths, builder.index, constraint.id) - wanted) <= 1e-6 * wanted);
         }
     }
 }
@@ -292,14 +288,14 @@ void WidthRegionsTest::singleTwig_tapersFromItsConstraint()
     const Constraints constraints{{2, 0.192F}};
     const Widths widths(builder.tree, builder.index, constraints);
     const double tipDiameter = builder.tree.parameters().widths.tipDiameter;
-    QVERIFY(std::abs(diameter(widths, builder.index, tip) - tipDiameter) < 1e-8);
+    QVERIFY(std::abs(diameterOf(widths, builder.index, tip) - tipDiameter) < 1e-8);
     const double factor = std::pow(tipDiameter / 0.192, 1.0 / (tip - 2));
     for (InternodeId id = 3; id <= tip; ++id) {
-        const double step = diameter(widths, builder.index, id) / diameter(widths, builder.index, id - 1);
+        const double step = diameterOf(widths, builder.index, id) / diameterOf(widths, builder.index, id - 1);
         QVERIFY(std::abs(step - factor) < 1e-4);
     }
     // Below it, the one extremity carries on.
-    QVERIFY(std::abs(diameter(widths, builder.index, 0) - 0.192) < 1e-6);
+    QVERIFY(std::abs(diameterOf(widths, builder.index, 0) - 0.192) < 1e-6);
 }
 
 void WidthRegionsTest::pathBetweenConstraints_tapersByLength()
@@ -315,7 +311,7 @@ void WidthRegionsTest::pathBetweenConstraints_tapersByLength()
     for (InternodeId id = 1; id <= last; ++id) {
         const double along = id <= 4 ? (id - 1) * 0.1 : 0.3 + (id - 4) * 0.3;
         const double expected = 0.4 * std::pow(0.25, along / length);
-        QVERIFY(std::abs(diameter(widths, builder.index, id) / expected - 1.0) < 1e-5);
+        QVERIFY(std::abs(diameterOf(widths, builder.index, id) / expected - 1.0) < 1e-5);
     }
 }
 
@@ -351,10 +347,10 @@ void WidthRegionsTest::veryThickBase_blends()
     const InternodeId left = builder.growAxis(fork, 0, branching(0.5), 3);
     const InternodeId right = builder.growAxis(fork, kTerminalSlot, continuing(), 3);
     const Widths widths(builder.tree, builder.index, Constraints{{1, 5.0F}});
-    QVERIFY(std::abs(diameter(widths, builder.index, 1) - 5.0) < 1e-5);
+    QVERIFY(std::abs(diameterOf(widths, builder.index, 1) - 5.0) < 1e-5);
     const double tip = builder.tree.parameters().widths.tipDiameter;
-    QVERIFY(std::abs(diameter(widths, builder.index, left) - tip) < 1e-8);
-    QVERIFY(std::abs(diameter(widths, builder.index, right) - tip) < 1e-8);
+    QVERIFY(std::abs(diameterOf(widths, builder.index, left) - tip) < 1e-8);
+    QVERIFY(std::abs(diameterOf(widths, builder.index, right) - tip) < 1e-8);
 }
 
 void WidthRegionsTest::constraintOfNothing_isATwig()
@@ -396,10 +392,10 @@ void WidthRegionsTest::baseDiameter_holdsBelowConstraints()
     Constraints constraints = randomConstraints(builder, 5, 1.0, 1.2, 8);
     std::erase_if(constraints, [](const WidthConstraint& constraint) { return constraint.id < 20; });
     const Widths widths(builder.tree, builder.index, constraints);
-    QVERIFY(std::abs(diameter(widths, builder.index, 0) - 0.25) < 1e-6);
+    QVERIFY(std::abs(diameterOf(widths, builder.index, 0) - 0.25) < 1e-6);
     constraints.insert(constraints.begin(), {0, 0.4F});
     const Widths held(builder.tree, builder.index, constraints);
-    QVERIFY(std::abs(diameter(held, builder.index, 0) - 0.4) < 1e-6);
+    QVERIFY(std::abs(diameterOf(held, builder.index, 0) - 0.4) < 1e-6);
 }
 
 void WidthRegionsTest::hostileConstraints_giveFiniteRadii()
@@ -425,7 +421,7 @@ void WidthRegionsTest::hostileConstraints_giveFiniteRadii()
     }
 }
 
-const TestClass<WidthRegionsTest> entered;
+const TestClass<WidthRegionsTest> widthRegionsTest;
 
 } // namespace espalier::test
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/shape/Widths.h"
 
+#include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -26,15 +27,6 @@ private Q_SLOTS:
     void dead_haveNoWidth();
     void radii_onBothSidesOfTheTable_agree();
 };
-
-namespace {
-
-double diameter(const Widths& widths, const TreeIndex& index, InternodeId id)
-{
-    return 2.0 * static_cast<double>(widths.radius(index, id));
-}
-
-} // namespace
 
 void WidthsTest::exponent_ofSixteenTwigsOnAFourfoldBase_isTwo()
 {
@@ -85,10 +77,11 @@ void WidthsTest::radii_keepDaVincisRuleAtEveryFork()
             double sum = 0.0;
             for (InternodeId child = builder.index.firstChild(id); child != kNoInternode;
                  child = builder.index.nextSibling(child))
-                sum += std::pow(diameter(widths, builder.index, child), exponent);
-            const double own = std::pow(diameter(widths, builder.index, id), exponent);
+                sum += std::pow(diameterOf(widths, builder.index, child), exponent);
+            const double own = std::pow(diameterOf(widths, builder.index, id), exponent);
             if (builder.index.firstChild(id) == kNoInternode)
-                QVERIFY(std::abs(diameter(widths, builder.index, id) - parameters.widths.tipDiameter) < 1e-9);
+                QVERIFY(std::abs(diameterOf(widths, builder.index, id) - parameters.widths.tipDiameter) <
+                        1e-9);
             else
                 QVERIFY(std::abs(own - sum) <= 1e-5 * own); // of float radii
         }
@@ -103,7 +96,7 @@ void WidthsTest::base_hasTheDiameterAskedFor()
         const TreeBuilder builder = randomTree(2000, 2, parameters);
         const Widths widths(builder.tree, builder.index);
         QVERIFY(widths.exponent() > 0.5 && widths.exponent() < 10.0);
-        QVERIFY(std::abs(diameter(widths, builder.index, 0) - base) < 1e-6 * base + 1e-9);
+        QVERIFY(std::abs(diameterOf(widths, builder.index, 0) - base) < 1e-6 * base + 1e-9);
     }
 }
 
@@ -144,7 +137,7 @@ void WidthsTest::radii_onBothSidesOfTheTable_agree()
     }
 }
 
-const TestClass<WidthsTest> entered;
+const TestClass<WidthsTest> widthsTest;
 
 } // namespace espalier::test
 

@@ -60,7 +60,7 @@ void AncestorSweepTest::nothingMarked_visitsNothing()
     sweep.run({}, [](InternodeId, InternodeId) { QFAIL("nothing was marked"); });
 }
 
-const TestClass<AncestorSweepTest> entered;
+const TestClass<AncestorSweepTest> ancestorSweepTest;
 
 } // namespace espalier::test
 

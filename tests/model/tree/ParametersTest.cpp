@@ -72,7 +72,7 @@ void ParametersTest::directionWeights_addUpToOne()
     QVERIFY(std::abs(p.axisWeight + p.tropismWeight + p.spaceWeight - 1.0) < 1e-12);
 }
 
-const TestClass<ParametersTest> entered;
+const TestClass<ParametersTest> parametersTest;
 
 } // namespace espalier::test
 

@@ -175,7 +175,7 @@ void TreeIndexTest::longAxis_staysStraightAndUnitLength()
     QVERIFY(std::abs(builder.index.nodePosition(tip).y() - 2000.1F) < 2.0F);
 }
 
-const TestClass<TreeIndexTest> entered;
+const TestClass<TreeIndexTest> treeIndexTest;
 
 } // namespace espalier::test
 

@@ -303,7 +303,7 @@ void TreeTest::emptyDelta_isEmpty()
     QVERIFY(!builder.journal.back().isEmpty());
 }
 
-const TestClass<TreeTest> entered;
+const TestClass<TreeTest> treeTest;
 
 } // namespace espalier::test
 
