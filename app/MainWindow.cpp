@@ -33,12 +33,10 @@ constexpr int kThumbnailEdge = 256;
 /// ms between two looks at whether a growing tree is still in sight.
 constexpr int kFollowInterval = 400;
 
-/// The middle of what the viewport shows, without the brush.
+/// The middle of what the viewport shows.
 QImage thumbnailOf(Viewport& viewport)
 {
-    QEvent leave(QEvent::Leave);
-    QCoreApplication::sendEvent(&viewport, &leave);
-    const QImage whole = viewport.grabFramebuffer();
+    const QImage whole = viewport.grabPicture();
     const int edge = std::min(whole.width(), whole.height());
     const QRect middle((whole.width() - edge) / 2, (whole.height() - edge) / 2, edge, edge);
     return whole.copy(middle).scaled(kThumbnailEdge, kThumbnailEdge, Qt::KeepAspectRatio,

@@ -280,6 +280,15 @@ void Viewport::initializeGL()
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGl, Qt::UniqueConnection);
 }
 
+QImage Viewport::grabPicture()
+{
+    grabFramebuffer(); // draws what has not been drawn
+    makeCurrent();
+    QImage picture = m_picture->readImage();
+    doneCurrent();
+    return picture;
+}
+
 void Viewport::releaseGl()
 {
     if (!m_renderer)

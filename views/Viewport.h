@@ -67,6 +67,9 @@ public:
     /// A key for the tool, between gestures; whether it meant something to it.
     bool keyForTool(int key);
 
+    /// What it shows of the tree, without what tools and the sun's ball show over it.
+    QImage grabPicture();
+
     /// Whether nothing moves and the picture is as good as it gets.
     bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld && !isRefining(); }
 
