@@ -232,7 +232,8 @@ void MainWindow::connectView()
         show();
     }
 
-    const ActionId sheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet};
+    const ActionId sheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet,
+                               ActionId::Background};
     auto* group = new QActionGroup(this);
     group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     for (const ActionId id : sheets)
@@ -333,7 +334,8 @@ void MainWindow::cancel()
         m_document.setCompetitors({});
         return;
     }
-    for (const ActionId id : {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet}) {
+    for (const ActionId id :
+         {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet, ActionId::Background}) {
         if (m_actions[id]->isChecked())
             m_actions[id]->trigger();
     }

@@ -2,6 +2,7 @@
 #include "app/Workspace.h"
 
 #include "app/TreeCounts.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
@@ -39,6 +40,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_growPopOut(new GrowPopOut(document, this)),
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
+      m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
@@ -86,6 +88,13 @@ void Workspace::showSheet(int index)
     arrange();
 }
 
+QWidget* Workspace::openSheet() const
+{
+    if (m_sheet == kSheetCount)
+        return m_background;
+    return m_sheet >= 0 && m_sheet < kSheetCount ? m_sheets[static_cast<std::size_t>(m_sheet)] : nullptr;
+}
+
 void Workspace::showHistory(bool shown)
 {
     m_isHistoryShown = shown;
@@ -101,8 +110,8 @@ void Workspace::setInterfaceHidden(bool hidden)
 void Workspace::focusNextPane()
 {
     QWidget* pane = m_sideBar;
-    if (m_sheet >= 0 && m_sheet < kSheetCount)
-        pane = &sheet(m_sheet);
+    if (QWidget* sheet = openSheet())
+        pane = sheet;
     if (!m_viewport->hasFocus() || !pane->isVisible()) {
         m_viewport->setFocus();
         return;
@@ -149,15 +158,15 @@ void Workspace::arrange()
     m_sideBar->setVisible(shown);
     const int x = m_sideBar->geometry().right() + 1 + kGap;
 
-    for (int i = 0; i < kSheetCount; ++i) {
-        ParameterPanel& panel = sheet(i);
-        panel.setVisible(shown && i == m_sheet);
-        if (i != m_sheet)
-            continue;
-        const QSize wanted = panel.sizeHint();
+    QWidget* open = openSheet();
+    for (ParameterPanel* panel : m_sheets)
+        panel->setVisible(shown && panel == open);
+    m_background->setVisible(shown && m_background == open);
+    if (open) {
+        const QSize wanted = open->sizeHint();
         const int room = width() - x - kGap;
-        panel.setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
-        y = panel.geometry().bottom() + 1 + kGap;
+        open->setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
+        y = open->geometry().bottom() + 1 + kGap;
     }
 
     m_viewport->setFrameMargins({0, y - kGap, 0, kStatusHeight});

@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace espalier {
 
+class BackgroundPanel;
 class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
@@ -32,7 +33,7 @@ class Workspace : public QWidget {
 
 public:
     enum class PopOut { None, Brush, Grow, Bend, Lasso };
-    static constexpr int kSheetCount = 3;
+    static constexpr int kSheetCount = 3; ///< Of parameters; the background's is the next
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
               std::function<void(QMenu&)> fillRecentFiles, QWidget* parent = nullptr);
@@ -44,11 +45,12 @@ public:
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
     ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
 
+    BackgroundPanel& background() { return *m_background; }
     HistoryPanel& history() { return *m_history; }
 
     void showPopOut(PopOut popOut);
     void showHistory(bool shown);
-    /// 0...kSheetCount - 1; any other number shows none.
+    /// 0...kSheetCount, the last of which is the background's; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
     void setInterfaceHidden(bool hidden);
@@ -61,6 +63,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    /// The sheet that is open, or null.
+    QWidget* openSheet() const;
     void arrange();
     void showCounts();
 
@@ -73,6 +77,7 @@ private:
     BendPopOut* m_bendPopOut;
     LassoPopOut* m_lassoPopOut;
     std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    BackgroundPanel* m_background;
     HistoryPanel* m_history;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows

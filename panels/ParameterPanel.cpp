@@ -4,23 +4,17 @@
 #include "model/io/ParametersJson.h"
 #include "panels/ParameterRow.h"
 #include "panels/ParameterValue.h"
-#include "panels/Theme.h"
+#include "panels/SheetScroll.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QScopedValueRollback>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
-#include <QWheelEvent>
 
 #include <cstring>
 
 namespace espalier {
 
 namespace {
-
-constexpr int kColumnWidth = 196;
 
 /// Whether existing wood shows a change of that parameter at once.
 bool showsAtOnce(const char* key)
@@ -49,35 +43,6 @@ void reconcile(TreeParameters& parameters, std::string_view changed)
     const double most = 0.95 * growth.ellipseVertical;
     growth.ellipseOffset = std::clamp(growth.ellipseOffset, -most, most);
 }
-
-/// Room for the scroll bar below the rows.
-constexpr int kScrollBarHeight = 6;
-
-/// Scrolls sideways where the window is too narrow, and is exactly as high as what it shows.
-class Sideways : public QScrollArea {
-public:
-    explicit Sideways(QWidget* content, QWidget* parent) : QScrollArea(parent)
-    {
-        setFrameShape(QFrame::NoFrame);
-        setFocusPolicy(Qt::NoFocus);
-        setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-        setWidgetResizable(true);
-        setWidget(content);
-    }
-
-    QSize sizeHint() const override { return widget()->sizeHint() + QSize(0, kScrollBarHeight); }
-    QSize minimumSizeHint() const override { return {100, sizeHint().height()}; }
-
-protected:
-    void wheelEvent(QWheelEvent* event) override
-    {
-        const QPoint turned = event->angleDelta();
-        horizontalScrollBar()->setValue(horizontalScrollBar()->value() -
-                                        (turned.y() != 0 ? turned.y() : turned.x()));
-        event->accept();
-    }
-};
 
 } // namespace
 
@@ -120,27 +85,17 @@ void ParameterPanel::build(ParameterSheet sheet)
 
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(1, 1, 1, 1);
-    whole->addWidget(new Sideways(content, this));
+    whole->addWidget(new SheetScroll(content, this));
 }
 
 QWidget* ParameterPanel::makeSection(const ParameterSection& section, QWidget* parent)
 {
     auto* box = new QWidget(parent);
-    box->setFixedWidth(kColumnWidth);
+    box->setFixedWidth(kSheetColumn);
     auto* lines = new QVBoxLayout(box);
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(2);
-    auto* title = new QLabel(parameterTr(section.title), box);
-    QFont bold = title->font();
-    bold.setBold(true);
-    title->setFont(bold);
-    // For all states: a panel that rests during a stroke shall not flicker.
-    QPalette bright = title->palette();
-    bright.setColor(QPalette::WindowText, theme::kText);
-    title->setPalette(bright);
-    title->setFixedHeight(24);
-    title->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    lines->addWidget(title);
+    lines->addWidget(sheetTitle(parameterTr(section.title), box));
     for (const ParameterText& text : section.parameters) {
         addRow(text, box);
         lines->addWidget(m_rows.back());

@@ -31,11 +31,11 @@ float smoothGrain(vec2 p)
 float gridLines(vec2 world)
 {
     vec2 pixel = fwidth(world);
-    vec2 fine = 1.0 - smoothstep(0.5, 1.5, abs(fract(world + 0.5) - 0.5) / pixel);
-    vec2 coarse = 1.0 - smoothstep(0.8, 1.8, 10.0 * abs(fract(0.1 * world + 0.5) - 0.5) / pixel);
+    vec2 fine = 1.0 - smoothstep(0.2, 1.0, abs(fract(world + 0.5) - 0.5) / pixel);
+    vec2 coarse = 1.0 - smoothstep(0.3, 1.2, 10.0 * abs(fract(0.1 * world + 0.5) - 0.5) / pixel);
     // Far away they would be nothing but noise.
     vec2 apart = 1.0 - smoothstep(0.15, 0.5, pixel);
-    return max(0.3 * max(fine.x * apart.x, fine.y * apart.y), 0.6 * max(coarse.x, coarse.y));
+    return max(0.28 * max(fine.x * apart.x, fine.y * apart.y), 0.5 * max(coarse.x, coarse.y));
 }
 
 void main()

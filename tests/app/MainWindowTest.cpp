@@ -741,6 +741,10 @@ void MainWindowTest::sheets_opensOneAtATime()
     QVERIFY(workspace.sheet(0).isVisible());
     action(ActionId::LeafSheet)->trigger();
     QVERIFY(!workspace.sheet(0).isVisible() && workspace.sheet(1).isVisible());
+    action(ActionId::Background)->trigger();
+    QVERIFY(!workspace.sheet(1).isVisible() && workspace.background().isVisible());
+    action(ActionId::LeafSheet)->trigger();
+    QVERIFY(!workspace.background().isVisible());
     QTest::keyClick(handle(), Qt::Key_Escape);
     QTRY_VERIFY(!workspace.sheet(1).isVisible());
 }

@@ -132,10 +132,13 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
     m_gl.glDisable(GL_BLEND);
     drawTree(options);
     // What the tree covers need not be drawn.
+    const bool isTracing = !options.background && !options.view.tracing.file.isEmpty();
     if (!options.background)
-        drawBackground(camera, options);
+        drawBackground();
     if (m_frame.foot[1] > 0.0F || m_frame.foot[2] > 0.0F)
-        drawGround();
+        drawGround(!isTracing);
+    if (isTracing)
+        drawTracing(camera, options);
     target.finish(pass);
     // What is drawn over the picture shall not tremble from pass to pass.
     m_frame.viewProjection = m_frame.centredViewProjection;
@@ -235,19 +238,28 @@ void Renderer::sendFrame()
     m_gl.glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_uniformBuffer.name());
 }
 
-void Renderer::drawBackground(const Camera& camera, const RenderOptions& options)
+void Renderer::drawBackground()
 {
     m_gl.glDepthFunc(GL_LEQUAL);
     m_gl.glDepthMask(GL_FALSE);
     m_gl.glBindVertexArray(m_noVertices.get());
     m_backgroundProgram->bind();
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDepthFunc(GL_LESS);
+}
+
+/// Over the ground too, which would hide most of a picture that is seen level.
+void Renderer::drawTracing(const Camera& camera, const RenderOptions& options)
+{
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_FALSE);
     m_tracing.draw(options.view.tracing, camera);
     m_gl.glDepthMask(GL_TRUE);
     m_gl.glDepthFunc(GL_LESS);
 }
 
-void Renderer::drawGround()
+void Renderer::drawGround(bool hides)
 {
     bindTexture(kSharpUnit, GL_TEXTURE_2D, m_shadows.sharpGround());
     bindTexture(kSoftUnit, GL_TEXTURE_2D, m_shadows.softGround());
@@ -255,7 +267,7 @@ void Renderer::drawGround()
     m_gl.glEnable(GL_BLEND);
     m_gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     // From below the ground is not seen and hides nothing.
-    m_gl.glDepthMask(m_frame.eye[1] > 0.0F ? GL_TRUE : GL_FALSE);
+    m_gl.glDepthMask(hides && m_frame.eye[1] > 0.0F ? GL_TRUE : GL_FALSE);
     m_gl.glBindVertexArray(m_noVertices.get());
     m_groundProgram->bind();
     m_gl.glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

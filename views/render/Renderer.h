@@ -36,8 +36,10 @@ private:
     void updateShadows(const TreeScene& scene, const Camera& camera, const RenderOptions& options);
     void fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options,
                    const QSize& size, int pass);
-    void drawBackground(const Camera& camera, const RenderOptions& options);
-    void drawGround();
+    void drawBackground();
+    /// @p hides: what is below it.
+    void drawGround(bool hides);
+    void drawTracing(const Camera& camera, const RenderOptions& options);
     void drawTree(const RenderOptions& options);
     void sendFrame();
     void bindTexture(int unit, GLenum kind, GLuint texture);
