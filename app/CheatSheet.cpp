@@ -65,6 +65,7 @@ CheatSheet::CheatSheet(QWidget* parent) : QDialog(parent)
         {tr("Nearer, farther"), {tr("wheel")}},
         {tr("Brush size"), {tr("Ctrl + wheel")}},
         {tr("One bud alone grows"), {tr("Alt + click")}},
+        {tr("Light"), {tr("drag the sun")}},
     };
     const QList<Line> touch{
         {tr("Use the tool"), {tr("one finger"), tr("pen")}},

@@ -40,7 +40,7 @@ struct TracingImage {
     static constexpr double kMaxHeight = 100.0; ///< m
     static constexpr double kMaxOffset = 100.0; ///< m
 
-    QString file;         ///< Empty for none
+    QString file{};       ///< Empty for none
     double right = 0.0;   ///< m, of its middle from the seedling, −kMaxOffset...kMaxOffset
     double up = 1.5;      ///< m, likewise
     double height = 3.0;  ///< m, 0.01...kMaxHeight; its width follows
@@ -67,7 +67,7 @@ struct ViewValues {
     Backdrop backdrop = Backdrop::Studio;
     QColor backgroundColour{92, 98, 104}; ///< Of Plain; of Gradient at the lower edge
     QColor backgroundTop{188, 202, 214};  ///< Of Gradient at the upper edge
-    TracingImage tracing;
+    TracingImage tracing{};
     /// rad from +Z (front) toward +X (right); of a pinned sun, from the camera toward its right.
     double sunAzimuth = radians(58);
     double sunElevation = radians(48); ///< rad above the horizon, kLeastSunElevation...90°

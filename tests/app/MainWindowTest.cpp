@@ -3,6 +3,7 @@
 
 #include "app/CheatSheet.h"
 #include "commands/GrowGesture.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
