@@ -80,9 +80,17 @@ CheatSheet::CheatSheet(QWidget* parent) : QDialog(parent)
         {tr("Move"), {tr("Shift + arrows")}},
         {tr("Nearer, farther"), {QStringLiteral("+"), QStringLiteral("-")}},
     };
+    const QList<Line> controls{
+        {tr("From one to the next"), {QStringLiteral("Tab")}},
+        {tr("Change"), {tr("drag"), tr("arrows"), tr("type")}},
+        {tr("Finely, coarsely"), {tr("Shift + arrows"), tr("Page up, down")}},
+        {tr("Back to the default"), {tr("double click"), QStringLiteral("Del")}},
+        {tr("Take a drag back"), {QStringLiteral("Esc")}},
+    };
     const QStringList columns{
         actionSection(ActionGroup::Tools) + actionSection(ActionGroup::Edit),
-        actionSection(ActionGroup::View) + section(tr("Camera, while brushing too"), keys),
+        actionSection(ActionGroup::View) + section(tr("Camera, while brushing too"), keys) +
+            section(tr("Sliders and handles"), controls),
         section(tr("Mouse"), mouse) + section(tr("Touch and pen"), touch),
         actionSection(ActionGroup::File) + actionSection(ActionGroup::Window),
     };

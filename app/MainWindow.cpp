@@ -6,6 +6,7 @@
 #include "app/LassoTool.h"
 #include "app/RecipeTool.h"
 #include "app/TreeCounts.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
@@ -355,8 +356,11 @@ void MainWindow::updateEnabled()
     // Only one thing at a time may change the document.
     m_workspace->growPopOut().setEnabled(!m_recipeRunner.isRunning() &&
                                          !m_workspace->viewport().isGestureActive());
-    for (int i = 0; i < Workspace::kSheetCount; ++i)
-        m_workspace->sheet(i).setEnabled(!isBusy());
+    for (int i = 0; i < Workspace::kSheetCount; ++i) {
+        // What changes the view alone is never in the way.
+        if (&m_workspace->sheet(i) != &m_workspace->background())
+            m_workspace->sheet(i).setEnabled(!isBusy());
+    }
     m_workspace->history().setEnabled(!isBusy());
 }
 

@@ -12,6 +12,7 @@
 #include "panels/ParameterPanel.h"
 #include "panels/RotationStrip.h"
 #include "panels/Theme.h"
+#include "panels/architecture/ArchitecturePanel.h"
 #include "views/Viewport.h"
 
 #include <QLabel>
@@ -40,6 +41,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_growPopOut(new GrowPopOut(document, this)),
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
+      m_architecture(new ArchitecturePanel(document, this)),
       m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_strip(new RotationStrip(this)),
@@ -48,10 +50,9 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_counts(new QLabel(this)),
       m_tip(new QLabel(this))
 {
-    const ParameterSheet sheets[] = {ParameterSheet::Architecture, ParameterSheet::Leaves,
-                                     ParameterSheet::Branches};
-    for (std::size_t i = 0; i < m_sheets.size(); ++i)
-        m_sheets[i] = new ParameterPanel(document, sheets[i], this);
+    m_sheets = {m_architecture, new ParameterPanel(document, ParameterSheet::Leaves, this),
+                new ParameterPanel(document, ParameterSheet::Branches, this), m_background};
+    connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
     for (QLabel* label : {m_counts, m_tip}) {
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
         QPalette dim = label->palette();
@@ -88,13 +89,6 @@ void Workspace::showSheet(int index)
     arrange();
 }
 
-QWidget* Workspace::openSheet() const
-{
-    if (m_sheet == kSheetCount)
-        return m_background;
-    return m_sheet >= 0 && m_sheet < kSheetCount ? m_sheets[static_cast<std::size_t>(m_sheet)] : nullptr;
-}
-
 void Workspace::showHistory(bool shown)
 {
     m_isHistoryShown = shown;
@@ -110,14 +104,14 @@ void Workspace::setInterfaceHidden(bool hidden)
 void Workspace::focusNextPane()
 {
     QWidget* pane = m_sideBar;
-    if (QWidget* sheet = openSheet())
-        pane = sheet;
+    if (m_sheet >= 0 && m_sheet < kSheetCount)
+        pane = &sheet(m_sheet);
     if (!m_viewport->hasFocus() || !pane->isVisible()) {
         m_viewport->setFocus();
         return;
     }
     for (QWidget* widget : pane->findChildren<QWidget*>()) {
-        if (widget->isEnabled() && widget->focusPolicy() & Qt::TabFocus) {
+        if (widget->isEnabled() && widget->isVisible() && widget->focusPolicy() & Qt::TabFocus) {
             widget->setFocus(Qt::ShortcutFocusReason);
             return;
         }
@@ -158,15 +152,20 @@ void Workspace::arrange()
     m_sideBar->setVisible(shown);
     const int x = m_sideBar->geometry().right() + 1 + kGap;
 
-    QWidget* open = openSheet();
-    for (ParameterPanel* panel : m_sheets)
-        panel->setVisible(shown && panel == open);
-    m_background->setVisible(shown && m_background == open);
-    if (open) {
-        const QSize wanted = open->sizeHint();
+    for (int i = 0; i < kSheetCount; ++i) {
+        Bar& panel = sheet(i);
+        panel.setVisible(shown && i == m_sheet);
+        if (i != m_sheet)
+            continue;
         const int room = width() - x - kGap;
-        open->setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
-        y = open->geometry().bottom() + 1 + kGap;
+        if (&panel == m_architecture) {
+            m_architecture->fit({room, height()});
+            panel.move(x, y);
+        } else {
+            const QSize wanted = panel.sizeHint();
+            panel.setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
+        }
+        y = panel.geometry().bottom() + 1 + kGap;
     }
 
     m_viewport->setFrameMargins({0, y - kGap, 0, kStatusHeight});

@@ -15,14 +15,15 @@ class QPushButton;
 
 namespace espalier {
 
+class ArchitecturePanel;
 class BackgroundPanel;
+class Bar;
 class BendPopOut;
 class BrushPopOut;
 class GrowPopOut;
 class HistoryPanel;
 class LassoPopOut;
 class Notice;
-class ParameterPanel;
 class RotationStrip;
 class Viewport;
 
@@ -33,7 +34,7 @@ class Workspace : public QWidget {
 
 public:
     enum class PopOut { None, Brush, Grow, Bend, Lasso };
-    static constexpr int kSheetCount = 3; ///< Of parameters; the background's is the next
+    static constexpr int kSheetCount = 4;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
               std::function<void(QMenu&)> fillRecentFiles, QWidget* parent = nullptr);
@@ -43,14 +44,15 @@ public:
     Notice& notice() { return *m_notice; }
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
-    ParameterPanel& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
+    Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
+    ArchitecturePanel& architecture() { return *m_architecture; }
 
     BackgroundPanel& background() { return *m_background; }
     HistoryPanel& history() { return *m_history; }
 
     void showPopOut(PopOut popOut);
     void showHistory(bool shown);
-    /// 0...kSheetCount, the last of which is the background's; any other number shows none.
+    /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
     void setInterfaceHidden(bool hidden);
@@ -63,8 +65,6 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// The sheet that is open, or null.
-    QWidget* openSheet() const;
     void arrange();
     void showCounts();
 
@@ -76,8 +76,9 @@ private:
     GrowPopOut* m_growPopOut;
     BendPopOut* m_bendPopOut;
     LassoPopOut* m_lassoPopOut;
-    std::array<ParameterPanel*, kSheetCount> m_sheets{};
+    ArchitecturePanel* m_architecture;
     BackgroundPanel* m_background;
+    std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows

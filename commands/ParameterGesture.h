@@ -21,6 +21,8 @@ public:
     void tryOut(const TreeParameters& parameters, const QString& text);
     /// The next trial begins another gesture.
     void finish() { m_command.reset(); }
+    /// Takes back what the gesture has put in force, undo step and all.
+    void cancel() { takeBack(); }
 
 private:
     class TrialCommand;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/BackgroundPanel.h"
 
-#include "panels/ParameterRow.h"
-#include "panels/SheetScroll.h"
+#include "panels/Sideways.h"
 #include "panels/Theme.h"
+#include "panels/ViewRow.h"
 
 #include <QColorDialog>
 #include <QFileDialog>
@@ -58,6 +58,7 @@ double shownAzimuth(const ViewValues& values)
 
 constexpr auto kLinear = ParameterText::Scale::Linear;
 constexpr auto kLogarithmic = ParameterText::Scale::Logarithmic;
+constexpr int kColumnWidth = 196;     ///< px
 constexpr double kMostTracing = 20.0; ///< m; sliders go no farther
 
 // In columns, from left to right.
@@ -177,7 +178,7 @@ BackgroundPanel::BackgroundPanel(ViewSettings& settings, QWidget* parent)
 
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(1, 1, 1, 1);
-    whole->addWidget(new SheetScroll(m_content, this));
+    whole->addWidget(new Sideways(m_content, this));
     connect(&settings, &ViewSettings::changed, this, &BackgroundPanel::showValues);
     showValues();
 }
@@ -188,21 +189,21 @@ QVBoxLayout* BackgroundPanel::addColumn(const QString& title)
     if (columns->count() > 0)
         columns->addWidget(barSeparator(Qt::Vertical, m_content));
     auto* box = new QWidget(m_content);
-    box->setFixedWidth(kSheetColumn);
+    box->setFixedWidth(kColumnWidth);
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    column->addWidget(sheetTitle(title, box));
+    column->addWidget(barHeading(title, box));
     columns->addWidget(box);
     return column;
 }
 
 void BackgroundPanel::addRow(QVBoxLayout& column, std::size_t field)
 {
-    auto* row = new ParameterRow(kFields[field].info, kFields[field].text, column.parentWidget());
+    auto* row = new ViewRow({kFields[field].info, kFields[field].text}, column.parentWidget());
     column.addWidget(row);
     m_rows[field] = row;
-    connect(row, &ParameterRow::edited, this, [this, field](double value) {
+    connect(row, &ViewRow::edited, this, [this, field](double value) {
         ViewValues values = m_settings.values();
         kFields[field].set(values, value);
         m_settings.setValues(values);
@@ -237,10 +238,10 @@ void BackgroundPanel::addTracing(QVBoxLayout& column)
     place->addStretch();
 }
 
-ParameterRow* BackgroundPanel::row(const char* key) const
+ViewRow* BackgroundPanel::row(const char* key) const
 {
-    const auto found = std::ranges::find_if(
-        m_rows, [&](const ParameterRow* row) { return std::strcmp(row->key(), key) == 0; });
+    const auto found =
+        std::ranges::find_if(m_rows, [&](const ViewRow* row) { return std::strcmp(row->key(), key) == 0; });
     return found == m_rows.end() ? nullptr : *found;
 }
 
@@ -299,7 +300,7 @@ void BackgroundPanel::showValues()
     const bool isThere = file.isEmpty() || QImageReader(file).canRead();
     const QString name = QFileInfo(file).fileName();
     const QString told = isThere ? name : tr("%1 cannot be read.").arg(name);
-    m_tracingName->setText(m_tracingName->fontMetrics().elidedText(told, Qt::ElideMiddle, kSheetColumn));
+    m_tracingName->setText(m_tracingName->fontMetrics().elidedText(told, Qt::ElideMiddle, kColumnWidth));
     m_tracingName->setToolTip(told);
 }
 

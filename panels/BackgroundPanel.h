@@ -12,7 +12,7 @@ class QVBoxLayout;
 
 namespace espalier {
 
-class ParameterRow;
+class ViewRow;
 
 /// What is around the tree: what stands behind it, the ground, the sun, a picture to draw after. All of it
 /// belongs to the view: it shows at once, and nothing of it is undone.
@@ -23,7 +23,7 @@ public:
     explicit BackgroundPanel(ViewSettings& settings, QWidget* parent = nullptr);
 
     /// The row of that name ("view.sunElevation" and so on), or null.
-    ParameterRow* row(const char* key) const;
+    ViewRow* row(const char* key) const;
     /// Shows the picture of that file behind the tree, in the place of the one before; none if empty. Says so
     /// if it cannot be read.
     void trace(const QString& file);
@@ -40,7 +40,7 @@ private:
 
     ViewSettings& m_settings;
     QWidget* m_content;
-    std::vector<ParameterRow*> m_rows; ///< As the fields, in the .cpp
+    std::vector<ViewRow*> m_rows; ///< As the fields, in the .cpp
     QPushButton* m_colour = nullptr;
     QPushButton* m_topColour = nullptr;
     QPushButton* m_remove = nullptr;

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QFrame>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPainter>
 
 namespace espalier {
@@ -102,6 +103,21 @@ QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent)
     else
         line->setFixedWidth(1);
     return line;
+}
+
+QLabel* barHeading(const QString& text, QWidget* parent)
+{
+    auto* title = new QLabel(text, parent);
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+    // For all states: a panel that rests during a stroke shall not flicker.
+    QPalette bright = title->palette();
+    bright.setColor(QPalette::WindowText, theme::kText);
+    title->setPalette(bright);
+    title->setFixedHeight(24);
+    title->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    return title;
 }
 
 } // namespace espalier

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 class QAction;
+class QLabel;
 
 namespace espalier {
 
@@ -50,5 +51,7 @@ private:
 
 /// A thin line between groups of buttons.
 QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent);
+/// A heading above controls that belong together.
+QLabel* barHeading(const QString& text, QWidget* parent);
 
 } // namespace espalier

@@ -1,57 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterRow.h"
 
+#include "panels/ParameterEditor.h"
+#include "panels/ParameterNumber.h"
+#include "panels/ParameterSlider.h"
 #include "panels/Theme.h"
 #include "panels/Toggle.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
-#include <cmath>
+#include <cstring>
+#include <utility>
 
 namespace espalier {
 
 namespace {
 
-constexpr int kSliderSteps = 1000;
 constexpr int kRowHeight = 42;
 
 /// Takes the wheel only while it has the focus: a panel is scrolled past it.
-template <class Base>
-class Patient : public Base {
+class PatientChoice : public QComboBox {
 public:
-    using Base::Base;
+    using QComboBox::QComboBox;
 
 protected:
     void wheelEvent(QWheelEvent* event) override
     {
-        if (this->hasFocus())
-            Base::wheelEvent(event);
+        if (hasFocus())
+            QComboBox::wheelEvent(event);
         else
             event->ignore();
     }
 };
 
+/// Whether existing wood shows a change of that parameter at once.
+bool showsAtOnce(const char* key)
+{
+    return std::strncmp(key, "growth.", 7) != 0;
+}
+
 } // namespace
 
-ParameterRow::ParameterRow(const ParameterInfo& info, const ParameterText& text, QWidget* parent)
-    : QWidget(parent), m_info(info), m_text(text)
+ParameterRow::ParameterRow(ParameterEditor& editor, const ParameterText& text, QWidget* parent)
+    : QWidget(parent), m_editor(editor), m_scale(ParameterScale::of(text.key))
 {
-    setObjectName(QString::fromLatin1(info.key));
+    setObjectName(QString::fromLatin1(text.key));
     setAccessibleName(parameterTr(text.label));
-    m_rest.setSingleShot(true);
-    m_rest.setInterval(600);
-    connect(&m_rest, &QTimer::timeout, this, &ParameterRow::gestureEnded);
-    switch (info.quantity) {
+    setAccessibleDescription(parameterTr(text.tip));
+    setToolTip(explanation(text));
+    setWhatsThis(toolTip());
+    switch (m_scale.info().quantity) {
     case Quantity::Switch:
         makeSwitch();
         break;
@@ -61,29 +68,16 @@ ParameterRow::ParameterRow(const ParameterInfo& info, const ParameterText& text,
     default:
         makeSlider();
     }
-    setToolTip(toolTipText());
-}
-
-QString ParameterRow::labelText() const
-{
-    QString symbol = QString::fromUtf8(m_text.symbol);
-    if (const auto underscore = symbol.indexOf(QLatin1Char('_')); underscore > 0)
-        symbol = QStringLiteral("%1<sub>%2</sub>").arg(symbol.left(underscore), symbol.mid(underscore + 1));
-    const QString label = parameterTr(m_text.label).toHtmlEscaped();
-    if (symbol.isEmpty())
-        return label;
-    return QStringLiteral("%1 <span style='color:%2'>%3</span>").arg(label, theme::kFaintText.name(), symbol);
-}
-
-QString ParameterRow::toolTipText() const
-{
-    // Rich text wraps.
-    return QStringLiteral("<b>%1</b><br>%2").arg(labelText(), parameterTr(m_text.tip).toHtmlEscaped());
+    m_value = m_editor.value(text.key);
+    present();
+    connect(&editor, &ParameterEditor::shownChanged, this, &ParameterRow::follow);
+    connect(&editor, &ParameterEditor::overtaken, this,
+            [this] { m_isTakenBack = std::exchange(m_isDragging, false); });
 }
 
 QLabel* ParameterRow::makeLabel()
 {
-    auto* label = new QLabel(labelText(), this);
+    auto* label = new QLabel(richLabel(m_scale.text()), this);
     label->setTextFormat(Qt::RichText);
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
     QPalette dim = label->palette();
@@ -100,6 +94,7 @@ bool ParameterRow::event(QEvent* event)
     // The whole row drags the slider: its handle alone is small for a finger.
     switch (event->type()) {
     case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
         // What the slider does not want comes back here.
@@ -123,31 +118,11 @@ bool ParameterRow::event(QEvent* event)
 void ParameterRow::makeSlider()
 {
     QLabel* label = makeLabel();
+    m_number = new ParameterNumber(m_scale, this);
 
-    m_number = new Patient<QDoubleSpinBox>(this);
-    m_number->setProperty("bare", true);
-    m_number->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    m_number->setFrame(false);
-    m_number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_number->setDecimals(m_text.decimals);
-    m_number->setRange(m_info.minimum * m_text.factor, m_info.maximum * m_text.factor);
-    m_number->setSingleStep(std::pow(10.0, -m_text.decimals));
-    m_number->setStepType(m_text.scale == ParameterText::Scale::Linear
-                              ? QAbstractSpinBox::DefaultStepType
-                              : QAbstractSpinBox::AdaptiveDecimalStepType);
-    const QString unit = QString::fromUtf8(m_text.unit);
-    m_number->setSpecialValueText(*m_text.least == '\0' ? QString() : parameterTr(m_text.least));
-    m_number->setSuffix(unit == QStringLiteral("°") || unit.isEmpty() ? unit : QLatin1Char(' ') + unit);
-    m_number->setKeyboardTracking(false);
-    m_number->setAccessibleName(parameterTr(m_text.label));
-    m_number->setFixedWidth(m_number->fontMetrics().horizontalAdvance(QStringLiteral("00000.0 cm")));
-
-    m_slider = new Patient<QSlider>(Qt::Horizontal, this);
-    m_slider->setRange(0, kSliderSteps);
-    m_slider->setPageStep(kSliderSteps / 20);
-    m_slider->setSingleStep(kSliderSteps / 200);
-    m_slider->setAccessibleName(parameterTr(m_text.label));
+    m_slider = new ParameterSlider(m_scale, this);
     m_slider->setFixedHeight(20);
+    m_slider->installEventFilter(this);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -160,69 +135,57 @@ void ParameterRow::makeSlider()
     column->addWidget(m_slider);
     setFixedHeight(kRowHeight);
 
-    connect(m_slider, &QSlider::sliderPressed, this, [this] { m_dragging = true; });
-    connect(m_slider, &QSlider::valueChanged, this, [this](int position) { edit(valueAt(position)); });
+    connect(m_slider, &ParameterSlider::edited, this, &ParameterRow::edit);
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
-        m_dragging = false;
-        m_rest.stop();
-        Q_EMIT gestureEnded();
+        if (std::exchange(m_isDragging, false))
+            m_editor.finish(accessibleName());
     });
-    connect(m_number, &QDoubleSpinBox::valueChanged, this,
-            [this](double shown) { edit(shown / m_text.factor); });
+    connect(m_number, &ParameterNumber::edited, this, &ParameterRow::edit);
 }
 
 void ParameterRow::makeSwitch()
 {
-    m_switch = new Toggle(parameterTr(m_text.label), this);
+    m_switch = new Toggle(parameterTr(m_scale.text().label), this);
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(m_switch);
     setFixedHeight(kRowHeight);
-    connect(m_switch, &QCheckBox::toggled, this, [this](bool on) {
-        m_value = on ? 1.0 : 0.0;
-        Q_EMIT edited(m_value);
-        Q_EMIT gestureEnded();
-    });
+    connect(m_switch, &QCheckBox::toggled, this, [this](bool on) { choose(on ? 1.0 : 0.0); });
 }
 
 void ParameterRow::makeChoice()
 {
     QLabel* label = makeLabel();
-    m_choice = new Patient<QComboBox>(this);
-    m_choice->addItems(choiceNames(m_info.choices));
-    m_choice->setAccessibleName(parameterTr(m_text.label));
+    m_choice = new PatientChoice(this);
+    m_choice->addItems(choiceNames(m_scale.info().choices));
+    m_choice->setAccessibleName(parameterTr(m_scale.text().label));
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(label, 1);
     line->addWidget(m_choice);
     setFixedHeight(kRowHeight);
-    connect(m_choice, &QComboBox::activated, this, [this](int index) {
-        m_value = index;
-        Q_EMIT edited(m_value);
-        Q_EMIT gestureEnded();
-    });
+    connect(m_choice, &QComboBox::activated, this, [this](int index) { choose(index); });
 }
 
-void ParameterRow::setValue(double value)
+void ParameterRow::follow()
 {
-    m_rest.stop();
+    const double value = m_editor.value(key());
+    if (value == m_value)
+        return;
     m_value = value;
-    present(value);
+    present();
 }
 
-void ParameterRow::present(double value)
+void ParameterRow::present()
 {
     if (m_slider) {
-        const QSignalBlocker quietSlider(m_slider);
-        const QSignalBlocker quietNumber(m_number);
-        if (valueAt(m_slider->value()) != value)
-            m_slider->setValue(positionOf(value));
-        m_number->setValue(value * m_text.factor);
+        m_slider->show(m_value);
+        m_number->show(m_value);
     } else if (m_switch) {
         const QSignalBlocker quiet(m_switch);
-        m_switch->setChecked(value != 0.0);
+        m_switch->setChecked(m_value != 0.0);
     } else {
-        m_choice->setCurrentIndex(static_cast<int>(value));
+        m_choice->setCurrentIndex(static_cast<int>(m_value));
     }
 }
 
@@ -231,39 +194,85 @@ void ParameterRow::edit(double value)
     if (value == m_value)
         return;
     m_value = value;
-    present(value);
-    Q_EMIT edited(value);
-    if (!m_dragging)
-        m_rest.start();
+    present();
+    if (!m_isDragging) {
+        m_editor.nudge(this, key(), value, accessibleName());
+        return;
+    }
+    m_editor.show(key(), value);
+    if (showsAtOnce(key()))
+        m_editor.putInForce(accessibleName());
 }
 
-double ParameterRow::valueAt(int position) const
+void ParameterRow::choose(double value)
 {
-    using enum ParameterText::Scale;
-    const double t = position / static_cast<double>(kSliderSteps);
-    const double low = m_info.minimum;
-    const double high = m_info.maximum;
-    double value = low + t * (high - low);
-    if (m_text.scale == Logarithmic)
-        value = low * std::pow(high / low, t);
-    else if (m_text.scale == Cubic)
-        value = low + t * t * t * (high - low);
-    // What is shown is what is meant: no digits beyond those.
-    const double grain = std::pow(10.0, m_text.decimals) * m_text.factor;
-    return std::clamp(std::round(value * grain) / grain, low, high);
+    m_value = value;
+    m_editor.begin();
+    m_editor.show(key(), value);
+    m_editor.finish(accessibleName());
 }
 
-int ParameterRow::positionOf(double value) const
+void ParameterRow::reset()
 {
-    using enum ParameterText::Scale;
-    const double low = m_info.minimum;
-    const double high = m_info.maximum;
-    double t = (value - low) / (high - low);
-    if (m_text.scale == Logarithmic)
-        t = std::log(value / low) / std::log(high / low);
-    else if (m_text.scale == Cubic)
-        t = std::cbrt(t);
-    return static_cast<int>(std::lround(std::clamp(t, 0.0, 1.0) * kSliderSteps));
+    const char* const keys[] = {key()};
+    m_editor.reset(keys, accessibleName());
+}
+
+bool ParameterRow::eventFilter(QObject* watched, QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::MouseButtonDblClick:
+        m_isTakenBack = true;
+        reset();
+        return true;
+    case QEvent::MouseMove:
+        return m_isTakenBack;
+    case QEvent::MouseButtonPress:
+        // The slider jumps to the pointer before it says that it is pressed.
+        if (static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton) {
+            m_isTakenBack = false;
+            m_isDragging = true;
+            m_editor.begin();
+        }
+        break;
+    case QEvent::EnabledChange:
+        // Something else begins to change the document.
+        if (!m_slider->isEnabled() && std::exchange(m_isDragging, false))
+            m_editor.show(m_editor.inForce());
+        break;
+    case QEvent::ShortcutOverride:
+        if (m_isDragging && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+            event->accept();
+            return true;
+        }
+        break;
+    case QEvent::KeyPress:
+        if (keyPressed(*static_cast<QKeyEvent*>(event)))
+            return true;
+        break;
+    default:
+        break;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+bool ParameterRow::keyPressed(const QKeyEvent& event)
+{
+    if (event.key() == Qt::Key_Escape && m_isDragging) {
+        m_isDragging = false;
+        m_isTakenBack = true;
+        m_editor.cancel();
+        return true;
+    }
+    if (event.key() == Qt::Key_Delete) {
+        m_editor.begin();
+        reset();
+        return true;
+    }
+    const std::optional<double> value = m_scale.keyed(m_value, event.key(), event.modifiers());
+    if (value)
+        edit(*value);
+    return value.has_value();
 }
 
 } // namespace espalier

@@ -1,65 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/tree/Parameters.h"
-#include "panels/ParameterTexts.h"
+#include "panels/ParameterScale.h"
 
-#include <QTimer>
 #include <QWidget>
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
-class QSlider;
 
 namespace espalier {
 
+class ParameterEditor;
+class ParameterNumber;
+class ParameterSlider;
+
 /// One parameter to look at and to change: a slider below its name and its number, a switch, or a list of
 /// choices. A gesture is whatever a person feels to be one change: a drag of the slider, a number typed, a
-/// turn of the wheel.
+/// turn of the wheel. What shows at once (leaves, widths, bark) is tried out while a slider moves; what
+/// steers growth is put in force when it rests. A double click brings the default back, Escape takes a drag
+/// back.
 class ParameterRow : public QWidget {
     Q_OBJECT
 
 public:
-    ParameterRow(const ParameterInfo& info, const ParameterText& text, QWidget* parent = nullptr);
+    ParameterRow(ParameterEditor& editor, const ParameterText& text, QWidget* parent = nullptr);
 
-    const char* key() const { return m_text.key; }
-    /// In ParameterInfo's surface unit.
+    const char* key() const { return m_scale.info().key; }
+    /// What it shows, in ParameterInfo's surface unit.
     double value() const { return m_value; }
-    /// Shows @p value; no signal.
-    void setValue(double value);
-
-Q_SIGNALS:
-    /// A person has changed the value; the gesture may go on.
-    void edited(double value);
-    /// The gesture that began with the first edited() is over.
-    void gestureEnded();
 
 protected:
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QLabel* makeLabel();
     void makeSlider();
     void makeSwitch();
     void makeChoice();
-    QString labelText() const;
-    QString toolTipText() const;
-    void present(double value);
+    bool keyPressed(const QKeyEvent& event);
+    void present();
+    void follow();
     void edit(double value);
-    double valueAt(int position) const;
-    int positionOf(double value) const;
+    void choose(double value);
+    void reset();
 
-    ParameterInfo m_info;
-    ParameterText m_text;
+    ParameterEditor& m_editor;
+    ParameterScale m_scale;
     double m_value = 0.0;
-    bool m_dragging = false;
+    bool m_isDragging = false;
+    bool m_isTakenBack = false; ///< The pointer is still down
     bool m_isPassingOn = false;
-    /// Ends the gesture of a wheel or of a key, which has no end of its own.
-    QTimer m_rest;
-    QSlider* m_slider = nullptr;
-    QDoubleSpinBox* m_number = nullptr;
+    ParameterSlider* m_slider = nullptr;
+    ParameterNumber* m_number = nullptr;
     QCheckBox* m_switch = nullptr;
     QComboBox* m_choice = nullptr;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterTexts.h"
 
+#include "panels/Theme.h"
+
 #include <QCoreApplication>
 
 #include <array>
@@ -11,27 +13,53 @@ namespace {
 
 using enum ParameterText::Scale;
 
-constexpr ParameterText kShoot[] = {
-    {"growth.internodeLength", QT_TRANSLATE_NOOP("Parameters", "Internode"), "l",
-     QT_TRANSLATE_NOOP("Parameters", "Length of one internode. It is the measure of everything that grows: "
-                                     "smaller ones make finer trees."),
-     Logarithmic, 1, "cm", 100.0},
-    {"growth.maxShootLength", QT_TRANSLATE_NOOP("Parameters", "Shoot length"), "n",
-     QT_TRANSLATE_NOOP("Parameters", "How many internodes the strongest shoot grows in one step."),
-     Logarithmic, 0},
+constexpr ParameterText kTropism[] = {
+    {"growth.setPointAngle", QT_TRANSLATE_NOOP("Parameters", "Set-point angle"), "θ",
+     QT_TRANSLATE_NOOP("Parameters", "Where shoots turn: 0° is up, 90° level, and more makes them weep."),
+     Linear, 0, "°", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Gravitropic set-point angle: orthotropic at 0°, plagiotropic near 90°, "
+                                     "positively gravitropic beyond.")},
+};
+
+constexpr ParameterText kGravimorphism[] = {
+    {"growth.ellipseVertical", QT_TRANSLATE_NOOP("Parameters", "Buds above and below"), "s_v",
+     QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds above and below a leaning branch."), Cubic, 2, "",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Vertical semi-axis of the gravimorphic ellipse.")},
+    {"growth.ellipseParallel", QT_TRANSLATE_NOOP("Parameters", "Buds at the sides"), "s_p",
+     QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds on the sides of a leaning branch."), Cubic, 2, "",
+     1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Semi-axis parallel to the ground; the greater one is amphitony.")},
+    {"growth.ellipseOffset", QT_TRANSLATE_NOOP("Parameters", "Upper or lower buds"), "e_v",
+     QT_TRANSLATE_NOOP("Parameters", "Above 0 the buds on the upper side are stronger, as in fruit trees; "
+                                     "below 0 those on the lower side."),
+     Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Displacement of the ellipse: epitony above 0, hypotony below.")},
+};
+
+constexpr ParameterText kBranching[] = {
     {"growth.branchingAngle", QT_TRANSLATE_NOOP("Parameters", "Branching angle"), "ψ",
-     QT_TRANSLATE_NOOP("Parameters", "Between a branch and what branches off it."), Linear, 0, "°"},
+     QT_TRANSLATE_NOOP("Parameters", "Between a branch and what branches off it."), Linear, 0, "°", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Angle of insertion of a lateral bud on its axis.")},
     {"growth.deflectionAngle", QT_TRANSLATE_NOOP("Parameters", "Deflection"), "δ",
      QT_TRANSLATE_NOOP("Parameters", "How far an axis turns away from a branch that it bears: 0 keeps it "
                                      "straight, more makes it zigzag."),
-     Linear, 0, "°"},
-    {"growth.phyllotaxis", QT_TRANSLATE_NOOP("Parameters", "Phyllotaxis"), "φ",
-     QT_TRANSLATE_NOOP("Parameters", "Turn around the axis from one bud to the next: 137.5° is a spiral, "
-                                     "180° two rows, 90° crossed pairs."),
-     Linear, 1, "°"},
-    {"growth.lateralsPerNode", QT_TRANSLATE_NOOP("Parameters", "Buds at a node"), "",
-     QT_TRANSLATE_NOOP("Parameters", "One is alternate, two opposite, more a whorl, as in pines."), Linear,
-     0},
+     Linear, 0, "°", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "The main axis yields to a lateral, as toward sympodial growth.")},
+};
+
+constexpr ParameterText kDirection[] = {
+    {"growth.axisWeight", QT_TRANSLATE_NOOP("Parameters", "Straightness"), "α",
+     QT_TRANSLATE_NOOP("Parameters", "How much a shoot keeps the direction that it has."), Linear, 2, "", 1.0,
+     "", QT_TRANSLATE_NOOP("Parameters", "Weight of the heading H of the axis.")},
+    {"growth.tropismWeight", QT_TRANSLATE_NOOP("Parameters", "Tropism"), "β",
+     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns toward the set-point angle."), Linear, 2, "",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Weight of gravitropism T.")},
+    {"growth.spaceWeight", QT_TRANSLATE_NOOP("Parameters", "Free space"), "γ",
+     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns toward where there is room."), Linear, 2, "",
+     1.0, "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "Weight of the environment E: the mean direction of the free space that a bud perceives.")},
 };
 
 constexpr ParameterText kSpace[] = {
@@ -39,76 +67,97 @@ constexpr ParameterText kSpace[] = {
      QT_TRANSLATE_NOOP(
          "Parameters",
          "Space around each bud that nothing else grows into, in internodes. More makes an airier crown."),
-     Logarithmic},
+     Logarithmic, 2, "l", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Radius of the zone of occupancy.")},
     {"growth.perceptionDepth", QT_TRANSLATE_NOOP("Parameters", "Sight"), "d",
      QT_TRANSLATE_NOOP("Parameters", "How far beyond its own space a bud sees room to grow, in internodes."),
-     Logarithmic},
+     Logarithmic, 2, "l", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Depth of the volume of perception, which reaches to r + d.")},
     {"growth.perceptionAngle", QT_TRANSLATE_NOOP("Parameters", "Field of view"), "ζ",
-     QT_TRANSLATE_NOOP("Parameters", "How far to the sides a bud sees room to grow."), Linear, 0, "°"},
-    {"growth.markerDensity", QT_TRANSLATE_NOOP("Parameters", "Brush density"), "",
-     QT_TRANSLATE_NOOP(
-         "Parameters",
-         "How much room to grow the brush spreads, in points per cubic internode. More makes denser growth."),
-     Logarithmic, 3},
-    {"growth.markerAge", QT_TRANSLATE_NOOP("Parameters", "Brush memory"), "",
-     QT_TRANSLATE_NOOP("Parameters",
-                       "Growth steps after which the room that the brush has spread is forgotten."),
-     Logarithmic, 0},
-    {"growth.markersPerBud", QT_TRANSLATE_NOOP("Parameters", "Room at a bud"), "",
-     QT_TRANSLATE_NOOP(
-         "Parameters",
-         "When the tree grows on its own: the room to grow that each bud finds around itself in each step."),
-     Logarithmic, 0},
+     QT_TRANSLATE_NOOP("Parameters", "How far to the sides a bud sees room to grow."), Linear, 0, "°", 1.0,
+     "", QT_TRANSLATE_NOOP("Parameters", "Apex angle of the cone of perception.")},
 };
 
 constexpr ParameterText kVigour[] = {
     {"growth.apicalDominance", QT_TRANSLATE_NOOP("Parameters", "Apical dominance"), "λ",
      QT_TRANSLATE_NOOP("Parameters", "Who gets the vigour: above 0.5 the main axis, as in conifers; below it "
-                                     "the branches, as in shrubs.")},
+                                     "the branches, as in shrubs."),
+     Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Excurrent forms above 0.5, decurrent ones below.")},
     {"growth.lightSensitivity", QT_TRANSLATE_NOOP("Parameters", "Light sensitivity"), "κ",
      QT_TRANSLATE_NOOP("Parameters", "How much more a bud in the light thrives than one in the shade."),
-     Logarithmic},
+     Logarithmic, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "Exponent of the response to light: high for trees that demand it, low for those that bear shade.")},
     {"growth.shedding", QT_TRANSLATE_NOOP("Parameters", "Shedding"), "Th",
-     QT_TRANSLATE_NOOP("Parameters", "Branches with less vigour than this die: 0 keeps them all."), Cubic, 3},
-    {"growth.shadowIntensity", QT_TRANSLATE_NOOP("Parameters", "Shadow"), "a",
-     QT_TRANSLATE_NOOP("Parameters", "How much light one internode takes."), Cubic, 3},
-    {"growth.shadowFalloff", QT_TRANSLATE_NOOP("Parameters", "Shadow falloff"), "b",
-     QT_TRANSLATE_NOOP("Parameters", "How fast a shadow fades on its way down."), Logarithmic},
-    {"growth.shadowDepth", QT_TRANSLATE_NOOP("Parameters", "Shadow depth"), "q",
-     QT_TRANSLATE_NOOP("Parameters", "How many layers below an internode its shadow reaches."), Linear, 0},
+     QT_TRANSLATE_NOOP("Parameters", "Branches with less vigour than this die: 0 keeps them all."), Cubic, 3,
+     "", 1.0, "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "Threshold of cladoptosis: vigour per internode, relative to that of the whole tree.")},
+    {"growth.maxShootLength", QT_TRANSLATE_NOOP("Parameters", "Shoot length"), "n",
+     QT_TRANSLATE_NOOP("Parameters", "How many internodes the strongest shoot grows in one step."),
+     Logarithmic, 0, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Metamers of the strongest shoot of a flush.")},
 };
 
-constexpr ParameterText kDirection[] = {
-    {"growth.axisWeight", QT_TRANSLATE_NOOP("Parameters", "Straightness"), "α",
-     QT_TRANSLATE_NOOP("Parameters", "How much a shoot keeps the direction that it has.")},
-    {"growth.tropismWeight", QT_TRANSLATE_NOOP("Parameters", "Tropism"), "β",
-     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns toward the set-point angle.")},
-    {"growth.spaceWeight", QT_TRANSLATE_NOOP("Parameters", "Free space"), "γ",
-     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns toward where there is room.")},
-    {"growth.setPointAngle", QT_TRANSLATE_NOOP("Parameters", "Set-point angle"), "θ",
-     QT_TRANSLATE_NOOP("Parameters", "Where shoots turn: 0° is up, 90° level, and more makes them weep."),
-     Linear, 0, "°"},
+constexpr ParameterText kHabit[] = {
+    {"growth.phyllotaxis", QT_TRANSLATE_NOOP("Parameters", "Phyllotaxis"), "φ",
+     QT_TRANSLATE_NOOP("Parameters", "Turn around the axis from one bud to the next: 137.5° is a spiral, "
+                                     "180° two rows, 90° crossed pairs."),
+     Linear, 1, "°", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Divergence angle: spiral, distichous, decussate.")},
     {"growth.tropismFromStroke", QT_TRANSLATE_NOOP("Parameters", "Follow the stroke"), "",
      QT_TRANSLATE_NOOP("Parameters",
-                       "Shoots turn toward where the brush goes, instead of to the set-point angle.")},
+                       "Shoots turn toward where the brush goes, instead of to the set-point angle."),
+     Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "The set-point angle is inferred from the direction of the stroke.")},
+    {"growth.uprightTrunk", QT_TRANSLATE_NOOP("Parameters", "Upright trunk"), "",
+     QT_TRANSLATE_NOOP("Parameters", "The trunk grows straight up, whatever the branches do."), Linear, 2, "",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "The axis of order 0 is orthotropic, as in most conifers.")},
 };
 
-constexpr ParameterText kGravimorphism[] = {
-    {"growth.ellipseVertical", QT_TRANSLATE_NOOP("Parameters", "Vertical"), "s_v",
-     QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds above and below a leaning branch."), Cubic},
-    {"growth.ellipseParallel", QT_TRANSLATE_NOOP("Parameters", "Sideways"), "s_p",
-     QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds on the sides of a leaning branch."), Cubic},
-    {"growth.ellipseOffset", QT_TRANSLATE_NOOP("Parameters", "Above or below"), "e_v",
-     QT_TRANSLATE_NOOP("Parameters", "Above 0 the buds on the upper side are stronger, as in fruit trees; "
-                                     "below 0 those on the lower side.")},
-};
-
-constexpr ParameterText kCharacter[] = {
+constexpr ParameterText kShoot[] = {
+    {"growth.internodeLength", QT_TRANSLATE_NOOP("Parameters", "Internode"), "l",
+     QT_TRANSLATE_NOOP("Parameters", "Length of one internode. It is the measure of everything that grows: "
+                                     "smaller ones make finer trees."),
+     Logarithmic, 1, "cm", 100.0, "", QT_TRANSLATE_NOOP("Parameters", "Length of a metamer.")},
+    {"growth.lateralsPerNode", QT_TRANSLATE_NOOP("Parameters", "Buds at a node"), "",
+     QT_TRANSLATE_NOOP("Parameters", "One is alternate, two opposite, more a whorl, as in pines."), Linear, 0,
+     "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Alternate, opposite or verticillate.")},
     {"growth.irregularity", QT_TRANSLATE_NOOP("Parameters", "Irregularity"), "",
      QT_TRANSLATE_NOOP("Parameters", "Spread of angles and lengths: 0 is a diagram, 1 as wild as nature."),
-     Linear},
-    {"growth.uprightTrunk", QT_TRANSLATE_NOOP("Parameters", "Upright trunk"), "",
-     QT_TRANSLATE_NOOP("Parameters", "The trunk grows straight up, whatever the branches do.")},
+     Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Variance of the angles and of the metamers.")},
+};
+
+constexpr ParameterText kShadow[] = {
+    {"growth.shadowIntensity", QT_TRANSLATE_NOOP("Parameters", "Shadow"), "a",
+     QT_TRANSLATE_NOOP("Parameters", "How much light one internode takes."), Cubic, 3, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Intensity of the penumbra that a metamer casts.")},
+    {"growth.shadowFalloff", QT_TRANSLATE_NOOP("Parameters", "Shadow falloff"), "b",
+     QT_TRANSLATE_NOOP("Parameters", "How fast a shadow fades on its way down."), Logarithmic, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Base of its decay from layer to layer.")},
+    {"growth.shadowDepth", QT_TRANSLATE_NOOP("Parameters", "Shadow depth"), "q",
+     QT_TRANSLATE_NOOP("Parameters", "How many layers below an internode its shadow reaches."), Linear, 0, "",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Height of the pyramid of shadow, in voxels.")},
+};
+
+constexpr ParameterText kMarkers[] = {
+    {"growth.markerDensity", QT_TRANSLATE_NOOP("Parameters", "Brush density"), "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "How much room to grow the brush spreads, in points per cubic internode. More makes denser growth."),
+     Logarithmic, 3, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Density of the markers of free space.")},
+    {"growth.markerAge", QT_TRANSLATE_NOOP("Parameters", "Brush memory"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Growth steps after which the room that the brush has spread is forgotten."),
+     Logarithmic, 0, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Maximum age of a marker.")},
+    {"growth.markersPerBud", QT_TRANSLATE_NOOP("Parameters", "Room at a bud"), "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "When the tree grows on its own: the room to grow that each bud finds around itself in each step."),
+     Logarithmic, 0, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Markers generated in each volume of perception.")},
 };
 
 constexpr ParameterText kLeafForm[] = {
@@ -129,6 +178,10 @@ constexpr ParameterText kLeafPlace[] = {
      QT_TRANSLATE_NOOP("Parameters", "How many leaves grow together."), Linear, 0},
     {"leaves.maxTips", QT_TRANSLATE_NOOP("Parameters", "How far inward"), "",
      QT_TRANSLATE_NOOP("Parameters", "Branches that carry more twigs than this are bare."), Logarithmic, 0},
+    {"leaves.reach", QT_TRANSLATE_NOOP("Parameters", "Only near the tips"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Leaves grow so many internodes down from the tip of a shoot, and no further."),
+     Logarithmic, 0},
     {"leaves.angle", QT_TRANSLATE_NOOP("Parameters", "Angle"), "",
      QT_TRANSLATE_NOOP("Parameters", "Between a shoot and the leaf's stalk."), Linear, 0, "°"},
     {"leaves.droop", QT_TRANSLATE_NOOP("Parameters", "Droop"), "",
@@ -142,6 +195,11 @@ constexpr ParameterText kLeafColour[] = {
      QT_TRANSLATE_NOOP("Parameters", "0° is red, 60° yellow, 120° green."), Linear, 0, "°"},
     {"leaves.hueVariation", QT_TRANSLATE_NOOP("Parameters", "Variation of hue"), "",
      QT_TRANSLATE_NOOP("Parameters", "How much the colours of leaves differ."), Linear, 0, "°"},
+    {"leaves.saturation", QT_TRANSLATE_NOOP("Parameters", "Saturation"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How strong the colour is: little of it makes blossom and silver leaves.")},
+    {"leaves.brightness", QT_TRANSLATE_NOOP("Parameters", "Brightness"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How light the leaves are.")},
     {"leaves.vigourHue", QT_TRANSLATE_NOOP("Parameters", "Yellowing"), "",
      QT_TRANSLATE_NOOP("Parameters", "How far the leaves of weak shoots turn toward yellow and red.")},
 };
@@ -158,6 +216,8 @@ constexpr ParameterText kWidths[] = {
      QT_TRANSLATE_NOOP("Parameters",
                        "Diameter of the trunk at the ground; at 0 it follows from the exponent."),
      Cubic, 1, "cm", 100.0, QT_TRANSLATE_NOOP("Parameters", "automatic")},
+    {"widths.flare", QT_TRANSLATE_NOOP("Parameters", "Flare"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much the trunk spreads where it meets the ground.")},
 };
 
 constexpr ParameterText kBark[] = {
@@ -168,13 +228,19 @@ constexpr ParameterText kBark[] = {
      0, "cm", 100.0},
 };
 
+using enum ParameterSection::Look;
+
 constexpr ParameterSection kSections[] = {
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shoot"), kShoot},
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Space"), kSpace},
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Light and vigour"), kVigour},
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Direction"), kDirection},
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Gravimorphism"), kGravimorphism},
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Character"), kCharacter, true},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Tropism"), kTropism, Diagram},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Gravimorphism"), kGravimorphism, Diagram},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Branching"), kBranching, Diagram},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Direction"), kDirection, Diagram},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Space"), kSpace, Diagram},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Vigour"), kVigour, Rows},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Habit"), kHabit, Rows},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shoot"), kShoot, More},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shade"), kShadow, More},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Room to grow"), kMarkers, More},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Form"), kLeafForm},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Place"), kLeafPlace},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Colour"), kLeafColour},
@@ -188,6 +254,11 @@ constexpr ParameterSection kSections[] = {
     QT_TRANSLATE_NOOP("Parameters", "lobed"),    QT_TRANSLATE_NOOP("Parameters", "needles"),
     QT_TRANSLATE_NOOP("Parameters", "furrowed"), QT_TRANSLATE_NOOP("Parameters", "smooth"),
     QT_TRANSLATE_NOOP("Parameters", "plated"),   QT_TRANSLATE_NOOP("Parameters", "birch"),
+    QT_TRANSLATE_NOOP("Parameters", "cordate"),  QT_TRANSLATE_NOOP("Parameters", "palmate"),
+    QT_TRANSLATE_NOOP("Parameters", "pinnate"),  QT_TRANSLATE_NOOP("Parameters", "willow"),
+    QT_TRANSLATE_NOOP("Parameters", "fascicle"), QT_TRANSLATE_NOOP("Parameters", "frond"),
+    QT_TRANSLATE_NOOP("Parameters", "cherry"),   QT_TRANSLATE_NOOP("Parameters", "mottled"),
+    QT_TRANSLATE_NOOP("Parameters", "fibrous"),  QT_TRANSLATE_NOOP("Parameters", "ringed"),
 };
 
 } // namespace
@@ -195,6 +266,38 @@ constexpr ParameterSection kSections[] = {
 std::span<const ParameterSection> parameterSections()
 {
     return kSections;
+}
+
+const ParameterText* parameterText(std::string_view key)
+{
+    for (const ParameterSection& section : kSections) {
+        for (const ParameterText& text : section.parameters) {
+            if (key == text.key)
+                return &text;
+        }
+    }
+    return nullptr;
+}
+
+QString richLabel(const ParameterText& text)
+{
+    QString symbol = QString::fromUtf8(text.symbol);
+    if (const auto underscore = symbol.indexOf(QLatin1Char('_')); underscore > 0)
+        symbol = QStringLiteral("%1<sub>%2</sub>").arg(symbol.left(underscore), symbol.mid(underscore + 1));
+    const QString label = parameterTr(text.label).toHtmlEscaped();
+    if (symbol.isEmpty())
+        return label;
+    return QStringLiteral("%1 <span style='color:%2'>%3</span>").arg(label, theme::kFaintText.name(), symbol);
+}
+
+QString explanation(const ParameterText& text)
+{
+    QString result =
+        QStringLiteral("<b>%1</b><br>%2").arg(richLabel(text), parameterTr(text.tip).toHtmlEscaped());
+    if (*text.botany != '\0')
+        result += QStringLiteral("<br><i style='color:%1'>%2</i>")
+                      .arg(theme::kDimText.name(), parameterTr(text.botany).toHtmlEscaped());
+    return result;
 }
 
 QString parameterTr(const char* text)

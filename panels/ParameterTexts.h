@@ -5,6 +5,7 @@
 #include <QStringList>
 
 #include <span>
+#include <string_view>
 
 namespace espalier {
 
@@ -29,6 +30,8 @@ struct ParameterText {
     const char* unit = "";  ///< As it is shown
     double factor = 1.0;    ///< From the parameter's surface unit to the one that is shown
     const char* least = ""; ///< What its smallest value is called instead of the number; untranslated
+    /// What a botanist would say of it; untranslated, or "".
+    const char* botany = "";
 };
 
 /// Parameters that belong together, under a heading.
@@ -36,11 +39,25 @@ struct ParameterSection {
     ParameterSheet sheet;
     const char* title; ///< Untranslated
     std::span<const ParameterText> parameters;
-    bool below = false; ///< Below the section before it, not beside
+    /// How it presents itself on the sheet of architecture.
+    enum class Look {
+        Rows,
+        Diagram, ///< Drawn, with handles
+        More,    ///< Rows for those who ask for more
+    };
+    Look look = Look::Rows;
 };
 
 /// All of them, in the order in which they are shown; each parameter once.
 std::span<const ParameterSection> parameterSections();
+/// The one of that key, or null.
+const ParameterText* parameterText(std::string_view key);
+
+/// What a control tells of its parameter, for a tool tip and for help: its name and sign, plain words, and a
+/// botanist's. Rich text.
+QString explanation(const ParameterText& text);
+/// Its name and sign; rich text.
+QString richLabel(const ParameterText& text);
 
 /// Translates a text of the tables, or the name of a choice.
 QString parameterTr(const char* text);

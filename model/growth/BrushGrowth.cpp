@@ -148,6 +148,9 @@ TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, const Brus
         m_path.push_back(previous.position);
     }
     m_path.push_back(brush.position);
+    // The competitors' node may have been shed on the way, or never have been.
+    if (m_drawnBud->node >= tree.size() || !tree.isAlive(m_drawnBud->node))
+        return TreeDelta::startingAt(tree);
 
     const auto length = static_cast<float>(p.internodeLength);
     while ((growing.buds(m_drawnBud->node) & budBit(m_drawnBud->slot)) != 0) {

@@ -26,15 +26,50 @@ double smallCosine(double x)
     return 1.0 - y / 2.0 * (1.0 - y / 12.0 * (1.0 - y / 30.0 * (1.0 - y / 56.0 * (1.0 - y / 90.0))));
 }
 
+struct Direction {
+    double cosine;
+    double sine;
+
+    explicit Direction(double angle) : cosine(std::cos(angle)), sine(std::sin(angle)) {}
+    Direction(double c, double s) : cosine(c), sine(s) {}
+
+    Direction turnedBy(double angle) const
+    {
+        const double c = smallCosine(angle);
+        const double s = smallSine(angle);
+        return {cosine * c - sine * s, sine * c + cosine * s};
+    }
+};
+
+double azimuthOf(const GrowthParameters& grown, int slot)
+{
+    return 2.0 * std::numbers::pi * slot / grown.lateralsPerNode;
+}
+
+/// Of a lateral bud, in its internode's frame.
+Vec3 scattered(std::uint64_t seed, InternodeId id, int slot, double branchingAngle,
+               const Direction& branching, const Direction& azimuth, double irregularity)
+{
+    Random random(seed, static_cast<std::uint32_t>(slot), id, Purpose::BranchingAngle);
+    const double tilt = std::clamp(irregularity * kBranchingSpread * random.normal(), -branchingAngle,
+                                   std::max(0.0, kWidestBranching - branchingAngle));
+    const double turn = irregularity * kAzimuthSpread * random.normal();
+    const Direction away = branching.turnedBy(tilt);
+    const Direction around = azimuth.turnedBy(turn);
+    return {static_cast<float>(away.sine * around.cosine), static_cast<float>(away.cosine),
+            static_cast<float>(away.sine * around.sine)};
+}
+
 } // namespace
 
 BudAngles::BudAngles(const GrowthParameters& grown)
     : m_branchingAngle(grown.branchingAngle),
       m_branching{std::cos(grown.branchingAngle), std::sin(grown.branchingAngle)},
-      m_irregularity(grown.irregularity)
+      m_irregularity(grown.irregularity),
+      m_lateralsPerNode(grown.lateralsPerNode)
 {
     for (int slot = 0; slot < kMaxLaterals; ++slot) {
-        const double azimuth = 2.0 * std::numbers::pi * slot / grown.lateralsPerNode;
+        const double azimuth = azimuthOf(grown, slot);
         m_azimuths[static_cast<std::size_t>(slot)] = {std::cos(azimuth), std::sin(azimuth)};
     }
 }
@@ -43,25 +78,18 @@ Vec3 BudAngles::direction(std::uint64_t seed, InternodeId id, int slot) const
 {
     if (slot == kTerminalSlot)
         return Vec3::UnitY();
-    Random random(seed, static_cast<std::uint32_t>(slot), id, Purpose::BranchingAngle);
-    const double tilt = std::clamp(m_irregularity * kBranchingSpread * random.normal(), -m_branchingAngle,
-                                   std::max(0.0, kWidestBranching - m_branchingAngle));
-    const double turn = m_irregularity * kAzimuthSpread * random.normal();
-    const auto rotated = [](const Turn& base, double by) {
-        const double cosine = smallCosine(by);
-        const double sine = smallSine(by);
-        return Turn{base.cosine * cosine - base.sine * sine, base.sine * cosine + base.cosine * sine};
-    };
-    const Turn branching = rotated(m_branching, tilt);
-    const Turn azimuth = rotated(m_azimuths[static_cast<std::size_t>(slot)], turn);
-    return {static_cast<float>(branching.sine * azimuth.cosine), static_cast<float>(branching.cosine),
-            static_cast<float>(branching.sine * azimuth.sine)};
+    const Turn& azimuth = m_azimuths[static_cast<std::size_t>(slot)];
+    return scattered(seed, id, slot, m_branchingAngle, {m_branching.cosine, m_branching.sine},
+                     {azimuth.cosine, azimuth.sine}, m_irregularity);
 }
 
 Vec3 budDirection(std::uint64_t seed, InternodeId id, int slot, const Rotation& rotation,
                   const GrowthParameters& grown)
 {
-    return rotation * BudAngles(grown).direction(seed, id, slot);
+    if (slot == kTerminalSlot)
+        return rotation * Vec3(Vec3::UnitY());
+    return rotation * scattered(seed, id, slot, grown.branchingAngle, Direction(grown.branchingAngle),
+                                Direction(azimuthOf(grown, slot)), grown.irregularity);
 }
 
 BudMask newBuds(const GrowthParameters& parameters)

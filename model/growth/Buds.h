@@ -12,6 +12,13 @@ class BudAngles {
 public:
     explicit BudAngles(const GrowthParameters& grown);
 
+    /// Whether they are those of such parameters.
+    bool areOf(const GrowthParameters& grown) const
+    {
+        return m_branchingAngle == grown.branchingAngle && m_irregularity == grown.irregularity &&
+               m_lateralsPerNode == grown.lateralsPerNode;
+    }
+
     /// Direction of the bud @p slot in its internode's frame.
     Vec3 direction(std::uint64_t seed, InternodeId id, int slot) const;
 
@@ -25,6 +32,7 @@ private:
     Turn m_branching;
     std::array<Turn, kMaxLaterals> m_azimuths{};
     double m_irregularity;
+    int m_lateralsPerNode;
 };
 
 /// World direction, of unit length, of the bud @p slot at a node: along the internode for the terminal bud,

@@ -14,8 +14,16 @@ GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspa
               {})
 {
     m_workspace.buds.clear(tree.size());
-    for (const TreeParameters& parameters : tree.parameterSets())
-        m_budAngles.emplace_back(parameters.growth);
+    // A tree that was worked on for long has many sets, and a step is to cost what grows.
+    std::vector<BudAngles>& angles = m_workspace.budAngles;
+    std::size_t set = 0;
+    for (const TreeParameters& parameters : tree.parameterSets()) {
+        if (set == angles.size())
+            angles.emplace_back(parameters.growth);
+        else if (!angles[set].areOf(parameters.growth))
+            angles[set] = BudAngles(parameters.growth);
+        ++set;
+    }
 }
 
 InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& direction, double roll, double length,

@@ -14,6 +14,7 @@ struct GrowthWorkspace {
     StampedColumn<double> vigour;
     StampedColumn<BudMask> buds;
     StampedColumn<std::uint8_t> marks;
+    std::vector<BudAngles> budAngles; ///< By parameter set
 };
 
 /// A tree with what the growth step at hand adds to it, as the delta it will become: the tree itself is not
@@ -63,7 +64,7 @@ public:
     Vec3 budDirection(InternodeId id, int slot) const
     {
         const std::size_t set = isNew(id) ? m_tree.currentParameterSet() : m_tree.columns().parameterSet[id];
-        return rotation(id) * m_budAngles[set].direction(m_tree.seed(), id, slot);
+        return rotation(id) * m_workspace.budAngles[set].direction(m_tree.seed(), id, slot);
     }
 
     /// The new nodes alone, by voxel; their ids count from tree().size(). Those that were grown since the
@@ -90,7 +91,6 @@ private:
     const Tree& m_tree;
     const TreeIndex& m_index;
     GrowthWorkspace& m_workspace;
-    std::vector<BudAngles> m_budAngles; ///< By parameter set
     TreeDelta m_delta;
     std::unique_ptr<InternodeColumns> m_rows;
     std::vector<Vec3> m_positions;

@@ -44,7 +44,7 @@ public:
         const bool isTrunk = slot == kTerminalSlot && m_tree.axis(node) == 0;
         const double theta = isTrunk && m_parameters.uprightTrunk ? 0.0 : m_options.setPointAngle;
         Random random(m_tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::TropismPlane);
-        const double azimuth = random.uniform(0.0, 2.0 * std::numbers::pi);
+        const double azimuth = m_options.isPlanar ? 0.0 : random.uniform(0.0, 2.0 * std::numbers::pi);
         const Vec3 level(static_cast<float>(std::cos(azimuth)), 0.0F, static_cast<float>(std::sin(azimuth)));
 
         const Vec3 direction =
@@ -52,7 +52,9 @@ public:
         const auto spread =
             static_cast<float>(m_parameters.irregularity * kDirectionSpread * m_options.weights.axis);
         Random wander(m_tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::Direction);
-        return (direction + spread * wander.direction()).normalized();
+        const Vec3 wandering = direction + spread * wander.direction();
+        // What rounding has led out of the plane comes back.
+        return (m_options.isPlanar ? Vec3(direction.x(), direction.y(), 0.0F) : wandering).normalized();
     }
 
 private:
@@ -81,6 +83,21 @@ private:
     const GrowthParameters& m_parameters;
 };
 
+/// The roll of what grows from a bud of a planar tree: the angle that φ has come to along the axis decides
+/// which side of the plane is next.
+double planarRoll(const GrowingTree& tree, const BudRef& bud)
+{
+    if (bud.slot != kTerminalSlot)
+        return 0.0;
+    int place = 0; // along the axis
+    for (InternodeId id = bud.node; id != 0 && tree.slot(id) == kTerminalSlot; id = tree.parent(id))
+        ++place;
+    const auto isTurned = [&](int at) {
+        return std::cos(at * tree.tree().parameters().growth.phyllotaxis) < -1e-9;
+    };
+    return isTurned(place) == isTurned(place + 1) ? 0.0 : std::numbers::pi;
+}
+
 /// Returns the new internode, or kNoInternode if it is not admitted; rather than that, it may be half as
 /// long.
 InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction,
@@ -90,8 +107,10 @@ InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction
     const auto [node, slot] = shoot.bud;
     Random random(tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::Phyllotaxis);
     // A new branch starts at a roll of its own; along an axis the phyllotactic angle counts.
-    const double roll = slot == kTerminalSlot ? p.phyllotaxis + p.irregularity * kRollSpread * random.normal()
-                                              : random.uniform(0.0, 2.0 * std::numbers::pi);
+    double roll = slot == kTerminalSlot ? p.phyllotaxis + p.irregularity * kRollSpread * random.normal()
+                                        : random.uniform(0.0, 2.0 * std::numbers::pi);
+    if (options.isPlanar)
+        roll = planarRoll(tree, shoot.bud);
     const double stretch = std::clamp(1.0 + p.irregularity * kLengthSpread * random.normal(), 0.35, 1.9);
     double length = p.internodeLength * stretch;
     if (options.admits) {
@@ -199,25 +218,33 @@ std::vector<VigorousBud> competingBuds(const GrowingTree& growing, VigourFlow& f
     return buds;
 }
 
-/// Markers uniform in the bud's volume of perception: the cone of angle ζ between the radii r and r + d.
-/// Returns how many.
-std::size_t layBudMarkers(const GrowingTree& growing, const BudRef& bud, const Perception& perception,
+/// Markers uniform in the bud's volume of perception: the cone of angle ζ between the radii r and r + d, or
+/// its section with the plane of a planar tree. Returns how many.
+std::size_t layBudMarkers(const GrowingTree& growing, const BudRef& bud, const GrowthStepOptions& options,
                           MarkerSet& markers)
 {
+    const Perception& perception = options.perception;
     const Tree& tree = growing.tree();
     const std::size_t before = markers.size();
     const Vec3 heading = growing.budDirection(bud.node, bud.slot);
-    const Vec3 side = anyPerpendicular(heading);
+    const Vec3 side = options.isPlanar ? Vec3(heading.y(), -heading.x(), 0.0F) : anyPerpendicular(heading);
     const Vec3 other = heading.cross(side);
-    const double inner = std::pow(perception.occupancy, 3);
-    const double outer = std::pow(perception.reach, 3);
+    const double dimensions = options.isPlanar ? 2.0 : 3.0;
+    const double inner = std::pow(perception.occupancy, dimensions);
+    const double outer = std::pow(perception.reach, dimensions);
+    const double halfAngle = options.isPlanar ? std::acos(static_cast<double>(perception.cosHalfAngle)) : 0.0;
     Random random(tree.seed(), tree.step(), bud.node * 8 + static_cast<std::uint32_t>(bud.slot),
                   Purpose::BudMarker);
     for (int i = 0; i < tree.parameters().growth.markersPerBud; ++i) {
-        const double radius = std::cbrt(random.uniform(inner, outer));
-        const double cosine = random.uniform(static_cast<double>(perception.cosHalfAngle), 1.0);
-        const double sine = std::sqrt(1.0 - cosine * cosine);
-        const double azimuth = random.uniform(0.0, 2.0 * std::numbers::pi);
+        const double within = random.uniform(inner, outer);
+        const double radius = options.isPlanar ? std::sqrt(within) : std::cbrt(within);
+        double cosine = random.uniform(static_cast<double>(perception.cosHalfAngle), 1.0);
+        double azimuth = random.uniform(0.0, 2.0 * std::numbers::pi);
+        if (options.isPlanar) {
+            cosine = std::cos(halfAngle * random.uniform());
+            azimuth = azimuth < std::numbers::pi ? 0.0 : std::numbers::pi;
+        }
+        const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
         const Vec3 direction = static_cast<float>(cosine) * heading +
                                static_cast<float>(sine * std::cos(azimuth)) * side +
                                static_cast<float>(sine * std::sin(azimuth)) * other;
@@ -287,7 +314,7 @@ TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthI
         });
         std::vector<BudRef> perceivers;
         for (const VigorousBud& bud : std::ranges::subrange(strong, rest)) {
-            const std::size_t count = layBudMarkers(growing, bud.bud, options.perception, markers);
+            const std::size_t count = layBudMarkers(growing, bud.bud, options, markers);
             perceivers.insert(perceivers.end(), count, bud.bud);
         }
         competition.admit(perceivers);

@@ -23,6 +23,10 @@ struct GrowthStepOptions {
     /// Whether an internode may lead from one node to another, m; empty lets all. A shoot that may not go on
     /// ends, and the markers that drew it there go.
     std::function<bool(const Vec3& from, const Vec3& to)> admits;
+    /// Growth stays in the plane z = 0, as in a diagram: each bud turns about its axis into the plane, to the
+    /// side that it is nearer to, and finds its free space there. For parameters without irregularity and
+    /// with two laterals at a node at most.
+    bool isPlanar = false;
 
     static GrowthStepOptions of(const GrowthParameters& parameters);
 };

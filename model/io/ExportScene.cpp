@@ -93,12 +93,13 @@ void darken(QImage& image, double factor)
     }
 }
 
-QImage leafColours(LeafShape shape, int size, const std::vector<LeafTile>& tiles)
+QImage leafColours(LeafShape shape, double saturation, int size, const std::vector<LeafTile>& tiles)
 {
     std::vector<QImage> images(tiles.size());
     parallelFor(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             images[i] = leafAlbedo(shape, size, kLeafTextureHue + tiles[i].hueShift);
+            saturateLeaf(images[i], saturation);
             darken(images[i], tiles[i].value);
         }
     });
@@ -177,7 +178,9 @@ ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QSt
                                                         {QStringLiteral("leaf_normal"), {}},
                                                         true});
         const int size = options.textureSize / 2;
-        jobs.push_back({[=, &tiles] { return leafColours(shape, size, tiles.tiles); }, &leaf.colour});
+        const double saturation = parameters.leaves.saturation;
+        jobs.push_back(
+            {[=, &tiles] { return leafColours(shape, saturation, size, tiles.tiles); }, &leaf.colour});
         jobs.push_back(
             {[=, &tiles] { return inARow(std::vector(tiles.tiles.size(), leafNormal(shape, size))); },
              &leaf.normal});

@@ -182,7 +182,137 @@ private:
     TileCells m_scars{2, 4, 0.3F, 50};
 };
 
-using Bark = std::variant<FurrowedBark, SmoothBark, PlatedBark, BirchBark>;
+/// Thin glossy skin, red-brown, in level bands with long corky lenticels: cherry.
+class CherryBark {
+public:
+    static constexpr float kRelief = 0.014F;
+
+    TexturePoint operator()(float u, float v) const
+    {
+        const float bend = m_noise(u, v);
+        const float wear = m_noise(v + 0.21F, u + 0.83F);
+        const float grain = m_noise(8.0F * u, 18.0F * v);
+        const float bands = m_noise(u + 0.4F, 9.0F * v + 0.2F * bend);
+        const float y = v + 0.008F * bend;
+        const float cork = std::max(corkIn(m_long.own(u, y), 0.45F, 0.2F, grain),
+                                    0.8F * corkIn(m_short.own(u + 0.17F, y), 0.55F, 0.26F, grain));
+        const float peel = 1.0F - smoothStep(0.0F, 0.03F, std::abs(bands - 0.35F));
+
+        const float height = 0.45F + 0.12F * bands + 0.06F * grain + 0.4F * cork - 0.2F * peel;
+        Colour colour = mix({0.27F, 0.155F, 0.13F}, {0.45F, 0.29F, 0.24F}, clamped(0.5F + 0.8F * bands));
+        colour = mix(colour, {0.47F, 0.42F, 0.39F}, 0.6F * smoothStep(0.0F, 0.5F, wear));
+        colour = mix(colour, {0.60F, 0.48F, 0.38F}, 0.75F * cork);
+        return {colour * ((1.0F + 0.12F * grain) * (1.0F - 0.3F * peel)), height};
+    }
+
+private:
+    /// A level lens in those cells that the lot falls on.
+    static float corkIn(const TileCells::Sample& cell, float rarity, float thickness, float grain)
+    {
+        if (cell.value < rarity)
+            return 0.0F;
+        const float length = 0.2F + 0.25F * (cell.value - rarity) / (1.0F - rarity);
+        const float along = cell.x / length;
+        const float half = thickness * (1.0F - along * along) + 0.05F * grain;
+        return half > 0.0F ? 1.0F - smoothStep(0.5F * half, half + 0.05F, std::abs(cell.y)) : 0.0F;
+    }
+
+    const TileNoise& m_noise = TileNoise::shared();
+    TileCells m_long{3, 24, 0.5F, 61};
+    TileCells m_short{7, 30, 0.6F, 62};
+};
+
+/// Bark that falls in plates and leaves patches of cream, olive and grey: plane, lacebark pine.
+class MottledBark {
+public:
+    static constexpr float kRelief = 0.014F;
+
+    TexturePoint operator()(float u, float v) const
+    {
+        const float bend = m_noise(u, v);
+        const float sway = m_noise(v + 0.63F, u + 0.11F);
+        const float fray = m_noise(5.0F * u + 0.1F, 4.0F * v);
+        const float grain = m_noise(9.0F * u, 9.0F * v);
+        // Each layer that has fallen left its own patches; the oldest lies on top.
+        const float x = u + 0.06F * bend;
+        const float y = v + 0.06F * sway;
+        const float middle = patch(m_noise(2.0F * x + 0.31F, 2.0F * y + 0.17F) + 0.12F * fray, -0.05F);
+        const float oldest = patch(m_noise(3.0F * x + 0.77F, 2.0F * y + 0.59F) + 0.12F * fray, 0.22F);
+        const float specks = smoothStep(0.35F, 0.6F, m_noise(6.0F * u + 0.4F, 6.0F * v + 0.7F));
+
+        Colour colour = mix({0.70F, 0.67F, 0.52F}, {0.78F, 0.76F, 0.66F}, clamped(0.5F + bend));
+        colour = mix(colour, {0.50F, 0.51F, 0.37F}, middle);
+        colour = mix(colour, mix({0.40F, 0.37F, 0.31F}, {0.47F, 0.41F, 0.34F}, clamped(0.5F + sway)), oldest);
+        colour = mix(colour, {0.36F, 0.31F, 0.26F}, 0.35F * specks);
+        const float height = 0.3F + 0.2F * middle + 0.3F * oldest + 0.06F * grain + 0.08F * fray;
+        return {colour * (1.0F + 0.1F * grain), height};
+    }
+
+private:
+    static float patch(float level, float margin) { return smoothStep(margin, margin + 0.03F, level); }
+
+    const TileNoise& m_noise = TileNoise::shared();
+};
+
+/// Soft strips of long red fibres that come off in shreds: redwood, cedar, juniper.
+class FibrousBark {
+public:
+    static constexpr float kRelief = 0.035F;
+
+    TexturePoint operator()(float u, float v) const
+    {
+        const float bend = m_noise(u, v);
+        const float sway = m_noise(v + 0.51F, u + 0.27F);
+        const float x = u + 0.03F * bend + 0.015F * sway;
+        const TileCells::Nearest strip = m_strips.nearest(x, v + 0.06F * sway);
+        const float gap = strip.edge * (1.0F + 2.6F * strip.levelness);
+        const float strand = m_noise(14.0F * x, v + 0.3F);
+        const float thread = m_noise(16.0F * x + 0.5F, 3.0F * v);
+        const float shred = smoothStep(0.15F, 0.5F, m_noise(5.0F * x + 0.2F, 2.0F * v + 0.6F));
+
+        const float wall = smoothStep(0.0F, 0.2F, gap);
+        const float height = wall * (0.55F + 0.2F * strand + 0.12F * thread + 0.18F * shred);
+        Colour colour = mix({0.17F, 0.085F, 0.06F}, {0.47F, 0.27F, 0.185F}, wall);
+        colour =
+            mix(colour, {0.58F, 0.44F, 0.36F}, clamped(0.35F * shred + 0.35F * strand + 0.15F * strip.value));
+        return {colour * (1.0F + 0.28F * thread * wall + 0.1F * strand), height};
+    }
+
+private:
+    const TileNoise& m_noise = TileNoise::shared();
+    TileCells m_strips{11, 2, 0.95F, 83};
+};
+
+/// Rings where leaves once stood, with short fibres between them: palms, tree ferns.
+class RingedBark {
+public:
+    static constexpr float kRelief = 0.03F;
+
+    TexturePoint operator()(float u, float v) const
+    {
+        const float bend = m_noise(u, v);
+        const float fray = m_noise(6.0F * u, 3.0F * v + 0.2F);
+        const float fibre = m_noise(15.0F * u + 0.3F * bend, 4.0F * v);
+        const float grain = m_noise(9.0F * u, 9.0F * v);
+        const float ring = static_cast<float>(kRings) * (v + 0.012F * bend + 0.006F * fray) + 0.5F;
+        const float within = ring - std::floor(ring);
+        // A scar's lip stands out and sheds the fibres below it.
+        const float lip = smoothStep(0.0F, 0.1F, within) * (1.0F - smoothStep(0.16F, 0.42F, within));
+        const float groove = 1.0F - smoothStep(0.0F, 0.09F, std::min(within, 1.0F - within));
+        const float height = 0.35F + 0.4F * lip - 0.3F * groove + 0.16F * fibre + 0.06F * grain;
+        Colour colour = mix({0.40F, 0.345F, 0.28F}, {0.56F, 0.51F, 0.44F}, clamped(lip + 0.5F * bend));
+        colour = mix(colour, {0.20F, 0.165F, 0.13F}, 0.8F * groove);
+        return {colour * (1.0F + 0.22F * fibre + 0.12F * grain), height};
+    }
+
+private:
+    static constexpr int kRings = 9;
+
+    const TileNoise& m_noise = TileNoise::shared();
+};
+
+using Bark = std::variant<FurrowedBark, SmoothBark, PlatedBark, BirchBark, CherryBark, MottledBark,
+                          FibrousBark, RingedBark>;
 
 Bark barkOf(BarkKind kind)
 {
@@ -195,6 +325,14 @@ Bark barkOf(BarkKind kind)
         return PlatedBark{};
     case BarkKind::Birch:
         return BirchBark{};
+    case BarkKind::Cherry:
+        return CherryBark{};
+    case BarkKind::Mottled:
+        return MottledBark{};
+    case BarkKind::Fibrous:
+        return FibrousBark{};
+    case BarkKind::Ringed:
+        return RingedBark{};
     }
     return SmoothBark{};
 }

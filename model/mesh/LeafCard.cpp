@@ -22,26 +22,44 @@ float midrib(const Relief& relief, float y)
     return 4.0F * relief.arch * y * (1.0F - y) - relief.tip * y * y;
 }
 
+/// A place of the folded and arched blade.
+MeshVertex bladeVertex(const Relief& relief, float x, float y)
+{
+    const float z = midrib(relief, y) + 2.0F * std::abs(x) * relief.fold;
+    const float across = x == 0.0F ? 0.0F : (x > 0.0F ? -2.0F : 2.0F) * relief.fold;
+    const float along = relief.aspect * (-4.0F * relief.arch * (1.0F - 2.0F * y) + 2.0F * relief.tip * y);
+    const Vec3 normal = Vec3(across, along, 1.0F).normalized();
+    const Vec3 tangent = (Vec3::UnitX() - normal.x() * normal).normalized();
+    return {.position = {x, y, z},
+            .normal = toArray(normal),
+            .tangent = {tangent.x(), tangent.y(), tangent.z(), 1.0F},
+            .uv = {x + 0.5F, y}};
+}
+
 /// The outline B-L1-L2-T-R2-R1 around the midrib's middle M; @p shoulder and @p top are the heights of the
 /// lower and upper pair.
 LeafCard foldedCard(const Relief& relief, float shoulder, float top)
 {
-    constexpr float middle = 0.5F;
-    const auto vertex = [&](float x, float y) {
-        const float z = midrib(relief, y) + 2.0F * std::abs(x) * relief.fold;
-        const float across = x == 0.0F ? 0.0F : (x > 0.0F ? -2.0F : 2.0F) * relief.fold;
-        const float along = relief.aspect * (-4.0F * relief.arch * (1.0F - 2.0F * y) + 2.0F * relief.tip * y);
-        const Vec3 normal = Vec3(across, along, 1.0F).normalized();
-        const Vec3 tangent = (Vec3::UnitX() - normal.x() * normal).normalized();
-        return MeshVertex{.position = {x, y, z},
-                          .normal = toArray(normal),
-                          .tangent = {tangent.x(), tangent.y(), tangent.z(), 1.0F},
-                          .uv = {x + 0.5F, y}};
-    };
-    return {.vertices = {vertex(0.0F, 0.0F), vertex(0.0F, middle), vertex(0.0F, 1.0F),
-                         vertex(-0.5F, shoulder), vertex(-0.5F, top), vertex(0.5F, shoulder),
-                         vertex(0.5F, top)},
+    const auto vertex = [&](float x, float y) { return bladeVertex(relief, x, y); };
+    return {.vertices = {vertex(0.0F, 0.0F), vertex(0.0F, 0.5F), vertex(0.0F, 1.0F), vertex(-0.5F, shoulder),
+                         vertex(-0.5F, top), vertex(0.5F, shoulder), vertex(0.5F, top)},
             .indices = {0, 1, 3, 3, 1, 4, 4, 1, 2, 0, 5, 1, 5, 6, 1, 6, 2, 1}};
+}
+
+/// The whole square in @p rows pairs of cells along the midrib.
+LeafCard wholeCard(const Relief& relief, VertexIndex rows)
+{
+    LeafCard card;
+    for (VertexIndex row = 0; row <= rows; ++row) {
+        const float y = static_cast<float>(row) / static_cast<float>(rows);
+        for (const float x : {-0.5F, 0.0F, 0.5F})
+            card.vertices.push_back(bladeVertex(relief, x, y));
+        if (row == rows)
+            break;
+        for (const VertexIndex corner : {0U, 1U, 4U, 0U, 4U, 3U, 1U, 2U, 4U, 2U, 5U, 4U})
+            card.indices.push_back(3 * row + corner);
+    }
+    return card;
 }
 
 LeafCard crossedCards()
@@ -115,6 +133,12 @@ const LeafCard& leafCard(LeafShape shape)
         foldedCard({.aspect = 0.2F, .arch = 0.25F, .tip = 0.9F, .fold = 0.12F}, 0.12F, 0.7F),
         foldedCard({.aspect = 0.65F, .arch = 0.05F, .tip = 0.16F, .fold = 0.08F}, 0.14F, 0.9F),
         crossedCards(),
+        foldedCard({.aspect = 0.85F, .arch = 0.05F, .tip = 0.2F, .fold = 0.1F}, 0.0F, 0.74F),
+        wholeCard({.aspect = 1.0F, .arch = 0.05F, .tip = 0.22F, .fold = 0.06F}, 2),
+        wholeCard({.aspect = 0.62F, .arch = 0.08F, .tip = 0.3F, .fold = 0.12F}, 2),
+        foldedCard({.aspect = 0.12F, .arch = 0.4F, .tip = 1.4F, .fold = 0.1F}, 0.1F, 0.72F),
+        crossedCards(),
+        wholeCard({.aspect = 0.42F, .arch = 0.3F, .tip = 1.1F, .fold = 0.25F}, 5),
     };
     return cards[static_cast<std::size_t>(shape)];
 }

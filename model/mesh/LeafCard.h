@@ -16,8 +16,9 @@ struct LeafCard {
     std::vector<VertexIndex> indices;
 };
 
-/// Six triangles for a leaf: folded along the midrib, arched, and cut off at the corners that every leaf
-/// texture leaves empty. Four for needles: two crossed cards.
+/// Six triangles for a simple leaf: folded along the midrib, arched, and cut off at the corners that its
+/// texture leaves empty; eight for one of several blades, which has no such corners,
+/// twenty for a frond. Four for needles: two crossed cards.
 const LeafCard& leafCard(LeafShape shape);
 
 struct LeafMeshOptions {

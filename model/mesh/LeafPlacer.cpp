@@ -58,6 +58,7 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
         m_parameters.visible ? std::clamp(m_parameters.perNode, 0, static_cast<int>(m_azimuths.size())) : 0;
     m_perNode = static_cast<std::uint32_t>(perNode);
     m_maxTips = static_cast<std::uint32_t>(std::max(0, m_parameters.maxTips));
+    m_reach = static_cast<std::uint32_t>(std::max(0, m_parameters.reach));
     m_jitter = kMostJitter * static_cast<float>(tree.parameters().growth.irregularity);
     m_cosine = static_cast<float>(std::cos(m_parameters.angle));
     m_sine = static_cast<float>(std::sin(m_parameters.angle));
@@ -82,7 +83,7 @@ void LeafPlacer::place(InternodeId id, std::span<LeafInstance> leaves) const
     const auto upward = static_cast<float>(m_parameters.upward);
     const double shift = m_parameters.vigourHue * shootWeakness(m_tree.vigour(id));
     const double hue = shiftedLeafHue(m_parameters.hue, shift);
-    const auto value = static_cast<float>(1.0 - kWeakDarkening * shift);
+    const auto value = static_cast<float>(m_parameters.brightness * (1.0 - kWeakDarkening * shift));
 
     for (std::uint32_t i = 0; i < m_perNode; ++i) {
         const std::array<float, 4> spread = fourSigned(random);

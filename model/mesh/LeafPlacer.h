@@ -51,7 +51,7 @@ public:
     bool bears(InternodeId id) const
     {
         const std::uint32_t tips = m_index.tipCount(id);
-        return m_perNode > 0 && tips > 0 && tips <= m_maxTips;
+        return m_perNode > 0 && tips > 0 && tips <= m_maxTips && m_index.subtreeSize(id) <= m_reach;
     }
     /// On each internode that bears.
     std::uint32_t leavesPerInternode() const { return m_perNode; }
@@ -70,6 +70,7 @@ private:
     LeafParameters m_parameters;
     std::uint32_t m_perNode;
     std::uint32_t m_maxTips;
+    std::uint32_t m_reach;
     float m_jitter;
     float m_cosine; ///< Of the angle between shoot and petiole
     float m_sine;

@@ -24,6 +24,8 @@ QImage barkNormal(BarkKind kind, int size);
 /// the colour goes on beyond the edge, so that scaling it down draws no dark seam. @p hue, rad, is that of
 /// the green.
 QImage leafAlbedo(LeafShape shape, int size, double hue = kLeafTextureHue);
+/// Multiplies the saturation (as in HSV) of such a leaf's colours, a @p factor of 0 or more; alpha stays.
+void saturateLeaf(QImage& albedo, double factor);
 /// The normal map of a leaf's upper face, without alpha (Format_RGB888).
 QImage leafNormal(LeafShape shape, int size);
 

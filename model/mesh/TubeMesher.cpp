@@ -30,8 +30,7 @@ constexpr float kRootRadius = 0.45F;
 /// Over how many of its radii a branch's direction is told: thick ones grow straight over the kinks of single
 /// internodes.
 constexpr float kDirectionRadii = 3.0F;
-/// The trunk's flare at the ground: half as much again, gone after so many radii.
-constexpr float kFlare = 0.5F;
+/// The trunk's flare at the ground is gone after so many radii.
 constexpr float kFlareRadii = 3.5F;
 /// A lateral's collar: how much of its radius it may add, and how far it reaches beyond the parent's axis.
 constexpr float kCollar = 0.6F;
@@ -66,7 +65,7 @@ MeshSize TubeMesher::prepare(InternodeId base)
     const float radius = m_radii.front();
     m_parentRadius = isTrunk ? 0.0F : m_widths.radius(m_index, parent);
     if (isTrunk) {
-        m_collar = kFlare * radius;
+        m_collar = static_cast<float>(m_tree.parameters().widths.flare) * radius;
         m_collarEnd = kFlareRadii * radius;
         m_rooted = false;
     } else {

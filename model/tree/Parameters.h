@@ -59,12 +59,24 @@ struct WidthParameters {
     double exponent = 2.2;      ///< n, used when baseDiameter is 0
     double tipDiameter = 0.003; ///< d_e, m
     double baseDiameter = 0.0;  ///< d_b, m; 0 = follows from the exponent
+    double flare = 0.5;         ///< how much thicker the trunk is at the ground, as a share of itself
 
     bool operator==(const WidthParameters&) const = default;
 };
 
-enum class LeafShape : int { Ovate, Lanceolate, Lobed, Needles };
-inline constexpr int kLeafShapeCount = 4;
+enum class LeafShape : int {
+    Ovate,
+    Lanceolate,
+    Lobed,
+    Needles,
+    Cordate,
+    Palmate,
+    Pinnate,
+    Willow,
+    Fascicle,
+    Frond
+};
+inline constexpr int kLeafShapeCount = 10;
 
 /// Leaves on young shoots.
 struct LeafParameters {
@@ -74,19 +86,22 @@ struct LeafParameters {
     double aspect = 0.6;         ///< width / length
     int perNode = 2;             ///< leaves at a node, 0...8
     int maxTips = 3;             ///< an internode bears leaves while it carries at most this many twig tips
+    int reach = 1000;            ///< and at most this many internodes, itself among them
     double angle = radians(50);  ///< rad, between the shoot and the petiole
     double droop = 0.25;         ///< 0...1, how far gravity turns a leaf down
     double upward = 0.6;         ///< 0...1, how far the blade turns its face to the sky
     double sizeVariation = 0.25; ///< 0...1
     double hue = radians(98);    ///< rad on the colour wheel (0 red, 120° green)
     double hueVariation = radians(8); ///< rad
+    double saturation = 1.0;          ///< of the texture's: 0 grey, 1 as painted
+    double brightness = 1.0;          ///< of the texture's
     double vigourHue = 0.25;          ///< 0...1, shift of weak shoots' leaves toward yellow and red
 
     bool operator==(const LeafParameters&) const = default;
 };
 
-enum class BarkKind : int { Furrowed, Smooth, Plated, Birch };
-inline constexpr int kBarkKindCount = 4;
+enum class BarkKind : int { Furrowed, Smooth, Plated, Birch, Cherry, Mottled, Fibrous, Ringed };
+inline constexpr int kBarkKindCount = 8;
 
 struct BarkParameters {
     BarkKind kind = BarkKind::Furrowed;
@@ -158,25 +173,32 @@ void visitParameters(Parameters& p, Visit&& visit)
     visit(ParameterInfo{"widths.exponent", Number, 0.5, 10}, w.exponent);
     visit(ParameterInfo{"widths.tipDiameter", Metres, 0.0002, 0.2}, w.tipDiameter);
     visit(ParameterInfo{"widths.baseDiameter", Metres, 0, 20}, w.baseDiameter);
+    visit(ParameterInfo{"widths.flare", Number, 0, 2}, w.flare);
 
     auto& f = p.leaves;
     visit(ParameterInfo{"leaves.visible", Switch, 0, 1}, f.visible);
-    visit(ParameterInfo{"leaves.shape", Choice, 0, kLeafShapeCount - 1, "ovate lanceolate lobed needles"},
+    visit(ParameterInfo{"leaves.shape", Choice, 0, kLeafShapeCount - 1,
+                        "ovate lanceolate lobed needles cordate palmate pinnate willow fascicle frond"},
           f.shape);
     visit(ParameterInfo{"leaves.length", Metres, 0.005, 2}, f.length);
     visit(ParameterInfo{"leaves.aspect", Number, 0.02, 3}, f.aspect);
     visit(ParameterInfo{"leaves.perNode", Count, 0, 8}, f.perNode);
     visit(ParameterInfo{"leaves.maxTips", Count, 1, 1000}, f.maxTips);
+    visit(ParameterInfo{"leaves.reach", Count, 1, 1000}, f.reach);
     visit(ParameterInfo{"leaves.angle", Angle, 0, 150}, f.angle);
     visit(ParameterInfo{"leaves.droop", Number, 0, 1}, f.droop);
     visit(ParameterInfo{"leaves.upward", Number, 0, 1}, f.upward);
     visit(ParameterInfo{"leaves.sizeVariation", Number, 0, 1}, f.sizeVariation);
     visit(ParameterInfo{"leaves.hue", Angle, 0, 360}, f.hue);
     visit(ParameterInfo{"leaves.hueVariation", Angle, 0, 90}, f.hueVariation);
+    visit(ParameterInfo{"leaves.saturation", Number, 0, 1.5}, f.saturation);
+    visit(ParameterInfo{"leaves.brightness", Number, 0.2, 2.5}, f.brightness);
     visit(ParameterInfo{"leaves.vigourHue", Number, 0, 1}, f.vigourHue);
 
     auto& b = p.bark;
-    visit(ParameterInfo{"bark.kind", Choice, 0, kBarkKindCount - 1, "furrowed smooth plated birch"}, b.kind);
+    visit(ParameterInfo{"bark.kind", Choice, 0, kBarkKindCount - 1,
+                        "furrowed smooth plated birch cherry mottled fibrous ringed"},
+          b.kind);
     visit(ParameterInfo{"bark.scale", Metres, 0.02, 20}, b.scale);
 }
 

@@ -119,6 +119,7 @@ void TreeIndex::place(const Tree& tree, InternodeId id)
                 isBase ? Rotation(Rotation::Identity()) : m_rotation[parent], c.rotation[id], c.length[id]);
     m_position[id] = placement.node;
     m_rotation[id] = placement.rotation;
+    m_greatestLength = std::max(m_greatestLength, c.length[id]);
 }
 
 /// What hangs on a bent internode follows it, the dead as well: they may come back.

@@ -48,6 +48,9 @@ public:
     std::uint32_t tipCount(InternodeId id) const { return m_sums[id].tips; }
     std::uint32_t livingCount() const { return m_sums.empty() ? 0 : m_sums[0].internodes; }
 
+    /// No internode is longer, m; after longer ones have gone it may be more than need be.
+    float greatestLength() const { return m_greatestLength; }
+
     /// Ids whose subtreeSize or tipCount changed in the last update, descending.
     std::span<const InternodeId> recentlyChanged() const { return m_changed; }
     /// Ids, the dead included, that the last update moved to another place or turned, ascending.
@@ -78,6 +81,7 @@ private:
     std::vector<Sums> m_sums;
     std::vector<std::uint8_t> m_own; ///< Bit 0: counted as living, bit 1: as a tip
     std::vector<Sums> m_pending;     ///< Differences on their way down, modulo 2^32
+    float m_greatestLength = 0.0F;
     AncestorSweep m_sweep;
     std::vector<InternodeId> m_changed;
     std::vector<InternodeId> m_moved;

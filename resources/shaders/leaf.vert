@@ -5,6 +5,8 @@
 #include "ambient.glsl"
 #include "leaflight.glsl"
 
+uniform float saturation; // of the texture, 0...1: what is grey has no hue to turn
+
 out vec2 leafUv;
 #ifdef PLAIN
 out vec3 received;
@@ -45,6 +47,7 @@ void main()
     vec3 tint = hueFactor(leafLook.y) * leafLook.z * leafVariety();
     // Under a warm sun and a filmic curve, leaves as they are would look like paint: this is more like what a camera sees.
     tint *= vec3(0.84, 0.63, 0.80);
+    tint = mix(vec3(dot(tint, vec3(0.21, 0.72, 0.07))), tint, saturation);
     leafUv = cardUv;
     gl_Position = frame.viewProjection * vec4(place, 1.0);
 #ifdef PLAIN

@@ -4,11 +4,14 @@
 #include "app/CheatSheet.h"
 #include "commands/GrowGesture.h"
 #include "panels/BackgroundPanel.h"
+#include "panels/Bar.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
-#include "panels/ParameterPanel.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
+#include "panels/architecture/ArchitecturePanel.h"
+#include "panels/architecture/Diagram.h"
+#include "panels/architecture/DiagramHandle.h"
 #include "views/Viewport.h"
 #include "views/render/GlResources.h"
 
@@ -54,6 +57,7 @@ private Q_SLOTS:
     void tab_hidesEverythingButTheTree();
     void sheets_opensOneAtATime();
     void f6_leadsTheKeysToThePanelsAndBack();
+    void architecture_isDraggedOverTheLiveTree();
     void recipe_isPlayedAndHandedOver();
     void droppedFile_isOpened();
     void recentFiles_listWhatWasSaved();
@@ -754,7 +758,7 @@ void MainWindowTest::f6_leadsTheKeysToThePanelsAndBack()
 {
     action(ActionId::LeafSheet)->trigger();
     QTest::keyClick(handle(), Qt::Key_F6);
-    ParameterPanel& sheet = m_window->workspace().sheet(1);
+    Bar& sheet = m_window->workspace().sheet(1);
     QTRY_VERIFY(sheet.isAncestorOf(QApplication::focusWidget()));
     QWidget* const first = QApplication::focusWidget();
     QTest::keyClick(handle(), Qt::Key_Tab);
@@ -764,6 +768,36 @@ void MainWindowTest::f6_leadsTheKeysToThePanelsAndBack()
     QTRY_COMPARE(QApplication::focusWidget(), &viewport());
     QTest::keyClick(handle(), Qt::Key_Escape);
     QTRY_VERIFY(!sheet.isVisible());
+}
+
+void MainWindowTest::architecture_isDraggedOverTheLiveTree()
+{
+    brush();
+    const std::uint32_t grown = m_window->document().index().livingCount();
+    action(ActionId::Architecture)->trigger();
+    ArchitecturePanel& panel = m_window->workspace().architecture();
+    Diagram* tropism = panel.diagrams().front();
+    const QPoint from = tropism->mapTo(m_window.get(), tropism->handlePlace(0).toPoint());
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 8; ++i)
+        QTest::mouseMove(handle(), from + QPoint(0, 8 * i));
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, from + QPoint(0, 64));
+    const TreeDocument& document = m_window->document();
+    QCOMPARE(document.undoStack().count(), 2);
+    const double theta = document.parameters().growth.setPointAngle;
+    QVERIFY(theta > radians(60));
+    // What has grown stays; the arrows are the handle's, and F6 leads back to the tree.
+    QCOMPARE(document.index().livingCount(), grown);
+    QTest::keyClick(handle(), Qt::Key_Down);
+    QVERIFY(document.parameters().growth.setPointAngle > theta);
+    QTest::keyClick(handle(), Qt::Key_F6);
+    QTRY_COMPARE(QApplication::focusWidget(), &viewport());
+    QTest::keyClick(handle(), Qt::Key_F6);
+    QTRY_VERIFY(qobject_cast<DiagramHandle*>(QApplication::focusWidget()));
+    QVERIFY(QApplication::focusWidget()->isVisible());
+    // The tree is still there to be brushed.
+    brush(0.5F, 1.2F, 0.5F);
+    QVERIFY(document.index().livingCount() > grown);
 }
 
 void MainWindowTest::recipe_isPlayedAndHandedOver()

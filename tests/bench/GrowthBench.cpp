@@ -1,62 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BrushGesture.h"
 #include "commands/GrowGesture.h"
+#include "tests/bench/Crowns.h"
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <chrono>
-#include <ctime>
-#include <map>
-#include <memory>
 #include <numeric>
 
 namespace espalier {
 
 namespace {
 
-/// CPU seconds of all threads of this process.
-double cpuTime()
-{
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> samples)
-{
-    if (samples.empty())
-        return 0.0;
-    const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(samples.size() / 2);
-    std::ranges::nth_element(samples, middle);
-    return *middle;
-}
-
-double worst(const std::vector<double>& samples)
-{
-    return samples.empty() ? 0.0 : *std::ranges::max_element(samples);
-}
-
-void growTo(TreeDocument& document, std::uint32_t internodes)
-{
-    GrowGesture growth(document);
-    while (document.index().livingCount() < internodes && growth.step()) {
-    }
-    growth.finish();
-}
-
-/// A well-shaped crown of so many internodes, grown without a hand by the default parameters; made once.
-TreeDocument& crown(std::uint32_t internodes)
-{
-    static std::map<std::uint32_t, std::unique_ptr<TreeDocument>> crowns;
-    std::unique_ptr<TreeDocument>& document = crowns[internodes];
-    if (!document) {
-        document = std::make_unique<TreeDocument>();
-        growTo(*document, internodes);
-    }
-    return *document;
-}
+using namespace test;
 
 /// The crown's edge as seen from the middle of the crown in the direction that a hand would add to it.
 Vec3 edgeOf(const TreeDocument& document, const Vec3& direction)

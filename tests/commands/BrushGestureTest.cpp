@@ -31,6 +31,7 @@ private Q_SLOTS:
     void drawnStroke_isOneAxisOnTheLine();
     void drawnStroke_startsFromTheBudNearest();
     void drawnStroke_fromASelectedBud_startsThere();
+    void drawnStroke_fromABudThatIsNotThere_growsNothing();
     void drawnStroke_turningBackOnItself_staysOnTheLine();
     void thinnerBrush_growsFewerShoots();
     void strokeThatThinsOut_endsInOneAxis();
@@ -364,6 +365,23 @@ void BrushGestureTest::drawnStroke_fromASelectedBud_startsThere()
     QCOMPARE(document.tree().columns().slot[born.front()], std::uint8_t{0});
     for (const InternodeId id : born)
         QVERIFY(descendsFrom(document.tree(), id, node, 0));
+}
+
+void BrushGestureTest::drawnStroke_fromABudThatIsNotThere_growsNothing()
+{
+    TreeDocument document;
+    growCrown(document);
+    const std::uint32_t size = document.tree().size();
+    brush(document, kCrownStroke);
+    document.undoStack().undo();
+    const DocumentState before(document);
+    // Undone, and never there.
+    for (const InternodeId node : {size, document.tree().size(), InternodeId{0xffff'fffe}}) {
+        QVERIFY(node != size || (document.tree().buds(node) & kTerminalBud) != 0);
+        brush(document, strokeAlong(std::vector{Vec3(0.0F, 1.8F, 0.0F), Vec3(1.0F, 2.0F, 0.0F)}, 0.0F, 0.5),
+              {node, kTerminalSlot});
+        QVERIFY(DocumentState(document) == before);
+    }
 }
 
 void BrushGestureTest::drawnStroke_turningBackOnItself_staysOnTheLine()

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/TestClasses.h"
 
-#include <QCoreApplication>
 #include <QtTest>
+
+#ifdef QT_WIDGETS_LIB
+#include <QApplication>
+using Application = QApplication;
+#else
+#include <QCoreApplication>
+using Application = QCoreApplication;
+#endif
 
 /// Runs every test class; with the name of one as the first argument that one alone, and what follows goes to
 /// it.
 int main(int argc, char** argv)
 {
-    const QCoreApplication application(argc, argv);
+    const Application application(argc, argv);
     QStringList arguments = QCoreApplication::arguments();
     QString wanted;
     for (const auto make : espalier::test::TestClasses::all()) {

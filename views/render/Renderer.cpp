@@ -130,7 +130,7 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
     bindTexture(kShadowUnit, GL_TEXTURE_2D, m_shadows.map());
     m_gl.glEnable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
-    drawTree(options);
+    drawTree(options, static_cast<float>(std::min(scene.parameters().leaves.saturation, 1.0)));
     // What the tree covers need not be drawn.
     const bool isTracing = !options.background && !options.view.tracing.file.isEmpty();
     if (!options.background)
@@ -275,13 +275,15 @@ void Renderer::drawGround(bool hides)
     m_gl.glDisable(GL_BLEND);
 }
 
-void Renderer::drawTree(const RenderOptions& options)
+void Renderer::drawTree(const RenderOptions& options, float saturation)
 {
     // Leaves first: what they cover of the wood need not be lit.
     if (options.view.leavesShown) {
         bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.leafColour());
         bindTexture(kNormalUnit, GL_TEXTURE_2D, m_tree.leafNormal());
-        (options.isPlain ? *m_plainLeafProgram : *m_leafProgram).bind();
+        QOpenGLShaderProgram& leaf = options.isPlain ? *m_plainLeafProgram : *m_leafProgram;
+        leaf.bind();
+        leaf.setUniformValue("saturation", saturation);
         m_tree.drawLeaves();
     }
     QOpenGLShaderProgram& bark = options.isPlain ? *m_plainBarkProgram : *m_barkProgram;

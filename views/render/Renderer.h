@@ -40,7 +40,8 @@ private:
     /// @p hides: what is below it.
     void drawGround(bool hides);
     void drawTracing(const Camera& camera, const RenderOptions& options);
-    void drawTree(const RenderOptions& options);
+    /// @p saturation: of the leaves, 0...1.
+    void drawTree(const RenderOptions& options, float saturation);
     void sendFrame();
     void bindTexture(int unit, GLenum kind, GLuint texture);
 

@@ -138,13 +138,17 @@ void TreeBuffers::fillTextures(const TreeParameters& parameters)
         fillTexture(m_gl, m_barkColour, images.colour, TextureContent::Colour, true);
         fillTexture(m_gl, m_barkNormal, images.normal, TextureContent::Data, true);
     }
-    if (m_leaf == parameters.leaves.shape)
+    const LeafParameters& leaves = parameters.leaves;
+    if (m_leaf == leaves.shape && m_leafSaturation == leaves.saturation)
         return;
-    m_leaf = parameters.leaves.shape;
+    m_leaf = leaves.shape;
+    m_leafSaturation = leaves.saturation;
     const Images& images = imagesOf<LeafShape>(
         *m_leaf, [](LeafShape shape) { return leafAlbedo(shape, kLeafEdge); },
         [](LeafShape shape) { return espalier::leafNormal(shape, kLeafEdge); });
-    fillTexture(m_gl, m_leafColour, images.colour, TextureContent::Colour, false);
+    QImage colour = images.colour;
+    saturateLeaf(colour, m_leafSaturation);
+    fillTexture(m_gl, m_leafColour, colour, TextureContent::Colour, false);
     fillTexture(m_gl, m_leafNormal, images.normal, TextureContent::Data, false);
     const LeafCard& card = leafCard(*m_leaf);
     m_cardVertices.reserve(card.vertices.size() * sizeof(MeshVertex));

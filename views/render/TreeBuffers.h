@@ -56,6 +56,7 @@ private:
     std::uint64_t m_scene = 0;      ///< Number of the scene that is here, 0 for none
     std::optional<BarkKind> m_bark; ///< Of the textures
     std::optional<LeafShape> m_leaf;
+    double m_leafSaturation = 1.0;
     GLsizei m_indexCount = 0;
     GLsizei m_leafCount = 0;
     GLsizei m_cardIndexCount = 0;

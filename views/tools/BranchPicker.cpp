@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace espalier {
 
@@ -45,6 +46,14 @@ public:
         const float limit = radius + std::max(0.0F, along + radius) * m_reach / m_scale;
         return along > -radius && offset.squaredNorm() - along * along <= limit * limit;
     }
+
+    /// Of the nearest that may appear within @p radius (m) of @p centre, m.
+    float leastDepth(const Vec3& centre, float radius) const
+    {
+        return (centre - m_eye).dot(m_forward) - radius;
+    }
+    /// Whether nothing from @p depth (m) on can be the one any more.
+    bool isSettledBefore(float depth) const { return m_best && m_rank == 0.0F && depth >= m_depth; }
 
     void consider(InternodeId id)
     {
@@ -102,16 +111,31 @@ std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& sc
 {
     Picker picker(scene, screen, reach);
     const QList<float>& lengths = scene.tree.columns().length;
-    const float beyond = *std::ranges::max_element(lengths) + scene.greatestRadius;
+    const float beyond = scene.index.greatestLength() + scene.greatestRadius;
+    struct Brick {
+        float depth;
+        VoxelSpace::Residents residents;
+    };
+    std::vector<Brick> bricks;
     scene.space.forEachBrick([&](const Vec3& centre, float radius, VoxelSpace::Residents residents) {
-        if (!picker.mayReach(centre, radius + beyond))
-            return;
-        for (const Resident& resident : residents) {
+        if (picker.mayReach(centre, radius + beyond))
+            bricks.push_back({picker.leastDepth(centre, radius + beyond), residents});
+    });
+    // From front to back: what is under the pointer itself hides all that is behind it.
+    std::ranges::stable_sort(bricks, {}, &Brick::depth);
+    for (const Brick& brick : bricks) {
+        if (picker.isSettledBefore(brick.depth))
+            break;
+        for (const Resident& resident : brick.residents) {
             const Vec3 position(resident.x, resident.y, resident.z);
-            if (picker.mayReach(position, lengths[resident.id] + scene.greatestRadius))
+            const float length = lengths[resident.id];
+            const float most = length + scene.greatestRadius;
+            if (!picker.mayReach(position, most) || picker.isSettledBefore(picker.leastDepth(position, most)))
+                continue;
+            if (picker.mayReach(position, length + scene.radius(resident.id)))
                 picker.consider(resident.id);
         }
-    });
+    }
     return picker.best();
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <tuple>
 
 namespace espalier {
 
@@ -25,48 +27,67 @@ Vec3 budPosition(const Tree& tree, const TreeIndex& index, const BudRef& bud, fl
     return index.nodePosition(bud.node) + offset * direction;
 }
 
-std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, double reach)
+std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, double reach, std::size_t most)
 {
     struct Candidate {
         PickedBud picked;
         double rank;
         float depth;
+        bool operator<(const Candidate& other) const
+        {
+            return std::tie(rank, depth, picked.bud) < std::tie(other.rank, other.depth, other.picked.bud);
+        }
     };
-    std::vector<Candidate> found;
+    std::vector<Candidate> found; // a heap, the farthest first
     const Camera& camera = scene.camera;
     const Ray ray = camera.ray(screen);
-    const auto perDepth = static_cast<float>(reach) / camera.pixelsPerMetre(1.0F);
+    const float pixels = camera.pixelsPerMetre(1.0F);
+    auto perDepth = static_cast<float>(reach) / pixels;
     const auto mayReach = [&](const Vec3& centre, float radius) {
         const Vec3 offset = centre - ray.origin;
         const float along = offset.dot(ray.direction);
         const float limit = radius + std::max(0.0F, along + radius) * perDepth;
         return along > -radius && offset.squaredNorm() - along * along <= limit * limit;
     };
-    const float beyond =
-        kOffset * *std::ranges::max_element(scene.tree.columns().length) + scene.greatestRadius;
+    const auto take = [&](const BudRef& bud, float bark) {
+        const Vec3 position = budPosition(scene.tree, scene.index, bud, bark);
+        const auto place = camera.project(position);
+        if (!place)
+            return;
+        const double distance = std::hypot(place->x() - screen.x(), place->y() - screen.y());
+        if (distance > reach)
+            return;
+        const Candidate candidate{
+            {bud, position}, std::floor(distance / kNoDifference), camera.depth(position)};
+        if (found.size() == most) {
+            if (!(candidate < found.front()))
+                return;
+            std::ranges::pop_heap(found, std::less());
+            found.pop_back();
+        }
+        found.push_back(candidate);
+        std::ranges::push_heap(found, std::less());
+        // Once there are enough, only what is nearer than the farthest of them counts.
+        if (found.size() == most)
+            perDepth =
+                static_cast<float>(std::min(reach, (found.front().rank + 1.0) * kNoDifference)) / pixels;
+    };
+    const float beyond = kOffset * scene.index.greatestLength() + scene.greatestRadius;
     scene.space.forEachBrick([&](const Vec3& centre, float radius, VoxelSpace::Residents residents) {
         if (!mayReach(centre, radius + beyond))
             return;
         for (const Resident& resident : residents) {
-            if (!mayReach(Vec3(resident.x, resident.y, resident.z), beyond))
+            const Vec3 node(resident.x, resident.y, resident.z);
+            if (!mayReach(node, beyond))
                 continue;
-            for (unsigned rest = scene.tree.buds(resident.id); rest != 0; rest &= rest - 1) {
-                const BudRef bud{resident.id, std::countr_zero(rest)};
-                const Vec3 position = budPosition(scene.tree, scene.index, bud, scene.radius(bud.node));
-                const auto place = camera.project(position);
-                if (!place)
-                    continue;
-                const QPointF way = *place - screen;
-                const double distance = std::hypot(way.x(), way.y());
-                if (distance <= reach)
-                    found.push_back(
-                        {{bud, position}, std::floor(distance / kNoDifference), camera.depth(position)});
-            }
+            const float bark = scene.radius(resident.id);
+            if (!mayReach(node, kOffset * scene.tree.length(resident.id) + bark))
+                continue;
+            for (unsigned rest = scene.tree.buds(resident.id); rest != 0; rest &= rest - 1)
+                take({resident.id, std::countr_zero(rest)}, bark);
         }
     });
-    std::ranges::sort(found, [](const Candidate& a, const Candidate& b) {
-        return std::tuple(a.rank, a.depth, a.picked.bud) < std::tuple(b.rank, b.depth, b.picked.bud);
-    });
+    std::ranges::sort_heap(found, std::less());
     std::vector<PickedBud> buds;
     for (const Candidate& candidate : found)
         buds.push_back(candidate.picked);

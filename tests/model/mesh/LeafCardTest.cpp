@@ -24,7 +24,9 @@ private Q_SLOTS:
 
 namespace {
 
-constexpr std::array kShapes{LeafShape::Ovate, LeafShape::Lanceolate, LeafShape::Lobed, LeafShape::Needles};
+constexpr std::array kShapes{
+    LeafShape::Ovate,   LeafShape::Lanceolate, LeafShape::Lobed,  LeafShape::Needles,  LeafShape::Cordate,
+    LeafShape::Palmate, LeafShape::Pinnate,    LeafShape::Willow, LeafShape::Fascicle, LeafShape::Frond};
 
 LeafInstance leafAt(const Vec3& position, LeafShape shape = LeafShape::Ovate)
 {
@@ -43,7 +45,7 @@ void LeafCardTest::cards_areSmallAndWhole()
 {
     for (const LeafShape shape : kShapes) {
         const LeafCard& card = leafCard(shape);
-        QCOMPARE(card.indices.size(), std::size_t{shape == LeafShape::Needles ? 12U : 18U});
+        QVERIFY(card.indices.size() <= (shape == LeafShape::Frond ? 60U : 24U));
         for (const MeshVertex& vertex : card.vertices) {
             const Vec3 normal = toVec3(vertex.normal);
             const Vec3 tangent(vertex.tangent[0], vertex.tangent[1], vertex.tangent[2]);

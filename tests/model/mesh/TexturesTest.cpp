@@ -29,14 +29,18 @@ private Q_SLOTS:
     void normalMaps_areUnitAndLookOut();
     void leaf_liesWithinItsCard();
     void leaf_hasTheHueAskedFor();
+    void leaf_isPalerWithLessSaturation();
     void leaf_colourGoesOnBeyondItsEdge();
     void images_areTheSameOnOneThreadAndMany();
 };
 
 namespace {
 
-constexpr std::array kBarks{BarkKind::Furrowed, BarkKind::Smooth, BarkKind::Plated, BarkKind::Birch};
-constexpr std::array kLeaves{LeafShape::Ovate, LeafShape::Lanceolate, LeafShape::Lobed, LeafShape::Needles};
+constexpr std::array kBarks{BarkKind::Furrowed, BarkKind::Smooth,  BarkKind::Plated,  BarkKind::Birch,
+                            BarkKind::Cherry,   BarkKind::Mottled, BarkKind::Fibrous, BarkKind::Ringed};
+constexpr std::array kLeaves{
+    LeafShape::Ovate,   LeafShape::Lanceolate, LeafShape::Lobed,  LeafShape::Needles,  LeafShape::Cordate,
+    LeafShape::Palmate, LeafShape::Pinnate,    LeafShape::Willow, LeafShape::Fascicle, LeafShape::Frond};
 
 double difference(QRgb a, QRgb b)
 {
@@ -261,6 +265,23 @@ void TexturesTest::leaf_hasTheHueAskedFor()
             const double mean = degrees(std::atan2(sine, cosine));
             QVERIFY2(std::abs(std::remainder(mean - hue, 360.0)) < 8.0, qPrintable(QString::number(mean)));
         }
+    }
+}
+
+void TexturesTest::leaf_isPalerWithLessSaturation()
+{
+    const QImage full = leafAlbedo(LeafShape::Ovate, 64);
+    for (const double factor : {0.0, 0.4, 1.0}) {
+        QImage paler = full;
+        saturateLeaf(paler, factor);
+        forEachTexel(full, [&](int x, int y, QRgb before) {
+            const QColor from(before);
+            const QColor to(paler.pixel(x, y));
+            QVERIFY(std::abs(to.valueF() - from.valueF()) < 0.01F);
+            QVERIFY(std::abs(to.hsvSaturationF() - static_cast<float>(factor) * from.hsvSaturationF()) <
+                    0.02F);
+            QCOMPARE(qAlpha(paler.pixel(x, y)), qAlpha(before));
+        });
     }
 }
 

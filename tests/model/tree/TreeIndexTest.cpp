@@ -22,6 +22,7 @@ private Q_SLOTS:
     void afterAnyEdits_theIndexIsAsIfFreshlyMade();
     void recentlyChanged_namesExactlyWhatChanged();
     void longAxis_staysStraightAndUnitLength();
+    void noInternode_isLongerThanTheGreatestLength();
 };
 
 namespace {
@@ -163,6 +164,18 @@ void TreeIndexTest::recentlyChanged_namesExactlyWhatChanged()
         const auto changed = builder.index.recentlyChanged();
         QVERIFY(std::ranges::equal(changed, std::vector<InternodeId>(expected.rbegin(), expected.rend())));
     }
+}
+
+void TreeIndexTest::noInternode_isLongerThanTheGreatestLength()
+{
+    TreeBuilder builder = randomTree(200, 4);
+    const auto longest = [&] { return *std::ranges::max_element(builder.tree.columns().length); };
+    QCOMPARE(builder.index.greatestLength(), longest());
+    builder.apply(bend(builder.tree, 50, Rotation::Identity(), 9.0F));
+    QCOMPARE(builder.index.greatestLength(), longest());
+    builder.revert();
+    QVERIFY(builder.index.greatestLength() >= longest());
+    QCOMPARE(TreeIndex(builder.tree).greatestLength(), longest());
 }
 
 void TreeIndexTest::longAxis_staysStraightAndUnitLength()

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/ParameterEditor.h"
+
+#include "model/io/ParametersJson.h"
+#include "panels/ParameterValue.h"
+
+#include <QScopedValueRollback>
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+/// ms; strides of keys that are less apart are one undo step.
+constexpr int kRest = 600;
+
+/// Mends what the change of one parameter makes contradictory.
+void reconcile(GrowthParameters& growth, std::string_view changed)
+{
+    double* const weights[] = {&growth.axisWeight, &growth.tropismWeight, &growth.spaceWeight};
+    const std::string_view keys[] = {"growth.axisWeight", "growth.tropismWeight", "growth.spaceWeight"};
+    const bool areWhole =
+        std::abs(growth.axisWeight + growth.tropismWeight + growth.spaceWeight - 1.0) < 1e-12;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (changed != keys[i] || areWhole)
+            continue;
+        double& second = *weights[(i + 1) % 3];
+        double& third = *weights[(i + 2) % 3];
+        const double rest = 1.0 - *weights[i];
+        const double share = second + third > 0.0 ? second / (second + third) : 0.5;
+        second = rest * share;
+        third = rest - second;
+        normaliseDirectionWeights(growth);
+    }
+    const double most = kMostEllipseOffset * growth.ellipseVertical;
+    growth.ellipseOffset = std::clamp(growth.ellipseOffset, -most, most);
+}
+
+} // namespace
+
+void setParameter(TreeParameters& parameters, const char* key, double value)
+{
+    visitParameter(parameters, key,
+                   [&](const ParameterInfo& info, auto& field) { setSurfaceValue(info, field, value); });
+    reconcile(parameters.growth, key);
+}
+
+ParameterEditor::ParameterEditor(TreeDocument& document, QObject* parent)
+    : QObject(parent), m_document(document), m_gesture(document), m_shown(document.parameters())
+{
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRest);
+    connect(&document, &TreeDocument::changed, this, [this](const TreeChange& change) {
+        const bool parametersMoved =
+            !change.delta || change.delta->parametersBefore != change.delta->parametersAfter;
+        if (!parametersMoved || m_isOwnChange)
+            return;
+        Q_EMIT overtaken();
+        show(m_document.parameters());
+    });
+}
+
+double ParameterEditor::value(const char* key) const
+{
+    double result = 0.0;
+    visitParameter(m_shown, key,
+                   [&](const ParameterInfo& info, const auto& field) { result = surfaceValue(info, field); });
+    return result;
+}
+
+void ParameterEditor::begin()
+{
+    m_gesture.finish();
+    m_nudgedBy = nullptr;
+}
+
+void ParameterEditor::show(const TreeParameters& parameters)
+{
+    m_shown = parameters;
+    Q_EMIT shownChanged();
+}
+
+void ParameterEditor::show(const char* key, double value)
+{
+    TreeParameters parameters = m_shown;
+    setParameter(parameters, key, value);
+    show(parameters);
+}
+
+void ParameterEditor::putInForce(const QString& text)
+{
+    const QScopedValueRollback quiet(m_isOwnChange, true);
+    m_gesture.tryOut(m_shown, text);
+}
+
+void ParameterEditor::finish(const QString& text)
+{
+    putInForce(text);
+    show(m_document.parameters());
+}
+
+void ParameterEditor::cancel()
+{
+    {
+        const QScopedValueRollback quiet(m_isOwnChange, true);
+        m_gesture.cancel();
+    }
+    show(m_document.parameters());
+}
+
+void ParameterEditor::nudge(const QObject* by, const TreeParameters& parameters, const QString& text)
+{
+    if (m_nudgedBy != by || !m_rest.isActive())
+        begin();
+    m_nudgedBy = by;
+    m_rest.start();
+    show(parameters);
+    putInForce(text);
+}
+
+void ParameterEditor::nudge(const QObject* by, const char* key, double value, const QString& text)
+{
+    TreeParameters parameters = m_shown;
+    setParameter(parameters, key, value);
+    nudge(by, parameters, text);
+}
+
+void ParameterEditor::reset(std::span<const char* const> keys, const QString& text)
+{
+    cancel();
+    const TreeParameters defaults;
+    TreeParameters parameters = m_shown;
+    for (const char* key : keys) {
+        visitParameter(parameters, key, [&](const ParameterInfo&, auto& mine) {
+            visitParameter(defaults, key, [&](const ParameterInfo&, const auto& original) {
+                if constexpr (std::is_same_v<std::remove_cvref_t<decltype(original)>,
+                                             std::remove_cvref_t<decltype(mine)>>)
+                    mine = original;
+            });
+        });
+    }
+    if (!keys.empty())
+        reconcile(parameters.growth, keys.back());
+    show(parameters);
+    finish(text);
+}
+
+} // namespace espalier

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/ParameterNumber.h"
+
+#include <QKeyEvent>
+#include <QSignalBlocker>
+#include <QTimer>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+ParameterNumber::ParameterNumber(const ParameterScale& scale, QWidget* parent)
+    : QDoubleSpinBox(parent), m_factor(scale.text().factor)
+{
+    const ParameterText& text = scale.text();
+    setProperty("bare", true);
+    setButtonSymbols(QAbstractSpinBox::NoButtons);
+    setFrame(false);
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    setDecimals(text.decimals);
+    setRange(scale.info().minimum * m_factor, scale.info().maximum * m_factor);
+    setSingleStep(std::pow(10.0, -text.decimals));
+    setStepType(text.scale == ParameterText::Scale::Linear ? QAbstractSpinBox::DefaultStepType
+                                                           : QAbstractSpinBox::AdaptiveDecimalStepType);
+    setSpecialValueText(*text.least == '\0' ? QString() : parameterTr(text.least));
+    setSuffix(scale.suffix());
+    setKeyboardTracking(false);
+    setAccessibleName(parameterTr(text.label));
+    int widest = fontMetrics().horizontalAdvance(specialValueText());
+    for (const double limit : {minimum(), maximum()})
+        widest = std::max(widest, fontMetrics().horizontalAdvance(textFromValue(limit) + suffix()));
+    setFixedWidth(widest + 6);
+    connect(this, &QDoubleSpinBox::valueChanged, this,
+            [this](double shown) { Q_EMIT edited(shown / m_factor); });
+}
+
+void ParameterNumber::show(double value)
+{
+    const QSignalBlocker quiet(this);
+    setValue(value * m_factor);
+}
+
+void ParameterNumber::focusInEvent(QFocusEvent* event)
+{
+    QDoubleSpinBox::focusInEvent(event);
+    // After the press that gave it the focus has put the cursor somewhere.
+    QTimer::singleShot(0, this, &QDoubleSpinBox::selectAll);
+}
+
+bool ParameterNumber::event(QEvent* event)
+{
+    // Escape leaves the number as it was, before it means anything else.
+    if (event->type() == QEvent::ShortcutOverride &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+        text() != textFromValue(value()) + suffix()) {
+        event->accept();
+        return true;
+    }
+    return QDoubleSpinBox::event(event);
+}
+
+void ParameterNumber::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape) {
+        show(value() / m_factor);
+        selectAll();
+        return;
+    }
+    QDoubleSpinBox::keyPressEvent(event);
+}
+
+void ParameterNumber::wheelEvent(QWheelEvent* event)
+{
+    if (hasFocus())
+        QDoubleSpinBox::wheelEvent(event);
+    else
+        event->ignore();
+}
+
+} // namespace espalier

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/ParameterScale.h"
+
+#include <QDoubleSpinBox>
+
+namespace espalier {
+
+/// A parameter's number with its unit, which a tap lets a person type over. It has no buttons, and takes the
+/// wheel only while it has the focus: a panel is scrolled past it.
+class ParameterNumber : public QDoubleSpinBox {
+    Q_OBJECT
+
+public:
+    explicit ParameterNumber(const ParameterScale& scale, QWidget* parent = nullptr);
+
+    /// In the surface unit.
+    void show(double value);
+
+Q_SIGNALS:
+    /// A person has typed or stepped to another value (surface unit).
+    void edited(double value);
+
+protected:
+    void focusInEvent(QFocusEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    double m_factor;
+};
+
+} // namespace espalier

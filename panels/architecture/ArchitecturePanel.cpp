@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/architecture/ArchitecturePanel.h"
+
+#include "panels/ParameterRow.h"
+#include "panels/Sideways.h"
+#include "panels/Theme.h"
+#include "panels/architecture/BranchingDiagram.h"
+#include "panels/architecture/DirectionDiagram.h"
+#include "panels/architecture/GravimorphismDiagram.h"
+#include "panels/architecture/PerceptionDiagram.h"
+#include "panels/architecture/TropismDiagram.h"
+#include "panels/architecture/ValueField.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollBar>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace espalier {
+
+namespace {
+
+// px
+constexpr int kLeastCard = 166;
+constexpr int kMostCard = 330;
+constexpr int kColumnWidth = 162;
+constexpr int kSpacing = 10;
+constexpr int kMargin = 14;
+constexpr int kLeastDiagram = 150;
+constexpr int kMostDiagram = 290;
+/// The tree keeps at least the other part of the window's height.
+constexpr double kMostHeight = 0.2;
+
+QLabel* captionLabel(const QString& text, QWidget* parent)
+{
+    auto* label = new QLabel(text, parent);
+    label->setAlignment(Qt::AlignTop | Qt::AlignRight);
+    label->setFixedHeight(24);
+    QPalette faint = label->palette();
+    faint.setColor(QPalette::WindowText, theme::kDimText);
+    label->setPalette(faint);
+    return label;
+}
+
+} // namespace
+
+ArchitecturePanel::ArchitecturePanel(TreeDocument& document, QWidget* parent)
+    : Bar(parent), m_editor(document), m_moreButton(new BarButton(BarButton::Look::Tab)), m_more(new QWidget)
+{
+    setAccessibleName(tr("Architecture"));
+    auto* content = new QWidget;
+    auto* line = new QHBoxLayout(content);
+    line->setContentsMargins(kMargin, 14, kMargin, 8);
+    line->setSpacing(kSpacing);
+    m_more->setParent(content);
+    m_more->hide();
+    auto* moreLine = new QHBoxLayout(m_more);
+    moreLine->setContentsMargins(0, 0, 0, 0);
+    moreLine->setSpacing(kSpacing);
+
+    using enum ParameterSection::Look;
+    for (const ParameterSection& section : parameterSections()) {
+        if (section.sheet != ParameterSheet::Architecture)
+            continue;
+        QHBoxLayout* where = section.look == More ? moreLine : line;
+        if (where->count() > 0 || section.look == More)
+            where->addWidget(barSeparator(Qt::Vertical, content));
+        where->addWidget(section.look == Diagram ? makeCard(section, content) : makeColumn(section, content));
+    }
+    m_moreButton->setText(tr("More ›"));
+    m_moreButton->setObjectName(QStringLiteral("moreGrowth"));
+    m_moreButton->setCheckable(true);
+    m_moreButton->setToolTip(tr("The rest of what steers growth: shoots, shade, room to grow"));
+    connect(m_moreButton, &QToolButton::toggled, this, &ArchitecturePanel::showMore);
+    QWidget* last = line->itemAt(line->count() - 1)->widget();
+    auto* lines = qobject_cast<QVBoxLayout*>(last->layout());
+    lines->insertWidget(lines->count() - 1, m_moreButton, 0, Qt::AlignLeft);
+    line->addWidget(m_more);
+
+    m_sideways = new Sideways(content, this);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(1, 1, 1, 1);
+    whole->addWidget(m_sideways);
+}
+
+Diagram* ArchitecturePanel::makeDiagram(const ParameterSection& section, QWidget* parent)
+{
+    const std::string_view key = section.parameters.front().key;
+    if (key == "growth.setPointAngle")
+        return m_schematic = new TropismDiagram(m_editor, parent);
+    if (key == "growth.ellipseVertical")
+        return new GravimorphismDiagram(m_editor, parent);
+    if (key == "growth.branchingAngle")
+        return new BranchingDiagram(m_editor, parent);
+    if (key == "growth.axisWeight")
+        return new DirectionDiagram(m_editor, parent);
+    return new PerceptionDiagram(m_editor, parent);
+}
+
+QWidget* ArchitecturePanel::makeCard(const ParameterSection& section, QWidget* parent)
+{
+    auto* card = new QWidget(parent);
+    card->setAccessibleName(parameterTr(section.title));
+    m_cards.push_back(card);
+    Diagram* diagram = makeDiagram(section, card);
+    m_diagrams.push_back(diagram);
+    diagram->setAccessibleName(parameterTr(section.title));
+    QStringList explanations;
+    QStringList tips;
+    for (const ParameterText& text : section.parameters) {
+        explanations.append(explanation(text));
+        tips.append(parameterTr(text.tip));
+    }
+    diagram->setAccessibleDescription(tips.join(QLatin1Char(' ')));
+    diagram->setToolTip(explanations.join(QStringLiteral("<br>")));
+    diagram->setWhatsThis(diagram->toolTip());
+
+    auto* lines = new QVBoxLayout(card);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->setSpacing(0);
+    auto* heading = new QHBoxLayout;
+    heading->addWidget(barHeading(parameterTr(section.title), card));
+    QLabel* caption = captionLabel(diagram->caption(), card);
+    heading->addWidget(caption, 1);
+    lines->addLayout(heading);
+    lines->addWidget(diagram, 1);
+    auto* values = new QHBoxLayout;
+    values->setSpacing(4);
+    for (const ParameterText& text : section.parameters) {
+        m_fields.push_back(new ValueField(m_editor, text.key, card));
+        values->addWidget(m_fields.back());
+    }
+    values->addStretch(1);
+    lines->addLayout(values);
+    connect(&m_editor, &ParameterEditor::shownChanged, caption,
+            [caption, diagram] { caption->setText(diagram->caption()); });
+    return card;
+}
+
+QWidget* ArchitecturePanel::makeColumn(const ParameterSection& section, QWidget* parent)
+{
+    auto* column = new QWidget(parent);
+    column->setFixedWidth(kColumnWidth);
+    auto* lines = new QVBoxLayout(column);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->setSpacing(3);
+    lines->addWidget(barHeading(parameterTr(section.title), column));
+    for (const ParameterText& text : section.parameters) {
+        m_rows.push_back(new ParameterRow(m_editor, text, column));
+        lines->addWidget(m_rows.back());
+    }
+    lines->addStretch(1);
+    return column;
+}
+
+void ArchitecturePanel::fit(const QSize& room)
+{
+    const int columns = 2 * (kColumnWidth + 2 * kSpacing + 1);
+    const int count = static_cast<int>(m_cards.size());
+    const int wide = (room.width() - 2 * kMargin - columns) / count - 2 * kSpacing - 1;
+    const int card = std::clamp(wide, kLeastCard, kMostCard);
+    const int tall = std::clamp(std::min(card * 5 / 6, static_cast<int>(kMostHeight * room.height())),
+                                kLeastDiagram, kMostDiagram);
+    for (QWidget* one : m_cards)
+        one->setFixedWidth(card);
+    for (Diagram* diagram : m_diagrams)
+        diagram->setFixedHeight(tall);
+    m_sideways->widget()->layout()->activate();
+    const QSize wanted = m_sideways->sizeHint() + QSize(2, 2);
+    resize(std::min(wanted.width(), room.width()), wanted.height());
+}
+
+ParameterRow* ArchitecturePanel::row(std::string_view key) const
+{
+    const auto found =
+        std::ranges::find_if(m_rows, [&](const ParameterRow* row) { return key == row->key(); });
+    return found == m_rows.end() ? nullptr : *found;
+}
+
+ValueField* ArchitecturePanel::field(std::string_view key) const
+{
+    const auto found =
+        std::ranges::find_if(m_fields, [&](const ValueField* field) { return key == field->key(); });
+    return found == m_fields.end() ? nullptr : *found;
+}
+
+bool ArchitecturePanel::isMoreShown() const
+{
+    return m_moreButton->isChecked();
+}
+
+void ArchitecturePanel::showMore(bool shown)
+{
+    m_moreButton->setChecked(shown);
+    m_moreButton->setText(shown ? tr("‹ Less") : tr("More ›"));
+    m_more->setVisible(shown);
+    Q_EMIT sizeWanted();
+    // Once everything has its place.
+    if (shown)
+        QTimer::singleShot(0, this, [this] { m_sideways->ensureWidgetVisible(m_more, kMargin); });
+}
+
+} // namespace espalier

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/Bar.h"
+#include "panels/ParameterEditor.h"
+#include "panels/ParameterTexts.h"
+
+#include <vector>
+
+class QToolButton;
+
+namespace espalier {
+
+class Diagram;
+class ParameterRow;
+class Sideways;
+class TropismDiagram;
+class ValueField;
+
+/// How trees grow, as drawings whose handles a person drags (TreeSketch §3.4, figure 16): cards side by side,
+/// one with the schematic tree; sliders and switches; and on demand the rest of growth's parameters. What is
+/// too wide for the window scrolls sideways.
+class ArchitecturePanel : public Bar {
+    Q_OBJECT
+
+public:
+    explicit ArchitecturePanel(TreeDocument& document, QWidget* parent = nullptr);
+
+    /// Takes the size that suits a workspace of @p room px: larger cards where there is more.
+    void fit(const QSize& room);
+
+    TropismDiagram& schematic() const { return *m_schematic; }
+    const std::vector<Diagram*>& diagrams() const { return m_diagrams; }
+    /// The controls of a parameter, or null if it has none of the kind.
+    ParameterRow* row(std::string_view key) const;
+    ValueField* field(std::string_view key) const;
+
+    bool isMoreShown() const;
+    void showMore(bool shown);
+
+Q_SIGNALS:
+    /// It would be wider or narrower now: time to fit() it again.
+    void sizeWanted();
+
+private:
+    QWidget* makeCard(const ParameterSection& section, QWidget* parent);
+    QWidget* makeColumn(const ParameterSection& section, QWidget* parent);
+    Diagram* makeDiagram(const ParameterSection& section, QWidget* parent);
+
+    ParameterEditor m_editor;
+    TropismDiagram* m_schematic = nullptr;
+    std::vector<Diagram*> m_diagrams;
+    std::vector<QWidget*> m_cards;
+    std::vector<ValueField*> m_fields;
+    std::vector<ParameterRow*> m_rows;
+    QToolButton* m_moreButton;
+    QWidget* m_more;
+    Sideways* m_sideways;
+};
+
+} // namespace espalier

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/growth/Schematic.h"
+#include "panels/architecture/Diagram.h"
+
+namespace espalier {
+
+/// The schematic tree that all of growth's parameters show in, and over it the arrow of tropism: the
+/// set-point angle θ from straight up (TreeSketch §3.4, figure 16).
+class TropismDiagram : public Diagram {
+    Q_OBJECT
+
+public:
+    explicit TropismDiagram(ParameterEditor& editor, QWidget* parent = nullptr);
+
+    QString caption() const override;
+    /// Grown with what is shown now; once a frame while a handle moves, since it is asked for when painted.
+    const Schematic& schematic();
+
+protected:
+    QPointF place(int number, const GrowthParameters& growth) const override;
+    void pull(int number, const QPointF& to, TreeParameters& parameters) const override;
+    void draw(QPainter& painter, const GrowthParameters& growth) override;
+
+private:
+    QPointF pivot() const;
+    double arrowLength() const;
+
+    GrowthParameters m_grownWith;
+    Schematic m_schematic;
+};
+
+/// Draws a schematic tree into @p box, as large as fits, its base in the middle of the lower edge.
+void drawSchematic(QPainter& painter, const Schematic& schematic, const QRectF& box);
+
+} // namespace espalier

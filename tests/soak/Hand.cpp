@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/soak/Hand.h"
+
+#include "commands/BendGesture.h"
+#include "commands/BrushGesture.h"
+#include "commands/GrowGesture.h"
+#include "commands/LassoGesture.h"
+#include "commands/ParameterGesture.h"
+#include "commands/Prune.h"
+#include "commands/SetParameters.h"
+#include "commands/TimeGesture.h"
+#include "commands/WidthGesture.h"
+
+#include <algorithm>
+
+namespace espalier::test {
+
+namespace {
+
+void finish(LassoGesture::Begun begun)
+{
+    if (!begun)
+        return;
+    while ((*begun)->step()) {
+    }
+    (*begun)->finish();
+}
+
+class Hand {
+public:
+    Hand(TreeDocument& document, RandomOperations& random) : m_document(document), m_random(random) {}
+
+    void operator()(const SetParametersOperation& operation)
+    {
+        // A slider's step stays by itself; that of a recipe joins the travel before it.
+        if (!m_document.future().empty() || operation.parameters == m_document.parameters()) {
+            setParameters(m_document, operation.parameters);
+            return;
+        }
+        ParameterGesture gesture(m_document);
+        for (int i = m_random.below(3); i > 0; --i)
+            gesture.tryOut(m_random.parameters(), QStringLiteral("Soak"));
+        gesture.tryOut(operation.parameters, QStringLiteral("Soak"));
+        gesture.finish();
+    }
+
+    void operator()(const BrushStrokeOperation& operation)
+    {
+        const std::vector<BrushSample>& samples = operation.samples;
+        BrushGesture gesture(m_document, samples.front(), operation.competitors);
+        for (std::size_t i = 1; i < samples.size(); ++i) {
+            if (m_random.onceIn(8))
+                gesture.moveToward(samples[i], 0.5 * (samples[i - 1].time + samples[i].time));
+            gesture.add(samples[i]);
+        }
+        gesture.finish();
+    }
+
+    void operator()(const GrowOperation& operation)
+    {
+        GrowGesture gesture(m_document, operation.competitors);
+        for (int i = 0; i < operation.steps && gesture.step(); ++i) {
+        }
+        gesture.finish();
+    }
+
+    void operator()(const PruneOperation& operation) { pruneBranches(m_document, operation.internodes); }
+
+    void operator()(const TravelOperation& operation)
+    {
+        TimeGesture gesture(m_document);
+        const auto here = static_cast<std::int64_t>(m_document.journal().size());
+        const auto end = static_cast<std::int64_t>(gesture.historyLength());
+        const auto moveTo = [&](std::int64_t position) {
+            gesture.moveTo(static_cast<std::size_t>(std::clamp(position, std::int64_t{0}, end)));
+        };
+        for (int i = m_random.below(4); i > 0; --i)
+            moveTo(here + m_random.below(21) - 10);
+        moveTo(here + operation.by);
+        gesture.finish();
+    }
+
+    void operator()(const UndoOperation& operation)
+    {
+        for (int i = 0; i < operation.count; ++i)
+            m_document.undoStack().undo();
+    }
+
+    void operator()(const RedoOperation& operation)
+    {
+        for (int i = 0; i < operation.count; ++i)
+            m_document.undoStack().redo();
+    }
+
+    void operator()(const BendOperation& operation)
+    {
+        std::vector<BranchBend::Handle> handles;
+        std::vector<Vec3> targets;
+        for (const BendOperation::Handle& handle : operation.handles) {
+            handles.push_back({handle.internode, handle.along});
+            targets.push_back(handle.target);
+        }
+        BendGesture gesture(m_document, operation.base, std::move(handles),
+                            {.stretching = operation.stretching, .bending = operation.bending});
+        for (int call = 0; call < BendGesture::kMostCalls && !gesture.moveTo(targets); ++call) {
+        }
+        gesture.finish();
+    }
+
+    void operator()(const SetWidthOperation& operation)
+    {
+        WidthGesture gesture(m_document, operation.internode);
+        for (int i = m_random.below(3); i > 0; --i)
+            gesture.set(static_cast<InternodeId>(m_random.below(static_cast<int>(m_document.tree().size()))),
+                        0.01 * m_random.below(50));
+        gesture.set(operation.diameter);
+        gesture.finish();
+    }
+
+    void operator()(const LassoOperation& operation)
+    {
+        finish(LassoGesture::fill(m_document, operation.stroke, operation.competitors));
+    }
+
+    void operator()(const RegrowOperation&) { finish(LassoGesture::regrow(m_document)); }
+
+    void operator()(const RemoveLassoOperation&) { removeEnvelopes(m_document); }
+
+private:
+    TreeDocument& m_document;
+    RandomOperations& m_random;
+};
+
+} // namespace
+
+void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOperations& random)
+{
+    std::visit(Hand(document, random), operation);
+}
+
+} // namespace espalier::test

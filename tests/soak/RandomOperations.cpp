@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/soak/RandomOperations.h"
+
+#include "model/io/ParametersJson.h"
+#include "tests/support/Growing.h"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace espalier::test {
+
+namespace {
+
+/// How often something is done: to a tree that may grow, and to one that has to be cut back.
+struct Weights {
+    int growing;
+    int cuttingBack;
+};
+
+/// By the alternatives of RecipeOperation.
+constexpr std::array<Weights, std::variant_size_v<RecipeOperation>> kWeights{{
+    {16, 4},  // set parameters
+    {50, 0},  // brush stroke
+    {18, 0},  // grow
+    {14, 50}, // prune
+    {18, 14}, // travel
+    {22, 25}, // undo
+    {14, 0},  // redo
+    {18, 4},  // bend
+    {16, 4},  // set width
+    {2, 0},   // lasso
+    {1, 0},   // regrow
+    {1, 1},   // remove lasso
+}};
+
+} // namespace
+
+RandomOperations::RandomOperations(std::uint64_t seed, std::uint32_t most)
+    : m_random(seed, 0, 0, Purpose::ShootLength), m_most(most)
+{
+}
+
+int RandomOperations::below(int count)
+{
+    return static_cast<int>(m_random.bits() % static_cast<std::uint64_t>(count));
+}
+
+TreeParameters RandomOperations::parameters()
+{
+    TreeParameters parameters = randomParameters(m_random);
+    parameters.growth.phyllotaxis = radians(m_random.uniform(0.0, 360.0)); // files have degrees
+    parameters.widths.exponent = m_random.uniform(1.5, 4.0);
+    parameters.widths.baseDiameter = onceIn(3) ? m_random.uniform(0.01, 1.0) : 0.0;
+    parameters.leaves.visible = !onceIn(3);
+    parameters.leaves.shape = static_cast<LeafShape>(below(kLeafShapeCount));
+    parameters.leaves.length = m_random.uniform(0.02, 0.3);
+    parameters.bark.kind = static_cast<BarkKind>(below(kBarkKindCount));
+    normaliseDirectionWeights(parameters.growth);
+    return parameters;
+}
+
+float RandomOperations::internode(const TreeDocument& document) const
+{
+    return static_cast<float>(document.parameters().growth.internodeLength);
+}
+
+InternodeId RandomOperations::living(const TreeDocument& document)
+{
+    const Tree& tree = document.tree();
+    for (;;) {
+        const auto id = static_cast<InternodeId>(m_random.bits() % tree.size());
+        if (tree.isAlive(id))
+            return id;
+        if (!onceIn(64)) // most rows may be of the dead
+            continue;
+        const TreeIndex& index = document.index();
+        InternodeId at = 0;
+        while (index.mainChild(at) != kNoInternode && !onceIn(20))
+            at = index.mainChild(at);
+        return at;
+    }
+}
+
+/// Alive for the most part, dead, undone or not there at all otherwise.
+InternodeId RandomOperations::any(const TreeDocument& document)
+{
+    if (onceIn(100))
+        return static_cast<InternodeId>(recipeLimits::kInternode);
+    if (onceIn(20))
+        return static_cast<InternodeId>(m_random.bits() % (document.tree().size() + 3));
+    return living(document);
+}
+
+/// One that carries about a third of the tree or less.
+InternodeId RandomOperations::large(const TreeDocument& document)
+{
+    const TreeIndex& index = document.index();
+    InternodeId id = 0;
+    while (index.subtreeSize(id) > index.livingCount() / 3) {
+        InternodeId largest = kNoInternode;
+        for (InternodeId child = index.firstChild(id); child != kNoInternode;
+             child = index.nextSibling(child)) {
+            if (largest == kNoInternode || index.subtreeSize(child) > index.subtreeSize(largest))
+                largest = child;
+        }
+        if (largest == kNoInternode)
+            break;
+        id = largest;
+    }
+    return id;
+}
+
+Competitors RandomOperations::competitors(const TreeDocument& document)
+{
+    if (!onceIn(5))
+        return {};
+    const InternodeId node = any(document);
+    const BudMask buds = node < document.tree().size() ? document.tree().buds(node) : BudMask{0};
+    const auto anySlot = [&] {
+        const int slot = below(kMaxLaterals + 1);
+        return slot == kMaxLaterals ? kTerminalSlot : slot;
+    };
+    int slot = anySlot();
+    while (buds != 0 && (buds & budBit(slot)) == 0 && !onceIn(100)) // a bud that is not there, too
+        slot = anySlot();
+    return {node, slot};
+}
+
+template <>
+SetParametersOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    if (onceIn(12)) // nothing new
+        return {document.parameters()};
+    const auto& sets = document.tree().parameterSets();
+    if (onceIn(6))
+        return {sets[below(static_cast<int>(sets.size()))]};
+    TreeParameters parameters = this->parameters();
+    if (!onceIn(4)) // a slider moves one thing alone
+        parameters.growth = document.parameters().growth;
+    if (onceIn(2))
+        parameters.growth.apicalDominance = m_random.uniform();
+    return {parameters};
+}
+
+template <>
+BrushStrokeOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const float l = internode(document);
+    BrushStrokeOperation operation;
+    operation.samples = randomStroke(m_random, document.parameters().growth, onceIn(6) ? 1.2 : 0.5);
+    // Where there is something to brush at.
+    const Vec3 there = document.index().nodePosition(living(document)) + 3.0F * l * m_random.inBall() -
+                       operation.samples.front().position;
+    const int every = onceIn(3) ? 1 + below(20) : 1;
+    const float turn = onceIn(3) ? static_cast<float>(m_random.uniform(0.0, 3.0)) : 1.0F;
+    std::vector<BrushSample> kept;
+    for (std::size_t i = 0; i < operation.samples.size(); i += static_cast<std::size_t>(every)) {
+        BrushSample sample = operation.samples[i];
+        sample.position += there;
+        // A pen's pressure changes on the way.
+        sample.radius *= i % 2 == 0 ? 1.0F : turn;
+        sample.position = sample.position.cwiseMax(-1000.0F).cwiseMin(1000.0F);
+        kept.push_back(sample);
+    }
+    operation.samples = std::move(kept);
+    operation.competitors = competitors(document);
+    return operation;
+}
+
+template <>
+GrowOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const bool isSmall = document.index().livingCount() < m_most / 4;
+    return {isSmall ? 1 + below(6) : 1 + below(2), competitors(document)};
+}
+
+template <>
+PruneOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    PruneOperation operation;
+    if (document.index().livingCount() > m_most) {
+        operation.internodes = {large(document), large(document)};
+        return operation;
+    }
+    const int count = onceIn(4) ? 1 + below(8) : 1;
+    for (int i = 0; i < count; ++i)
+        operation.internodes.push_back(any(document));
+    return operation;
+}
+
+template <>
+TravelOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    if (onceIn(30))
+        return {onceIn(2) ? recipeLimits::kTravel : -recipeLimits::kTravel};
+    const int far = onceIn(10) ? 200 : 12;
+    const int by = 1 + below(far);
+    // What lies ahead calls to come back.
+    const bool isForward = document.future().empty() ? onceIn(10) : !onceIn(3);
+    return {isForward ? by : -by};
+}
+
+template <>
+UndoOperation RandomOperations::make(const TreeDocument&, int undoable)
+{
+    const int count = onceIn(40) ? 1 + below(60) : onceIn(4) ? 1 + below(8) : 1;
+    return {std::clamp(count, 1, undoable)};
+}
+
+template <>
+RedoOperation RandomOperations::make(const TreeDocument&, int)
+{
+    return {onceIn(10) ? 1 + below(60) : 1 + below(3)};
+}
+
+template <>
+BendOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const TreeIndex& index = document.index();
+    const float l = internode(document);
+    BendOperation operation;
+    operation.base = any(document);
+    InternodeId at = operation.base < document.tree().size() ? operation.base : 0;
+    const bool isAbsurd = onceIn(12);
+    const int handles = onceIn(3) ? 1 + below(4) : 1;
+    for (int i = 0; i < handles; ++i) {
+        for (int up = 1 + below(12); up > 0; --up) {
+            InternodeId next = index.firstChild(at);
+            while (next != kNoInternode && index.nextSibling(next) != kNoInternode && onceIn(2))
+                next = index.nextSibling(next);
+            if (next == kNoInternode)
+                break;
+            at = next;
+        }
+        BendOperation::Handle handle;
+        handle.internode = onceIn(25) ? any(document) : at;
+        handle.along = onceIn(3) ? m_random.uniform() : 1.0;
+        const float reach = onceIn(3) ? 20.0F * l : 4.0F * l;
+        handle.target = index.nodePosition(at) + reach * m_random.inBall();
+        if (isAbsurd) {
+            constexpr auto kFar = static_cast<float>(recipeLimits::kCoordinate);
+            switch (below(5)) {
+            case 0:
+                handle.target = kFar * m_random.direction();
+                break;
+            case 1:
+                handle.target = Vec3::Constant(-kFar);
+                break;
+            case 2:
+                handle.target = index.basePosition(
+                    document.tree(), operation.base < document.tree().size() ? operation.base : 0);
+                break;
+            case 3:
+                handle.target = 100.0F * l * m_random.direction();
+                break;
+            default:
+                handle.target = Vec3::Zero();
+            }
+        }
+        handle.target = handle.target.cwiseMax(-1000.0F).cwiseMin(1000.0F);
+        operation.handles.push_back(handle);
+    }
+    if (onceIn(5)) {
+        operation.bending = std::pow(10.0, m_random.uniform(-2.0, 2.0));
+        operation.stretching = std::pow(10.0, m_random.uniform(-2.0, 2.0));
+    }
+    return operation;
+}
+
+template <>
+SetWidthOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    SetWidthOperation operation{any(document), m_random.uniform(0.001, 0.4)};
+    const auto constraints = document.tree().widthConstraints();
+    if (!constraints.empty() && onceIn(3))
+        operation.internode =
+            constraints[static_cast<std::size_t>(below(static_cast<int>(constraints.size())))].id;
+    if (onceIn(4))
+        operation.diameter = 0.0;
+    else if (onceIn(8))
+        operation.diameter = onceIn(2) ? recipeLimits::kDiameter : 1e-9;
+    return operation;
+}
+
+/// A closed stroke about the plane's origin; or one that no person would draw.
+std::vector<Vec2> RandomOperations::loop(float radius)
+{
+    std::vector<Vec2> points;
+    const int count = 3 + below(60);
+    const int kind = onceIn(4) ? below(7) : 7;
+    const double bulges = 2.0 + below(4);
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / count;
+        const double r = 1.0 + 0.3 * std::cos(bulges * angle);
+        Vec2 point(static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)));
+        switch (kind) {
+        case 0: // a single place
+            point = Vec2::Zero();
+            break;
+        case 1: // a line
+            point = Vec2(point.x(), 0.0F);
+            break;
+        case 2: // a figure of eight
+            point = Vec2(point.x(), static_cast<float>(std::sin(2.0 * angle)));
+            break;
+        case 3: // a scribble
+            point = Vec2(static_cast<float>(m_random.uniform(-1.0, 1.0)),
+                         static_cast<float>(m_random.uniform(-1.0, 1.0)));
+            break;
+        case 4: // a spiral
+            point *= static_cast<float>(i) / static_cast<float>(count);
+            break;
+        case 5: // a sliver
+            point.x() *= 0.001F;
+            break;
+        case 6: // a speck
+            point *= 1e-5F;
+            break;
+        default:
+            break;
+        }
+        points.emplace_back(radius * point);
+    }
+    return points;
+}
+
+template <>
+LassoOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const float l = internode(document);
+    LassoOperation operation;
+    LassoStroke& stroke = operation.stroke;
+    stroke.origin = document.index().nodePosition(living(document)) + 4.0F * l * m_random.inBall();
+    stroke.origin = stroke.origin.cwiseMax(-900.0F).cwiseMin(900.0F);
+    const double heading = m_random.uniform(0.0, 2.0 * std::numbers::pi);
+    stroke.right = Vec3(static_cast<float>(std::cos(heading)), 0.0F, static_cast<float>(std::sin(heading)));
+    stroke.points = loop(l * static_cast<float>(m_random.uniform(1.0, 5.0)));
+    operation.competitors = competitors(document);
+    return operation;
+}
+
+RecipeOperation RandomOperations::next(const TreeDocument& document, int undoable)
+{
+    const bool isCrowded = document.index().livingCount() > m_most;
+    std::array<int, kWeights.size()> weights{};
+    std::ranges::transform(kWeights, weights.begin(),
+                           [&](const Weights& both) { return isCrowded ? both.cuttingBack : both.growing; });
+    if (document.tree().lassos().inForce.size() > 1) // they cost more than all the rest
+        weights[RecipeOperation(RemoveLassoOperation{}).index()] *= 10;
+    if (undoable <= 0)
+        weights[RecipeOperation(UndoOperation{}).index()] = 0;
+    int draw = below(std::accumulate(weights.begin(), weights.end(), 0));
+    std::size_t kind = 0;
+    while (draw >= weights[kind])
+        draw -= weights[kind++];
+
+    RecipeOperation operation;
+    const auto fill = [&]<std::size_t Index>() {
+        if (Index == kind) {
+            using Operation = std::variant_alternative_t<Index, RecipeOperation>;
+            if constexpr (std::is_empty_v<Operation>)
+                operation = Operation{};
+            else
+                operation = make<Operation>(document, undoable);
+        }
+    };
+    [&]<std::size_t... Indices>(std::index_sequence<Indices...>)
+    {
+        (fill.template operator()<Indices>(), ...);
+    }
+    (std::make_index_sequence<kWeights.size()>{});
+    return operation;
+}
+
+} // namespace espalier::test

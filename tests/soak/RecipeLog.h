@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/io/Recipe.h"
+
+#include <QFile>
+
+namespace espalier::test {
+
+/// A recipe in a file, to which operations are added as they come. The file is a whole recipe at any moment,
+/// so that what led to a crash can be played.
+class RecipeLog {
+public:
+    /// Replaces the file.
+    RecipeLog(const QString& fileName, const Recipe& beginning);
+
+    /// Whether all has been written so far.
+    bool isGood() const { return m_isGood; }
+    QString fileName() const { return m_file.fileName(); }
+    bool add(const RecipeOperation& operation);
+    void remove() { m_file.remove(); }
+
+private:
+    void write(const QByteArray& text);
+
+    QFile m_file;
+    TreeParameters m_parameters; ///< Of the last operation that set some
+    qint64 m_end = 0;            ///< Of the operations
+    bool m_isFirst = true;
+    bool m_isGood = false;
+};
+
+} // namespace espalier::test

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/soak/Soak.h"
+
+#include "commands/DocumentProject.h"
+#include "commands/RecipePlayer.h"
+#include "commands/TimeGesture.h"
+#include "tests/soak/Hand.h"
+#include "tests/support/Documents.h"
+
+#include <QFile>
+
+#include <algorithm>
+
+namespace espalier::test {
+
+namespace {
+
+/// By the alternatives of RecipeOperation.
+constexpr std::array<const char*, std::variant_size_v<RecipeOperation>> kNames{
+    "setParameters", "brushStroke", "grow",     "prune", "travel", "undo",
+    "redo",          "bend",        "setWidth", "lasso", "regrow", "removeLasso"};
+
+/// The whole document, history and future included.
+Result<QByteArray> packed(const TreeDocument& document)
+{
+    return packProject(projectOf(document, QStringLiteral("soak")));
+}
+
+/// In what the documents differ, or nothing.
+QString difference(const TreeDocument& a, const TreeDocument& b)
+{
+    if (a.journal().size() != b.journal().size() || a.future().size() != b.future().size())
+        return QStringLiteral("the histories are of different lengths");
+    if (!(a.tree() == b.tree()))
+        return QStringLiteral("the trees differ");
+    const Result<QByteArray> bytes = packed(a);
+    const Result<QByteArray> others = packed(b);
+    if (!bytes || !others)
+        return (bytes ? others : bytes).error().message;
+    return *bytes == *others ? QString() : QStringLiteral("the histories differ");
+}
+
+/// A file with such a tree could not be read.
+QString lifeFault(const Tree& tree)
+{
+    for (InternodeId id = 1; id < tree.size(); ++id) {
+        if (tree.isAlive(id) && !tree.isAlive(tree.parent(id)))
+            return QStringLiteral("internode %1 lives on one that does not").arg(id);
+    }
+    return {};
+}
+
+} // namespace
+
+QString nameOf(const RecipeOperation& operation)
+{
+    return QString::fromLatin1(kNames[operation.index()]);
+}
+
+Soak::Milestone::Milestone(const TreeDocument& document)
+    : rows(document.tree().size()),
+      living(document.index().livingCount()),
+      journal(document.journal().size()),
+      future(document.future().size()),
+      step(document.tree().step()),
+      parameters(document.tree().currentParameterSet()),
+      widths(document.tree().widthConstraints().size()),
+      lassos(document.tree().lassos().inForce.size())
+{
+}
+
+Soak::Soak(const SoakOptions& options, const QString& recipeFile)
+    : m_options(options),
+      m_random(options.seed, options.mostLiving),
+      m_log(recipeFile, {.name = QStringLiteral("Soak"),
+                         .description = {},
+                         .seed = options.seed,
+                         .parameters = RandomOperations(options.seed, options.mostLiving).parameters(),
+                         .camera = {},
+                         .operations = {}})
+{
+    m_document.reset(options.seed, m_random.parameters());
+}
+
+int Soak::undoable() const
+{
+    return std::max(0, m_document.undoStack().index() - m_floor);
+}
+
+QString Soak::run()
+{
+    while (operationsDone() < m_options.operations) {
+        // More than there is may be asked for, as long as that is the same in a document that was never read.
+        const int most = m_reloads == 0 && m_random.onceIn(20) ? 1000 : undoable();
+        RecipeOperation operation = m_random.next(m_document, most);
+        // After reading, the same.
+        if (std::holds_alternative<RedoOperation>(operation) && m_document.undoStack().count() == 0)
+            continue;
+        if (!m_log.add(operation))
+            return QStringLiteral("%1 could not be written").arg(m_log.fileName());
+        doByHand(m_document, operation, m_random);
+        m_milestones.emplace_back(m_document);
+        if (const QString fault = lifeFault(m_document.tree()); !fault.isEmpty())
+            return fault;
+        ++m_done[operation.index()];
+        m_mostLiving = std::max(m_mostLiving, m_document.index().livingCount());
+        m_longestHistory =
+            std::max(m_longestHistory, m_document.journal().size() + m_document.future().size());
+        if (m_random.onceIn(m_options.checkEvery)) {
+            if (const QString fault = check(); !fault.isEmpty())
+                return fault;
+        }
+        if (m_random.onceIn(m_options.saveEvery)) {
+            if (const QString fault = saveAndReload(); !fault.isEmpty())
+                return fault;
+        }
+    }
+    if (const QString fault = check(); !fault.isEmpty())
+        return fault;
+    return replay();
+}
+
+QString Soak::saveAndReload()
+{
+    const QString fileName = m_folder.filePath(QStringLiteral("soak.espalier"));
+    if (const auto saved = saveProject(projectOf(m_document, QStringLiteral("soak")), fileName); !saved)
+        return QStringLiteral("saving: ") + saved.error().message;
+    Result<Project> project = loadProject(fileName);
+    if (!project)
+        return QStringLiteral("reading what was saved: ") + project.error().message;
+
+    const QUndoStack& stack = m_document.undoStack();
+    if (stack.index() > 0)
+        m_floor = stack.command(stack.index() - 1)->id() == -1 ? 0 : 1;
+    const Tree tree = m_document.tree();
+    const std::size_t journal = m_document.journal().size();
+    showProject(m_document, std::move(*project));
+    if (!(m_document.tree() == tree) || m_document.journal().size() != journal)
+        return QStringLiteral("the tree that was read is not the one that was saved");
+    QFile file(fileName);
+    const Result<QByteArray> again = packed(m_document);
+    if (!file.open(QIODevice::ReadOnly) || !again || file.readAll() != *again)
+        return QStringLiteral("what was read, saved again, gives another file");
+    ++m_reloads;
+    m_reloadsInThePast += m_document.future().empty() ? 0 : 1;
+    return {};
+}
+
+QString Soak::check()
+{
+    ++m_checks;
+    if (const QString fault = indexFault(m_document); !fault.isEmpty())
+        return QStringLiteral("the indices are not those of the tree: ") + fault;
+
+    const Tree tree = m_document.tree();
+    const Journal journal = m_document.journal();
+    const Journal future = m_document.future();
+    const auto isSame = [&] {
+        return m_document.tree() == tree && m_document.journal() == journal && m_document.future() == future;
+    };
+    QUndoStack& stack = m_document.undoStack();
+    const int index = stack.index();
+    stack.setIndex(0);
+    if (const QString fault = indexFault(m_document); !fault.isEmpty())
+        return QStringLiteral("after undoing all, the indices are not those of the tree: ") + fault;
+    stack.setIndex(index);
+    if (!isSame())
+        return QStringLiteral("undoing and redoing all leads elsewhere");
+    stack.setIndex(stack.count());
+    stack.setIndex(index);
+    if (!isSame())
+        return QStringLiteral("redoing and undoing all leads elsewhere");
+
+    TimeGesture gesture(m_document);
+    gesture.moveTo(gesture.historyLength());
+    gesture.moveTo(0);
+    if (const QString fault = indexFault(m_document); !fault.isEmpty())
+        return QStringLiteral("at the beginning of time the indices are not those of the tree: ") + fault;
+    gesture.cancel();
+    if (!isSame())
+        return QStringLiteral("travelling through all of time leads elsewhere");
+    if (const QString fault = indexFault(m_document); !fault.isEmpty())
+        return QStringLiteral("after travelling the indices are not those of the tree: ") + fault;
+    return {};
+}
+
+QString Soak::replay()
+{
+    Result<Recipe> recipe = readRecipe(m_log.fileName());
+    if (!recipe)
+        return recipe.error().message;
+    TreeDocument replayed;
+    const std::vector<RecipeOperation> operations = recipe->operations;
+    RecipePlayer player(replayed, std::move(*recipe));
+    for (std::size_t i = 0; !player.isDone(); ++i) {
+        player.playOperation();
+        if (i >= m_milestones.size() || !(Milestone(replayed) == m_milestones[i])) {
+            return QStringLiteral("the replay goes another way at operation %1, %2")
+                .arg(i)
+                .arg(nameOf(operations[i]));
+        }
+    }
+    if (operations.size() != m_milestones.size())
+        return QStringLiteral("the recipe is not whole");
+    if (const QString fault = difference(m_document, replayed); !fault.isEmpty())
+        return QStringLiteral("the replay does not end in the same document: ") + fault;
+    if (const QString fault = indexFault(replayed); !fault.isEmpty())
+        return QStringLiteral("the indices of the replay: ") + fault;
+    // And the way back is the same.
+    for (int left = undoable(); left > 0; --left) {
+        m_document.undoStack().undo();
+        replayed.undoStack().undo();
+        if (!(Milestone(replayed) == Milestone(m_document)))
+            return QStringLiteral("the replay's undo stack is another one");
+    }
+    if (const QString fault = difference(m_document, replayed); !fault.isEmpty())
+        return QStringLiteral("after undoing, ") + fault;
+    return {};
+}
+
+QString Soak::figures() const
+{
+    QStringList done;
+    for (std::size_t i = 0; i < m_done.size(); ++i)
+        done += QStringLiteral("%1 %2").arg(QLatin1String(kNames[i])).arg(m_done[i]);
+    return QStringLiteral(
+               "%1 operations (%2); read back %3 times, %4 of them in the past; %5 checks; at most %6 "
+               "living internodes and %7 deltas of history; %8 rows in the end")
+        .arg(operationsDone())
+        .arg(done.join(QStringLiteral(", ")))
+        .arg(m_reloads)
+        .arg(m_reloadsInThePast)
+        .arg(m_checks)
+        .arg(m_mostLiving)
+        .arg(m_longestHistory)
+        .arg(m_document.tree().size());
+}
+
+} // namespace espalier::test

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/soak/RandomOperations.h"
+#include "tests/soak/RecipeLog.h"
+
+#include <QTemporaryDir>
+
+#include <array>
+
+namespace espalier::test {
+
+struct SoakOptions {
+    std::uint64_t seed = 1;
+    int operations = 800;
+    std::uint32_t mostLiving = 250; ///< Internodes; larger trees are cut back
+    int saveEvery = 40;             ///< Operations, on average
+    int checkEvery = 100;           ///< Operations, on average
+};
+
+/// A document that lives through random operations of all kinds, is saved, and goes on from what is read
+/// back. What was done is kept as a recipe; played in a new document, which no file ever came near, it must
+/// lead to an equal one.
+///
+/// Reading a file loses the undo stack. So that the recipe, which is played without files, leads the same
+/// way, nothing is undone beyond the last reading, nor the command that would have joined a travel before it.
+class Soak {
+public:
+    /// @param recipeFile where the recipe is written
+    Soak(const SoakOptions& options, const QString& recipeFile);
+
+    /// Does all of it; what went wrong, or nothing.
+    QString run();
+
+    int operationsDone() const { return static_cast<int>(m_milestones.size()); }
+    const RecipeLog& log() const { return m_log; }
+    RecipeLog& log() { return m_log; }
+    /// For a person: what was done, and what came of it.
+    QString figures() const;
+
+private:
+    /// The document after an operation, in brief.
+    struct Milestone {
+        explicit Milestone(const TreeDocument& document);
+        bool operator==(const Milestone&) const = default;
+
+        std::uint32_t rows;
+        std::uint32_t living;
+        std::size_t journal;
+        std::size_t future;
+        Step step;
+        std::uint32_t parameters;
+        std::size_t widths;
+        std::size_t lassos;
+    };
+
+    int undoable() const;
+    QString saveAndReload();
+    QString check();
+    QString replay();
+
+    SoakOptions m_options;
+    RandomOperations m_random;
+    TreeDocument m_document;
+    QTemporaryDir m_folder;
+    RecipeLog m_log;
+    int m_floor = 0; ///< Commands that are not undone
+    std::vector<Milestone> m_milestones;
+    std::array<int, std::variant_size_v<RecipeOperation>> m_done{};
+    int m_reloads = 0;
+    int m_reloadsInThePast = 0;
+    int m_checks = 0;
+    std::uint32_t m_mostLiving = 0;
+    std::size_t m_longestHistory = 0;
+};
+
+/// The name of each alternative of RecipeOperation, as recipes write it.
+QString nameOf(const RecipeOperation& operation);
+
+} // namespace espalier::test
