@@ -42,6 +42,7 @@ enum class ActionId {
     Architecture,
     LeafSheet,
     BranchSheet,
+    Background,
     History,
     NextPane,
     HideInterface,

@@ -2,6 +2,7 @@
 #include "app/Workspace.h"
 
 #include "app/TreeCounts.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
@@ -42,6 +43,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
       m_architecture(new ArchitecturePanel(document, this)),
+      m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
@@ -51,7 +53,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_tip(new QLabel(this))
 {
     m_sheets = {m_architecture, new ParameterPanel(document, ParameterSheet::Leaves, this),
-                new ParameterPanel(document, ParameterSheet::Branches, this)};
+                new ParameterPanel(document, ParameterSheet::Branches, this), m_background};
     connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
     for (QLabel* label : {m_counts, m_tip}) {
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
