@@ -17,6 +17,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions", "Start with a seedling."), "Ctrl+N", "new"},
         {Open, Group::File, "open", QT_TRANSLATE_NOOP("Actions", "Open…"),
          QT_TRANSLATE_NOOP("Actions", "Open a project or a recipe."), "Ctrl+O", "open"},
+        {Library, Group::File, "library", QT_TRANSLATE_NOOP("Actions", "Library"),
+         QT_TRANSLATE_NOOP("Actions", "Species to start from, and the trees that you keep."), "Ctrl+L",
+         "library", true},
         {Save, Group::File, "save", QT_TRANSLATE_NOOP("Actions", "Save"),
          QT_TRANSLATE_NOOP("Actions", "Save the project."), "Ctrl+S", "save"},
         {SaveAs, Group::File, "saveAs", QT_TRANSLATE_NOOP("Actions", "Save As…"),
@@ -25,6 +28,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions",
                            "Write the tree for other programs: GLB, FBX, OBJ, or its skeleton as CSV."),
          "Ctrl+E", "export"},
+        {Settings, Group::File, "settings", QT_TRANSLATE_NOOP("Actions", "Settings…"),
+         QT_TRANSLATE_NOOP("Actions", "How Espalier looks, and how it takes your hand."), "Ctrl+,", ""},
         {Quit, Group::File, "quit", QT_TRANSLATE_NOOP("Actions", "Quit"),
          QT_TRANSLATE_NOOP("Actions", "Leave Espalier."), "Ctrl+Q", ""},
         {Undo, Group::Edit, "undo", QT_TRANSLATE_NOOP("Actions", "Undo"),
@@ -144,7 +149,7 @@ Actions::Actions(QWidget& window) : QObject(&window)
         QString key = action->shortcut().toString(QKeySequence::NativeText);
         if (!key.isEmpty())
             key = QStringLiteral(" &nbsp;<span style='color:%1'>%2</span>")
-                      .arg(theme::kHandle.name(), key.toHtmlEscaped());
+                      .arg(theme::kBubbleKey.name(), key.toHtmlEscaped());
         action->setToolTip(QStringLiteral("<b>%1</b>%2<br>%3")
                                .arg(action->text().toHtmlEscaped(), key,
                                     QCoreApplication::translate("Actions", entry.tip).toHtmlEscaped()));

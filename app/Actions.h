@@ -15,9 +15,11 @@ namespace espalier {
 enum class ActionId {
     New,
     Open,
+    Library,
     Save,
     SaveAs,
     Export,
+    Settings,
     Quit,
     Undo,
     Redo,

@@ -29,6 +29,8 @@ public:
     Autosave(const TreeDocument& document, DocumentFile& file, int interval, QObject* parent = nullptr);
     ~Autosave() override;
 
+    /// s; counts from the next autosave on.
+    void setInterval(int interval) { m_interval = interval * 1000; }
     /// Where side files are.
     static QString folder();
     /// Side files whose program is gone. They stay until discard() is called with them.

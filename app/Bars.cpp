@@ -37,10 +37,8 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     menuButton->setMenu(makeMenu(actions, std::move(fillRecentFiles)));
 
     m_title->setTextFormat(Qt::PlainText);
-    m_title->setMinimumWidth(90);
-    QPalette dim = m_title->palette();
-    dim.setColor(QPalette::WindowText, theme::kDimText);
-    m_title->setPalette(dim);
+    m_title->setMinimumWidth(60);
+    theme::setTone(*m_title, theme::Tone::Dim);
 
     // Files and view have equal shares of the rest, so that the sheets stand in the middle.
     auto* line = new QHBoxLayout(this);
@@ -49,7 +47,7 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     auto* files = new QHBoxLayout;
     files->setSpacing(2);
     files->addWidget(menuButton);
-    for (const ActionId id : {ActionId::New, ActionId::Open, ActionId::Save, ActionId::Export})
+    for (const ActionId id : {ActionId::New, ActionId::Open, ActionId::Library, ActionId::Save, ActionId::Export})
         files->addWidget(new BarButton(BarButton::Look::Icon, actions[id], this));
     files->addSpacing(14);
     files->addWidget(m_title, 1);

@@ -32,10 +32,10 @@ void DocumentFile::setFile(const QString& fileName, const QString& displayName)
     Q_EMIT titleChanged();
 }
 
-void DocumentFile::startNew()
+void DocumentFile::startNew(const TreeParameters& parameters)
 {
     // Each tree is another one, even if the same hand makes it.
-    m_document.reset(QRandomGenerator::global()->generate());
+    m_document.reset(QRandomGenerator::global()->generate(), parameters);
     setFile({}, {});
 }
 
@@ -60,6 +60,17 @@ void DocumentFile::recover(Project project, const QString& fileName)
 void DocumentFile::forgetFile(const QString& displayName)
 {
     setFile({}, displayName);
+}
+
+void DocumentFile::fileMoved(const QString& fileName)
+{
+    setFile(fileName, QFileInfo(fileName).fileName());
+}
+
+void DocumentFile::fileLost()
+{
+    setFile({}, QFileInfo(m_displayName).completeBaseName());
+    m_document.undoStack().resetClean();
 }
 
 Project DocumentFile::snapshot() const

@@ -26,7 +26,7 @@ public:
     bool isSaving() const { return m_isSaving; }
 
     /// A seedling without a file.
-    void startNew();
+    void startNew(const TreeParameters& parameters = {});
     /// Shows the tree of a file. On an error everything stays as it was.
     Result<void> open(const QString& fileName);
     /// Takes over what a crash left: its changes are in no file, and @p fileName (may be empty) is where
@@ -34,6 +34,10 @@ public:
     void recover(Project project, const QString& fileName);
     /// A tree that came from elsewhere, and has no file yet.
     void forgetFile(const QString& displayName);
+    /// Its file has another name now.
+    void fileMoved(const QString& fileName);
+    /// Its file is gone: all of the tree is a change that is in no file.
+    void fileLost();
 
     /// The document as it is now; copies nothing of the columns.
     Project snapshot() const;

@@ -2,6 +2,7 @@
 #include "app/FileController.h"
 
 #include "app/Background.h"
+#include "app/Library.h"
 #include "app/Outputs.h"
 #include "panels/Notice.h"
 
@@ -53,11 +54,14 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_notice(notice),
       m_thumbnail(std::move(thumbnail)),
       m_file(document),
-      m_autosave(document, m_file, settings.autosaveInterval())
+      m_autosave(document, m_file, settings.preferences().autosaveInterval)
 {
     connect(&m_file, &DocumentFile::saved, this, &FileController::showSaved);
     connect(&m_file, &DocumentFile::saveFailed, this,
-            [this](const QString& sentence) { m_notice.showWarning(tr("Not saved. %1").arg(sentence)); });
+            [this](const QString& sentence) {
+                m_keeping.clear();
+                m_notice.showWarning(tr("Not saved. %1").arg(sentence));
+            });
     connect(&m_autosave, &Autosave::failed, this, [this](const QString& sentence) {
         m_notice.showWarning(tr("The tree cannot be kept safe from a crash: %1").arg(sentence));
     });
@@ -71,11 +75,51 @@ FileController::~FileController()
 
 void FileController::startNew()
 {
+    startWith({});
+}
+
+void FileController::startWith(const TreeParameters& parameters)
+{
     if (!mayLeave())
         return;
     Q_EMIT aboutToReplace();
-    m_file.startNew();
+    m_file.startNew(parameters);
     m_autosave.clear();
+}
+
+void FileController::startFrom(const QString& fileName)
+{
+    runInBackground(
+        this, [fileName] { return libraryParameters(fileName); },
+        [this, ask = ++m_startsAsked](const Result<TreeParameters>& parameters) {
+            if (ask != m_startsAsked)
+                return;
+            if (parameters)
+                startWith(*parameters);
+            else
+                m_notice.showWarning(parameters.error().message);
+        });
+}
+
+void FileController::keepIn(const QString& fileName)
+{
+    m_file.waitForSaving();
+    if (m_file.fileName().isEmpty()) {
+        m_keeping = fileName;
+        saveTo(fileName);
+        return;
+    }
+    Project project = m_file.snapshot();
+    project.name = QFileInfo(fileName).completeBaseName();
+    project.thumbnail = m_thumbnail();
+    runInBackground(
+        this, [project = std::move(project), fileName] { return saveProject(project, fileName); },
+        [this, fileName](const Result<void>& written) {
+            if (written)
+                Q_EMIT kept(fileName);
+            else
+                m_notice.showWarning(tr("Not saved. %1").arg(written.error().message));
+        });
 }
 
 bool FileController::canOpen(const QString& fileName)
@@ -237,11 +281,16 @@ void FileController::showSaved(const QString& fileName)
     m_settings.addRecentFile(fileName);
     rememberFolder(fileName);
     m_notice.showInformation(tr("Saved %1").arg(QFileInfo(fileName).fileName()));
+    if (std::exchange(m_keeping, {}) == fileName)
+        Q_EMIT kept(fileName);
 }
 
 void FileController::rememberFolder(const QString& fileName)
 {
-    m_settings.setFolder(QFileInfo(fileName).absolutePath());
+    // A person's own folders only: the program's recipes and the library are no place to look for files.
+    const QString folder = QFileInfo(fileName).absolutePath();
+    if (!folder.startsWith(QLatin1Char(':')) && !Library(m_settings.libraryFolder()).holds(fileName))
+        m_settings.setFolder(folder);
 }
 
 bool FileController::mayLeave()

@@ -35,6 +35,11 @@ public:
     Autosave& autosave() { return m_autosave; }
 
     void startNew();
+    /// A seedling with the parameters of a project or recipe, which is read in the background. Asks about
+    /// unsaved changes then.
+    void startFrom(const QString& fileName);
+    /// Saves the tree into a file of the library: its own, if it has none yet; else a copy. kept() follows.
+    void keepIn(const QString& fileName);
     /// Asks for a file.
     void open();
     /// A project or a recipe. Asks about unsaved changes first.
@@ -58,8 +63,10 @@ Q_SIGNALS:
     /// Another tree will take the place of this one now.
     void aboutToReplace();
     void recipeOpened(const espalier::Recipe& recipe);
+    void kept(const QString& fileName);
 
 private:
+    void startWith(const TreeParameters& parameters);
     void openProject(const QString& fileName);
     void openRecipe(const QString& fileName);
     void recover(const Leftover& leftover);
@@ -74,6 +81,8 @@ private:
     std::function<QImage()> m_thumbnail;
     DocumentFile m_file;
     Autosave m_autosave;
+    QString m_keeping; ///< The library's file that the tree is being saved into
+    int m_startsAsked = 0;
     /// Of the export under way, if there is one.
     std::shared_ptr<std::atomic<bool>> m_exportCancelled;
 };

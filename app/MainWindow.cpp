@@ -4,10 +4,13 @@
 #include "app/GrowTool.h"
 #include "app/HelpController.h"
 #include "app/LassoTool.h"
+#include "app/LibraryPanel.h"
 #include "app/RecipeTool.h"
+#include "app/SettingsSheet.h"
 #include "app/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/GrowPopOut.h"
+#include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
@@ -20,6 +23,7 @@
 #include "views/tools/WidthTool.h"
 
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -96,10 +100,16 @@ MainWindow::MainWindow(QWidget* parent)
     setMinimumSize(920, 680);
     setAcceptDrops(true);
     m_viewSettings.setValues(m_settings.viewValues());
+    // The program has its colours already.
+    m_preferences.look = m_settings.preferences().look;
+    m_library = std::make_unique<LibraryController>(m_workspace->library(), *m_files, m_workspace->notice(),
+                                                    Library(m_settings.libraryFolder()));
     connectFiles();
     connectTools();
     connectView();
+    connectLibrary();
     followDocument();
+    apply(m_settings.preferences());
     m_files->startNew();
     m_actions[ActionId::Brush]->trigger();
     updateTitle();
@@ -131,6 +141,7 @@ void MainWindow::connectFiles()
     on(ActionId::Save, false, &FileController::save);
     on(ActionId::SaveAs, false, &FileController::saveAs);
     on(ActionId::Export, false, &FileController::exportTree);
+    connect(m_actions[ActionId::Settings], &QAction::triggered, this, &MainWindow::showSettings);
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
     connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
     connect(m_files.get(), &FileController::recipeOpened, this,
@@ -195,6 +206,8 @@ void MainWindow::connectTools()
             [this](const QString& why) { m_workspace->notice().showInformation(why); });
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
     connect(&m_recipeRunner, &RecipeRunner::finished, this, [this] {
+        if (m_recipeRunner.pace() == RecipeRunner::Pace::Hurried && !m_workspace->notice().isWarning())
+            m_workspace->notice().finish();
         takeTool();
         updateEnabled();
         m_workspace->viewport().frameAll();
@@ -253,8 +266,63 @@ void MainWindow::connectView()
     });
 }
 
+void MainWindow::connectLibrary()
+{
+    LibraryPanel& panel = m_workspace->library();
+    QAction* action = m_actions[ActionId::Library];
+    connect(action, &QAction::toggled, this, [this](bool shown) {
+        if (shown) {
+            // What a hand has begun ends here, and is kept.
+            m_growRunner.end();
+            m_lassoRunner.end();
+            m_timeRunner.release();
+            m_workspace->viewport().cancelGesture();
+            m_library->refresh();
+        }
+        m_workspace->showLibrary(shown);
+    });
+    connect(m_actions[ActionId::Help], &QAction::triggered, action, [action] { action->setChecked(false); });
+    connect(&panel, &LibraryPanel::closeAsked, action, [action] { action->setChecked(false); });
+    connect(m_files.get(), &FileController::aboutToReplace, action, [action] { action->setChecked(false); });
+}
+
+void MainWindow::showSettings()
+{
+    if (auto* open = findChild<SettingsSheet*>()) {
+        open->activateWindow();
+        return;
+    }
+    auto* sheet = new SettingsSheet(m_preferences, this);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    connect(sheet, &SettingsSheet::preferencesEdited, this, [this](const Preferences& preferences) {
+        m_settings.setPreferences(preferences);
+        apply(preferences);
+    });
+    sheet->show();
+}
+
+void MainWindow::apply(const Preferences& preferences)
+{
+    const Preferences before = std::exchange(m_preferences, preferences);
+    if (preferences.look != before.look) {
+        theme::apply(*qApp, preferences.look);
+        m_workspace->help().showPage(m_workspace->help().page());
+    }
+    m_workspace->setToolsRight(preferences.areToolsRight);
+    m_workspace->viewport().setMouseScheme(preferences.mouse);
+    m_workspace->viewport().setPressureExponent(preferences.pressureExponent);
+    m_files->autosave().setInterval(preferences.autosaveInterval);
+    if (preferences.libraryFolder != before.libraryFolder)
+        m_library->setFolder(m_settings.libraryFolder());
+}
+
 void MainWindow::followDocument()
 {
+    connect(&m_document, &TreeDocument::changed, this, [this](const TreeChange& change) {
+        // A stack takes another limit while it is empty, as it is now.
+        if (change.kind == TreeChange::Kind::Reset)
+            m_document.undoStack().setUndoLimit(m_preferences.undoSteps);
+    });
     QUndoStack& stack = m_document.undoStack();
     connect(m_actions[ActionId::Undo], &QAction::triggered, this, [this, &stack] {
         if (!isBusy())
@@ -274,12 +342,21 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
     Viewport& viewport = m_workspace->viewport();
     viewport.setTool(std::make_unique<RecipeTool>(viewport.toolContext(), m_recipeRunner));
     m_recipeRunner.start(recipe, pace);
+    // A recipe may take back more than a person wants to.
+    m_document.undoStack().setUndoLimit(0);
     m_files->file().forgetFile(recipe.name);
     m_files->autosave().clear();
     if (const Box3 strokes = strokeBounds(recipe); !strokes.isEmpty())
         viewport.setCamera(withHeadroom(viewport, strokes));
     updateEnabled();
     updateTip();
+}
+
+void MainWindow::showRecipeProgress()
+{
+    if (m_recipeRunner.isRunning() && m_recipeRunner.pace() == RecipeRunner::Pace::Hurried)
+        m_workspace->notice().showProgress(tr("Growing %1").arg(m_files->file().displayName()),
+                                           m_recipeRunner.player()->progress(), [this] { cancelAll(); });
 }
 
 void MainWindow::followRecipe()
@@ -289,6 +366,7 @@ void MainWindow::followRecipe()
     if (m_followClock.isValid() && m_followClock.elapsed() < kFollowInterval)
         return;
     m_followClock.start();
+    showRecipeProgress();
     const Box3 bounds = treeBounds(m_document.tree(), m_document.index());
     for (int corner = 0; corner < 8; ++corner) {
         const auto place = viewport.camera().project(bounds.corner(static_cast<Box3::CornerType>(corner)));
@@ -360,6 +438,7 @@ void MainWindow::updateEnabled()
             m_workspace->sheet(i).setEnabled(!isBusy());
     }
     m_workspace->history().setEnabled(!isBusy());
+    m_workspace->library().setMayKeep(!isBusy());
 }
 
 void MainWindow::updateTitle()

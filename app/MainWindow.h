@@ -5,6 +5,7 @@
 #include "app/FileController.h"
 #include "app/GrowRunner.h"
 #include "app/LassoRunner.h"
+#include "app/LibraryController.h"
 #include "app/RecipeRunner.h"
 #include "app/Settings.h"
 #include "app/TimeRunner.h"
@@ -53,12 +54,17 @@ private:
     void connectFiles();
     void connectTools();
     void connectView();
+    void connectLibrary();
+    void showSettings();
+    /// Puts the preferences in force.
+    void apply(const Preferences& preferences);
     void followDocument();
     /// Ends whatever is under way.
     void cancelAll();
     void updateEnabled();
     void updateTitle();
     void updateTip();
+    void showRecipeProgress();
     /// Keeps a tree in sight that a recipe lets grow.
     void followRecipe();
     ActionId toolInHand() const;
@@ -66,6 +72,7 @@ private:
     void cancel();
 
     Settings m_settings;
+    Preferences m_preferences; ///< In force
     TreeDocument m_document;
     ViewSettings m_viewSettings;
     GrowRunner m_growRunner;
@@ -76,6 +83,7 @@ private:
     QElapsedTimer m_followClock;
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
+    std::unique_ptr<LibraryController> m_library;
     std::unique_ptr<HelpController> m_help;
 };
 

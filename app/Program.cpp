@@ -88,7 +88,7 @@ int runWindow(const CommandLine& line, QApplication& application)
         }
         demo = std::move(*recipe);
     }
-    theme::apply(application);
+    theme::apply(application, Settings().preferences().look);
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/espalier.svg")));
     MainWindow window;
     window.show();

@@ -28,6 +28,8 @@ public:
     /// Ends it where it is; a stroke that is half done is taken back.
     void stop();
     bool isRunning() const { return m_player != nullptr; }
+    /// Of the recipe that runs, or of the last one.
+    Pace pace() const { return m_pace; }
     /// Null unless it runs.
     const RecipePlayer* player() const { return m_player.get(); }
 

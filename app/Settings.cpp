@@ -5,13 +5,21 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <cmath>
+
 namespace espalier {
 
 namespace {
 
 const QString kRecentFiles = QStringLiteral("files/recent");
 const QString kFolder = QStringLiteral("files/folder");
+const QString kLibraryFolder = QStringLiteral("library/folder");
 const QString kExportSuffix = QStringLiteral("files/exportSuffix");
+const QString kLook = QStringLiteral("window/theme");
+const QString kToolsRight = QStringLiteral("window/toolsRight");
+const QString kPressureExponent = QStringLiteral("hand/pressureExponent");
+const QString kMouse = QStringLiteral("hand/mouse");
+const QString kUndoSteps = QStringLiteral("hand/undoSteps");
 const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
 const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
@@ -46,6 +54,43 @@ void visitViewValues(Values& values, Visit&& visit)
 }
 
 } // namespace
+
+Preferences Settings::preferences() const
+{
+    const QSettings store;
+    Preferences values;
+    const auto read = [&store](const QString& key, auto& field, int last) {
+        bool isNumber = false;
+        const int stored = store.value(key, static_cast<int>(field)).toInt(&isNumber);
+        if (isNumber && stored >= 0 && stored <= last)
+            field = static_cast<std::remove_reference_t<decltype(field)>>(stored);
+    };
+    read(kLook, values.look, static_cast<int>(theme::Look::System));
+    read(kMouse, values.mouse, static_cast<int>(MouseScheme::Maya));
+    values.areToolsRight = store.value(kToolsRight, values.areToolsRight).toBool();
+    bool isNumber = false;
+    const double exponent = store.value(kPressureExponent, values.pressureExponent).toDouble(&isNumber);
+    if (isNumber && std::isfinite(exponent))
+        values.pressureExponent = std::clamp(exponent, Preferences::kSoftest, Preferences::kFirmest);
+    values.autosaveInterval = std::clamp(store.value(kAutosaveInterval, values.autosaveInterval).toInt(), 1,
+                                         Preferences::kLongestInterval);
+    values.undoSteps =
+        std::clamp(store.value(kUndoSteps, values.undoSteps).toInt(), 0, Preferences::kMostUndoSteps);
+    values.libraryFolder = store.value(kLibraryFolder).toString();
+    return values;
+}
+
+void Settings::setPreferences(const Preferences& preferences)
+{
+    QSettings store;
+    store.setValue(kLook, static_cast<int>(preferences.look));
+    store.setValue(kToolsRight, preferences.areToolsRight);
+    store.setValue(kPressureExponent, preferences.pressureExponent);
+    store.setValue(kMouse, static_cast<int>(preferences.mouse));
+    store.setValue(kAutosaveInterval, preferences.autosaveInterval);
+    store.setValue(kUndoSteps, preferences.undoSteps);
+    store.setValue(kLibraryFolder, preferences.libraryFolder);
+}
 
 ViewValues Settings::viewValues() const
 {
@@ -111,6 +156,14 @@ void Settings::setFolder(const QString& folder)
     QSettings().setValue(kFolder, folder);
 }
 
+QString Settings::libraryFolder() const
+{
+    const QString folder = preferences().libraryFolder;
+    if (!folder.isEmpty())
+        return folder;
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/library");
+}
+
 QString Settings::exportSuffix() const
 {
     return QSettings().value(kExportSuffix, QStringLiteral("glb")).toString();
@@ -139,11 +192,6 @@ bool Settings::isTourSeen() const
 void Settings::setTourSeen(bool seen)
 {
     QSettings().setValue(kTourSeen, seen);
-}
-
-int Settings::autosaveInterval() const
-{
-    return std::clamp(QSettings().value(kAutosaveInterval, 20).toInt(), 1, 3600);
 }
 
 } // namespace espalier

@@ -2,12 +2,32 @@
 #pragma once
 
 #include "model/document/ViewSettings.h"
+#include "panels/Theme.h"
+#include "views/input/MouseScheme.h"
 
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
 
 namespace espalier {
+
+/// What a person sets once, in the sheet of settings.
+struct Preferences {
+    static constexpr double kSoftest = 0.25;
+    static constexpr double kFirmest = 4.0;
+    static constexpr int kLongestInterval = 3600;
+    static constexpr int kMostUndoSteps = 10'000;
+
+    theme::Look look = theme::Look::Dark;
+    bool areToolsRight = false;   ///< The bar of tools is on the right, for those who draw with the left hand
+    double pressureExponent = 1.0; ///< kSoftest...kFirmest; see PointerReader::setPressureExponent
+    MouseScheme mouse = MouseScheme::Espalier;
+    int autosaveInterval = 20; ///< Shortest time between two autosaves, s, 1...kLongestInterval
+    int undoSteps = 0;         ///< As many can be taken back, 0...kMostUndoSteps; 0 for all
+    QString libraryFolder{};   ///< Where the library keeps its trees; empty for a folder among the program's data
+
+    bool operator==(const Preferences&) const = default;
+};
 
 /// What the program remembers of a person from one day to the next. Each has its default here and nowhere
 /// else.
@@ -26,6 +46,11 @@ public:
     /// Where files were opened or saved last; at first the person's documents.
     QString folder() const;
     void setFolder(const QString& folder);
+    /// Values out of range are moved to its nearest end, unknown ones are the defaults.
+    Preferences preferences() const;
+    void setPreferences(const Preferences& preferences);
+    /// The one that is set, or the program's own.
+    QString libraryFolder() const;
     /// Suffix of the last export; at first "glb".
     QString exportSuffix() const;
     void setExportSuffix(const QString& suffix);
@@ -37,9 +62,6 @@ public:
     /// Whether the person has been shown around.
     bool isTourSeen() const;
     void setTourSeen(bool seen);
-
-    /// Shortest time between two autosaves, s; 20 unless a person wrote something else into the file.
-    int autosaveInterval() const;
 };
 
 } // namespace espalier

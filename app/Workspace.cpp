@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Workspace.h"
 
+#include "app/LibraryPanel.h"
 #include "app/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
@@ -45,6 +46,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_architecture(new ArchitecturePanel(document, this)),
       m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
+      m_library(new LibraryPanel(this)),
       m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
@@ -57,9 +59,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
     for (QLabel* label : {m_counts, m_tip}) {
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
-        QPalette dim = label->palette();
-        dim.setColor(QPalette::WindowText, theme::kDimText);
-        label->setPalette(dim);
+        theme::setTone(*label, theme::Tone::OverPicture);
     }
     m_onlyOne->setObjectName(QStringLiteral("growAll"));
     m_onlyOne->setToolTip(tr("Let all buds grow again"));
@@ -97,6 +97,16 @@ void Workspace::showHistory(bool shown)
     arrange();
 }
 
+void Workspace::showLibrary(bool shown)
+{
+    m_isLibraryShown = shown;
+    arrange();
+    if (shown)
+        m_library->takeFocus();
+    else
+        m_viewport->setFocus();
+}
+
 void Workspace::showHelp(bool shown)
 {
     if (m_isHelpShown == shown)
@@ -108,6 +118,12 @@ void Workspace::showHelp(bool shown)
     Camera camera = m_viewport->camera();
     camera.pan({shown ? -covered / 2.0 : covered / 2.0, 0.0});
     m_viewport->flyTo(camera);
+}
+
+void Workspace::setToolsRight(bool right)
+{
+    m_areToolsRight = right;
+    arrange();
 }
 
 void Workspace::setInterfaceHidden(bool hidden)
@@ -123,6 +139,10 @@ void Workspace::focusNextPane()
         pane = m_help;
     else if (m_sheet >= 0 && m_sheet < kSheetCount)
         pane = &sheet(m_sheet);
+    if (m_isLibraryShown) {
+        m_library->takeFocus();
+        return;
+    }
     if (!m_viewport->hasFocus() || !pane->isVisible()) {
         m_viewport->setFocus();
         return;
@@ -159,10 +179,13 @@ void Workspace::showCounts()
 
 void Workspace::arrange()
 {
-    const bool shown = !m_isHidden;
+    const bool shown = !m_isHidden && !m_isLibraryShown;
     m_viewport->setGeometry(rect());
     m_topBar->setGeometry(0, 0, width(), kTopBarHeight);
-    m_topBar->setVisible(shown);
+    m_topBar->setVisible(!m_isHidden);
+    const int top = m_isHidden ? 0 : kTopBarHeight;
+    m_library->setGeometry(0, top, width(), height() - top);
+    m_library->setVisible(m_isLibraryShown);
 
     int y = kTopBarHeight + kGap;
     const int lowest = height() - kStatusHeight;
@@ -174,9 +197,16 @@ void Workspace::arrange()
         m_help->setGeometry(right, y, helpWidth, lowest - y);
     }
     m_help->setVisible(m_isHelpShown && shown);
-    m_sideBar->setGeometry(QRect(QPoint(kGap, y), m_sideBar->sizeHint()));
+    // Places are worked out for tools on the left.
+    const auto placed = [this, right](QRect place) {
+        if (m_areToolsRight)
+            place.moveLeft(right - place.x() - place.width());
+        return place;
+    };
+    const QRect tools(QPoint(kGap, y), m_sideBar->sizeHint());
+    m_sideBar->setGeometry(placed(tools));
     m_sideBar->setVisible(shown);
-    const int x = m_sideBar->geometry().right() + 1 + kGap;
+    const int x = tools.right() + 1 + kGap;
 
     for (int i = 0; i < kSheetCount; ++i) {
         Bar& panel = sheet(i);
@@ -186,10 +216,10 @@ void Workspace::arrange()
         const int room = right - x - kGap;
         if (&panel == m_architecture) {
             m_architecture->fit({room, height()});
-            panel.move(x, y);
+            panel.move(placed(QRect(QPoint(x, y), panel.size())).topLeft());
         } else {
             const QSize wanted = panel.sizeHint();
-            panel.setGeometry(x, y, std::min(wanted.width(), room), wanted.height());
+            panel.setGeometry(placed({x, y, std::min(wanted.width(), room), wanted.height()}));
         }
         y = panel.geometry().bottom() + 1 + kGap;
     }
@@ -202,7 +232,7 @@ void Workspace::arrange()
     QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {
         const QSize size = popOut->sizeHint();
-        popOut->setGeometry(QRect(QPoint(x, y), size));
+        popOut->setGeometry(placed(QRect(QPoint(x, y), size)));
         // A small window has room for a sheet or for a pop-out.
         popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
         if (popOut->isVisibleTo(this))
@@ -211,14 +241,14 @@ void Workspace::arrange()
 
     const QSize history = m_history->sizeHint();
     const int historyTop = kTopBarHeight + kGap;
-    m_history->setGeometry(right - history.width() - kGap, historyTop, history.width(),
-                           std::min(history.height(), lowest - historyTop));
+    m_history->setGeometry(placed({right - history.width() - kGap, historyTop, history.width(),
+                                   std::min(history.height(), lowest - historyTop)}));
     m_history->setVisible(shown && m_isHistoryShown);
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
     m_onlyOne->adjustSize();
     m_onlyOne->move((right - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
-    m_onlyOne->setVisible(!m_document.competitors().areAll());
+    m_onlyOne->setVisible(!m_isLibraryShown && !m_document.competitors().areAll());
 
     const int bottom = height() - Viewport::kStripHeight - 2;
     m_counts->adjustSize();
@@ -235,6 +265,7 @@ void Workspace::arrange()
     m_notice->resize(m_notice->width(),
                      std::max(m_notice->sizeHint().height(), m_notice->heightForWidth(m_notice->width())));
     m_notice->move((right - m_notice->width()) / 2, height() - m_notice->height() - 64);
+    m_library->raise();
     m_notice->raise();
 }
 

@@ -24,6 +24,7 @@ class GrowPopOut;
 class HelpPanel;
 class HistoryPanel;
 class LassoPopOut;
+class LibraryPanel;
 class Notice;
 class RotationStrip;
 class Viewport;
@@ -51,12 +52,17 @@ public:
     BackgroundPanel& background() { return *m_background; }
     HistoryPanel& history() { return *m_history; }
     HelpPanel& help() { return *m_help; }
+    LibraryPanel& library() { return *m_library; }
 
     void showPopOut(PopOut popOut);
     void showHistory(bool shown);
+    /// The library lies over all but the top bar and notices.
+    void showLibrary(bool shown);
     /// Beside the tree, which keeps the rest of the room.
     void showHelp(bool shown);
     bool isHelpShown() const { return m_isHelpShown; }
+    /// The bar of tools, and what opens beside it, on the right, and the history on the left.
+    void setToolsRight(bool right);
     /// 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
@@ -85,6 +91,7 @@ private:
     BackgroundPanel* m_background;
     std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
+    LibraryPanel* m_library;
     HelpPanel* m_help;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
@@ -96,6 +103,8 @@ private:
     int m_sheet = -1;
     bool m_isHidden = false;
     bool m_isHistoryShown = false;
+    bool m_isLibraryShown = false;
+    bool m_areToolsRight = false;
     bool m_isHelpShown = false;
 };
 

@@ -53,6 +53,11 @@ bool RecipePlayer::isDone() const
     return m_next == m_recipe.operations.size();
 }
 
+double RecipePlayer::progress() const
+{
+    return isDone() ? 1.0 : static_cast<double>(m_next) / static_cast<double>(m_recipe.operations.size());
+}
+
 void RecipePlayer::playAll()
 {
     while (!isDone())

@@ -23,6 +23,8 @@ public:
     ~RecipePlayer();
 
     bool isDone() const;
+    /// Share of the operations that are done, 0...1.
+    double progress() const;
     /// The one at hand, or the next; null when all is done.
     const RecipeOperation* operation() const { return isDone() ? nullptr : &m_recipe.operations[m_next]; }
     void playAll();

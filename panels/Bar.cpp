@@ -97,7 +97,7 @@ QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent)
 {
     auto* line = new QFrame(parent);
     line->setFrameShape(QFrame::NoFrame);
-    line->setStyleSheet(QStringLiteral("background: %1;").arg(theme::kEdge.name()));
+    line->setProperty("separator", true);
     if (orientation == Qt::Horizontal)
         line->setFixedHeight(1);
     else
@@ -112,9 +112,7 @@ QLabel* barHeading(const QString& text, QWidget* parent)
     bold.setBold(true);
     title->setFont(bold);
     // For all states: a panel that rests during a stroke shall not flicker.
-    QPalette bright = title->palette();
-    bright.setColor(QPalette::WindowText, theme::kText);
-    title->setPalette(bright);
+    theme::setTone(*title, theme::Tone::Bright);
     title->setFixedHeight(24);
     title->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     return title;

@@ -25,9 +25,7 @@ BrushPopOut::BrushPopOut(const TreeDocument& document, ViewSettings& settings, Q
     QFont small = m_meaning->font();
     small.setPointSizeF(small.pointSizeF() * 0.88);
     m_meaning->setFont(small);
-    QPalette dim = m_meaning->palette();
-    dim.setColor(QPalette::WindowText, theme::kDimText);
-    m_meaning->setPalette(dim);
+    theme::setTone(*m_meaning, theme::Tone::Dim);
     m_slider->setToolTip(
         tr("<b>Brush radius</b> [ ]<br>A large brush grows a crown into the space it passes; toward zero it "
            "draws a single branch exactly along the stroke."));

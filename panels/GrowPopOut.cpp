@@ -62,9 +62,7 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     many->setFocusPolicy(Qt::TabFocus);
     many->setToolTip(tr("Grow that many steps, as one undo step. Escape stops."));
     m_step->setAlignment(Qt::AlignCenter);
-    QPalette dim = m_step->palette();
-    dim.setColor(QPalette::WindowText, theme::kDimText);
-    m_step->setPalette(dim);
+    theme::setTone(*m_step, theme::Tone::Dim);
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 12, 12, 10);

@@ -18,8 +18,8 @@ QColor colourFor(QIcon::Mode mode, QIcon::State state)
     if (mode == QIcon::Disabled)
         return theme::kFaintText;
     if (state == QIcon::On)
-        return mode == QIcon::Active ? QColor(Qt::white) : QColor(0xa6, 0xd0, 0x93);
-    return mode == QIcon::Active ? QColor(Qt::white) : theme::kText;
+        return mode == QIcon::Active ? theme::kBrightText : theme::kAccentText;
+    return mode == QIcon::Active ? theme::kBrightText : theme::kText;
 }
 
 class StrokedIconEngine : public QIconEngine {

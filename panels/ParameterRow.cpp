@@ -80,12 +80,7 @@ QLabel* ParameterRow::makeLabel()
     auto* label = new QLabel(richLabel(m_scale.text()), this);
     label->setTextFormat(Qt::RichText);
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    QPalette dim = label->palette();
-    // Rich text is drawn in the colour of Text while the label is disabled; it shall not flicker when a panel
-    // rests during a stroke.
-    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text})
-        dim.setColor(role, theme::kDimText);
-    label->setPalette(dim);
+    theme::setTone(*label, theme::Tone::Dim);
     return label;
 }
 

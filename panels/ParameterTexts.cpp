@@ -287,7 +287,7 @@ QString richLabel(const ParameterText& text)
     const QString label = parameterTr(text.label).toHtmlEscaped();
     if (symbol.isEmpty())
         return label;
-    return QStringLiteral("%1 <span style='color:%2'>%3</span>").arg(label, theme::kFaintText.name(), symbol);
+    return QStringLiteral("%1 <span style='color:%2'>%3</span>").arg(label, theme::kSymbol.name(), symbol);
 }
 
 QString explanation(const ParameterText& text)
@@ -296,7 +296,7 @@ QString explanation(const ParameterText& text)
         QStringLiteral("<b>%1</b><br>%2").arg(richLabel(text), parameterTr(text.tip).toHtmlEscaped());
     if (*text.botany != '\0')
         result += QStringLiteral("<br><i style='color:%1'>%2</i>")
-                      .arg(theme::kDimText.name(), parameterTr(text.botany).toHtmlEscaped());
+                      .arg(theme::kOverPicture.name(), parameterTr(text.botany).toHtmlEscaped());
     return result;
 }
 

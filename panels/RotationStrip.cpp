@@ -44,7 +44,7 @@ void RotationStrip::paintEvent(QPaintEvent*)
         if (nearness <= 0.02)
             continue;
         const double x = middle + kReach * width() * std::sin(angle);
-        QColor colour = theme::kText;
+        QColor colour = theme::kBubbleText;
         colour.setAlphaF(static_cast<float>(0.55 * nearness));
         painter.setPen(QPen(colour, 1.2));
         const double length = tick % kLongEvery == 0 ? 0.44 : 0.22;

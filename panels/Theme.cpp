@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QPalette>
+#include <QPixmapCache>
 #include <QProxyStyle>
 #include <QStyleFactory>
 
@@ -26,72 +27,121 @@ public:
     }
 };
 
+constexpr Colours kLight{
+    .workspace = {0xf2, 0xf3, 0xf1},
+    .bar = {0xfb, 0xfb, 0xfa, 0xf2},
+    .raised = {0xff, 0xff, 0xff},
+    .edge = {0xcd, 0xd1, 0xd0},
+    .sunken = {0xe2, 0xe5, 0xe3},
+    .text = {0x25, 0x2a, 0x2f},
+    .brightText = {0x0b, 0x0e, 0x10},
+    .dimText = {0x58, 0x60, 0x68},
+    .faintText = {0xa0, 0xa7, 0xad},
+    .accent = {0x4c, 0x86, 0x3a},
+    .accentFill = {0xd3, 0xe6, 0xcb},
+    .accentText = {0x2f, 0x66, 0x20},
+    .handle = {0xb4, 0x5f, 0x06},
+    .warning = {0xb8, 0x3f, 0x2c},
+    .knob = {0xff, 0xff, 0xff},
+    .button = {0xe3, 0xe6, 0xe4},
+    .buttonHover = {0xd6, 0xda, 0xd7},
+    .buttonDisabled = {0xec, 0xee, 0xec},
+    .hover = {0x00, 0x00, 0x00, 14},
+    .pressed = {0x00, 0x00, 0x00, 30},
+    .highlight = {0xb9, 0xd8, 0xab},
+};
+
+/// Whether the system's own colours are light; asked before this program sets its own.
+bool isSystemLight()
+{
+    static const bool kIsLight = QGuiApplication::palette().color(QPalette::Window).lightness() > 127;
+    return kIsLight;
+}
+
 QPalette palette()
 {
-    QPalette colours(kText, QColor(0x33, 0x39, 0x43), kEdge, kSunken, QColor(0x2d, 0x32, 0x3b), kText,
-                     Qt::white, kSunken, QColor(0x2b, 0x30, 0x39));
-    colours.setColor(QPalette::AlternateBase, QColor(0x24, 0x28, 0x2f));
-    colours.setColor(QPalette::Highlight, QColor(0x4f, 0x70, 0x46));
-    colours.setColor(QPalette::HighlightedText, Qt::white);
+    QPalette colours(kText, inForce.button, kEdge, kSunken, inForce.button, kText, kBrightText, kSunken, kRaised);
+    colours.setColor(QPalette::AlternateBase, kRaised);
+    colours.setColor(QPalette::Highlight, inForce.highlight);
+    colours.setColor(QPalette::HighlightedText, kBrightText);
     colours.setColor(QPalette::Link, kAccent);
     colours.setColor(QPalette::LinkVisited, kAccent);
     colours.setColor(QPalette::PlaceholderText, kFaintText);
-    colours.setColor(QPalette::ToolTipBase, QColor(0x16, 0x18, 0x1c));
-    colours.setColor(QPalette::ToolTipText, kText);
+    colours.setColor(QPalette::ToolTipBase, kBubble);
+    colours.setColor(QPalette::ToolTipText, kBubbleText);
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         colours.setColor(QPalette::Disabled, role, kFaintText);
     return colours;
 }
 
+QString toCss(const QColor& colour)
+{
+    return QStringLiteral("rgba(%1, %2, %3, %4)")
+        .arg(colour.red())
+        .arg(colour.green())
+        .arg(colour.blue())
+        .arg(colour.alpha());
+}
+
 } // namespace
 
-void apply(QApplication& application)
+void setTone(QWidget& label, Tone tone)
 {
-    application.setStyle(new Style);
+    const char* const names[] = {"dim", "bright", "overPicture"};
+    label.setProperty("tone", names[static_cast<int>(tone)]);
+}
+
+void apply(QApplication& application, Look look)
+{
+    const bool isLight = look == Look::Light || (isSystemLight() && look == Look::System);
+    inForce = isLight ? kLight : Colours();
+    QPixmapCache::clear(); // Icons are kept in the colours that were
+    if (!dynamic_cast<Style*>(QApplication::style()))
+        application.setStyle(new Style);
     QApplication::setPalette(palette());
 
     QString sheet = QStringLiteral(R"(
-        QToolTip { color: @text; background: #16181c; border: 1px solid @edge; padding: 5px 7px; }
-        QMenu { background: #2b3039; border: 1px solid @edge; padding: 5px; }
+        QToolTip { color: @bubbleText; background: @bubble; border: 1px solid @bubbleEdge; padding: 5px 7px; }
+        QMenu { background: @raised; color: @text; border: 1px solid @edge; padding: 5px; }
         QMenu::item { padding: 8px 28px 8px 12px; border-radius: 5px; }
-        QMenu::item:selected { background: @accentFill; }
+        QMenu::item:selected { background: @accentFill; color: @bright; }
         QMenu::item:disabled { color: @faint; }
         QMenu::separator { height: 1px; background: @edge; margin: 5px 8px; }
         QMenu::icon { padding-left: 8px; }
 
         espalier--BarButton { border: none; border-radius: 8px; background: transparent; color: @dim; padding: 0; }
-        espalier--BarButton:hover { background: rgba(255, 255, 255, 16); color: @text; }
-        espalier--BarButton:pressed { background: rgba(255, 255, 255, 34); }
-        espalier--BarButton:checked { background: @accentFill; color: white; }
+        espalier--BarButton:hover { background: @hover; color: @text; }
+        espalier--BarButton:pressed { background: @pressed; }
+        espalier--BarButton:checked { background: @accentFill; color: @bright; }
         espalier--BarButton:disabled { color: @faint; background: transparent; }
         espalier--BarButton:focus { border: 1px solid @accent; }
         espalier--BarButton::menu-indicator { image: none; }
         espalier--BarButton[look="icon"]:checked { background: transparent; }
-        espalier--BarButton[look="icon"]:checked:hover { background: rgba(255, 255, 255, 16); }
+        espalier--BarButton[look="icon"]:checked:hover { background: @hover; }
         espalier--BarButton[look="tool"] { padding-top: 5px; padding-bottom: 3px; }
         espalier--BarButton[look="tab"] { padding: 0 15px; }
-        espalier--BarButton[look="tab"]:checked { background: @sunken; color: white; font-weight: bold; }
+        espalier--BarButton[look="tab"]:checked { background: @sunken; color: @bright; font-weight: bold; }
 
-        QPushButton { background: #3a424e; color: @text; border: 1px solid transparent; border-radius: 8px; padding: 6px 16px; }
-        QPushButton:hover { background: #454e5c; color: white; }
+        QPushButton { background: @button; color: @text; border: 1px solid transparent; border-radius: 8px; padding: 6px 16px; }
+        QPushButton:hover { background: @buttonHover; color: @bright; }
         QPushButton:pressed { background: @accentFill; }
-        QPushButton:default { background: #4c6a44; color: white; }
-        QPushButton:default:hover { background: #587b4f; }
-        QPushButton:disabled { background: #2f353e; color: @faint; }
+        QPushButton:default { background: #4c7a3e; color: white; }
+        QPushButton:default:hover { background: #588a49; color: white; }
+        QPushButton:disabled { background: @buttonDisabled; color: @faint; }
         QPushButton:focus { border-color: @accent; }
-        QComboBox { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 4px 8px; }
+        QComboBox { background: @sunken; color: @text; border: 1px solid @edge; border-radius: 6px; padding: 4px 8px; }
         QComboBox:hover { border-color: @faint; }
         QComboBox:disabled { color: @text; }
         QComboBox:focus { border-color: @accent; }
         QComboBox::drop-down { border: none; width: 20px; }
         QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 12px; height: 12px; }
-        QComboBox QAbstractItemView { background: #2b3039; border: 1px solid @edge; selection-background-color: @accentFill; }
+        QComboBox QAbstractItemView { background: @raised; color: @text; border: 1px solid @edge; selection-background-color: @accentFill; selection-color: @bright; }
         espalier--HelpPanel QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 8px; padding: 4px 8px; }
         espalier--HelpPanel QLineEdit:focus { border-color: @accent; }
         espalier--HelpPanel QTextBrowser { background: transparent; }
         espalier--HelpPanel QListWidget { background: transparent; outline: none; }
         espalier--HelpPanel QListWidget::item { padding-left: 10px; border: 1px solid transparent; border-radius: 8px; color: @text; }
-        espalier--HelpPanel QListWidget::item:selected { background: @accentFill; color: white; }
+        espalier--HelpPanel QListWidget::item:selected { background: @accentFill; color: @bright; }
         espalier--HelpPanel QListWidget::item:disabled { color: @dim; }
         espalier--HelpPanel QListWidget:focus::item:selected { border-color: @accent; }
         QSpinBox { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 2px 8px; }
@@ -102,9 +152,9 @@ void apply(QApplication& application)
         QSlider { background: transparent; }
         QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @sunken; }
         QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @accent; }
-        QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; background: #d5dbe4; }
-        QSlider::handle:horizontal:hover { background: white; }
-        QSlider::handle:horizontal:focus { background: white; border: 2px solid @accent; margin: -7px -2px; border-radius: 9px; }
+        QSlider::handle:horizontal { width: 14px; height: 14px; margin: -5px 0; border-radius: 7px; background: @knob; border: 1px solid @edge; }
+        QSlider::handle:horizontal:hover { background: @knobHover; }
+        QSlider::handle:horizontal:focus { background: @knobHover; border: 2px solid @accent; margin: -7px -2px; border-radius: 9px; }
 
         QDoubleSpinBox[bare="true"] { background: transparent; border: none; padding: 0; color: @text; }
         QDoubleSpinBox[bare="true"]:focus { background: @sunken; border-radius: 3px; }
@@ -115,17 +165,41 @@ void apply(QApplication& application)
         QScrollBar::handle:vertical { background: @edge; border-radius: 4px; min-height: 40px; }
         QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
         QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+
+        QFrame[separator="true"] { background: @edge; }
+        QLabel[tone="dim"] { color: @dim; }
+        QLabel[tone="bright"] { color: @text; }
+        QLabel[tone="overPicture"] { color: @overPicture; }
+        espalier--LibraryPanel QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 8px; padding: 4px 8px; }
+        espalier--LibraryPanel QLineEdit:focus { border-color: @accent; }
+        espalier--CardView { background: transparent; outline: none; }
+        QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 2px 6px; }
     )");
-    const auto put = [&](const char* name, const QColor& colour) {
-        sheet.replace(QLatin1String(name), colour.name());
+    // The longer of two names that begin alike comes first.
+    const std::pair<const char*, QColor> names[] = {
+        {"@accentFill", kAccentFill},
+        {"@accent", kAccent},
+        {"@bright", kBrightText},
+        {"@bubbleEdge", kBubbleEdge},
+        {"@bubbleText", kBubbleText},
+        {"@bubble", kBubble},
+        {"@buttonDisabled", inForce.buttonDisabled},
+        {"@buttonHover", inForce.buttonHover},
+        {"@button", inForce.button},
+        {"@dim", kDimText},
+        {"@edge", kEdge},
+        {"@faint", kFaintText},
+        {"@hover", inForce.hover},
+        {"@knobHover", Qt::white},
+        {"@knob", inForce.knob},
+        {"@overPicture", kOverPicture},
+        {"@pressed", inForce.pressed},
+        {"@raised", kRaised},
+        {"@sunken", kSunken},
+        {"@text", kText},
     };
-    put("@accentFill", kAccentFill);
-    put("@accent", kAccent);
-    put("@dim", kDimText);
-    put("@edge", kEdge);
-    put("@faint", kFaintText);
-    put("@sunken", kSunken);
-    put("@text", kText);
+    for (const auto& [name, colour] : names)
+        sheet.replace(QLatin1String(name), toCss(colour));
     application.setStyleSheet(sheet);
 }
 

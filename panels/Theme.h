@@ -4,27 +4,74 @@
 #include <QColor>
 
 class QApplication;
+class QWidget;
 
 /// How the program looks: the colours that its widgets are drawn with, and the style made of them.
 namespace espalier::theme {
 
-inline constexpr QColor kWorkspace(0x23, 0x27, 0x2e); ///< Behind everything
-inline constexpr QColor kBar(0x2b, 0x30, 0x39, 0xec); ///< Bars and panels over the tree, translucent
-inline constexpr QColor kEdge(0x3c, 0x43, 0x4e);      ///< Borders of bars, lines between sections
-inline constexpr QColor kSunken(0x1d, 0x20, 0x26);    ///< Tracks of sliders, fields
-inline constexpr QColor kText(0xdd, 0xe0, 0xe5);
-inline constexpr QColor kDimText(0x9a, 0xa2, 0xae);
-inline constexpr QColor kFaintText(0x63, 0x6b, 0x77);  ///< What cannot be used now
-inline constexpr QColor kAccent(0x7f, 0xb0, 0x69);     ///< What is on, how far a slider is
-inline constexpr QColor kAccentFill(0x3c, 0x50, 0x3f); ///< Behind the tool in hand
-inline constexpr QColor kHandle(0xe6, 0xa6, 0x5d);     ///< What is to be grasped: the brush and its size
-inline constexpr QColor kWarning(0xd9, 0x7b, 0x6c);
+enum class Look : int { Dark, Light, System };
+
+struct Colours {
+    QColor workspace{0x23, 0x27, 0x2e};
+    QColor bar{0x2b, 0x30, 0x39, 0xec};
+    QColor raised{0x2b, 0x30, 0x39};
+    QColor edge{0x3c, 0x43, 0x4e};
+    QColor sunken{0x1d, 0x20, 0x26};
+    QColor text{0xdd, 0xe0, 0xe5};
+    QColor brightText{0xff, 0xff, 0xff};
+    QColor dimText{0x9a, 0xa2, 0xae};
+    QColor faintText{0x63, 0x6b, 0x77};
+    QColor accent{0x7f, 0xb0, 0x69};
+    QColor accentFill{0x3c, 0x50, 0x3f};
+    QColor accentText{0xa6, 0xd0, 0x93};
+    QColor handle{0xe6, 0xa6, 0x5d};
+    QColor warning{0xd9, 0x7b, 0x6c};
+    QColor knob{0xd5, 0xdb, 0xe4};
+    QColor button{0x3a, 0x42, 0x4e};
+    QColor buttonHover{0x45, 0x4e, 0x5c};
+    QColor buttonDisabled{0x2f, 0x35, 0x3e};
+    QColor hover{0xff, 0xff, 0xff, 16};
+    QColor pressed{0xff, 0xff, 0xff, 34};
+    QColor highlight{0x4f, 0x70, 0x46};
+};
+
+/// The colours in force; apply() sets them. What is drawn with them asks each time that it draws.
+inline constinit Colours inForce;
+
+inline constinit const QColor& kWorkspace = inForce.workspace;   ///< Behind everything
+inline constinit const QColor& kBar = inForce.bar;               ///< Bars and panels over the tree, translucent
+inline constinit const QColor& kRaised = inForce.raised;         ///< Menus and cards, opaque
+inline constinit const QColor& kEdge = inForce.edge;             ///< Borders of bars, lines between sections
+inline constinit const QColor& kSunken = inForce.sunken;         ///< Tracks of sliders, fields
+inline constinit const QColor& kText = inForce.text;
+inline constinit const QColor& kBrightText = inForce.brightText; ///< Under the pointer, or chosen
+inline constinit const QColor& kDimText = inForce.dimText;
+inline constinit const QColor& kFaintText = inForce.faintText;   ///< What cannot be used now
+inline constinit const QColor& kAccent = inForce.accent;         ///< What is on, how far a slider is
+inline constinit const QColor& kAccentFill = inForce.accentFill; ///< Behind the tool in hand
+inline constinit const QColor& kAccentText = inForce.accentText; ///< Icons of what is on
+inline constinit const QColor& kHandle = inForce.handle;         ///< What is to be grasped: the brush and its size
+inline constinit const QColor& kWarning = inForce.warning;
+
+// Whatever lies over the tree's picture without a bar, and tooltips, look alike by day and by night.
+inline constexpr QColor kOverPicture(0x9a, 0xa2, 0xae);
+inline constexpr QColor kBubble(0x16, 0x18, 0x1c);
+inline constexpr QColor kBubbleEdge(0x3c, 0x43, 0x4e);
+inline constexpr QColor kBubbleText(0xdd, 0xe0, 0xe5);
+inline constexpr QColor kBubbleKey(0xe6, 0xa6, 0x5d);
+
+/// A parameter's symbol beside its name: legible on all of these.
+inline constexpr QColor kSymbol(0x79, 0x81, 0x8c);
 
 /// Pixels (device-independent): whatever is to be hit by a finger is at least this large.
 inline constexpr int kTarget = 44;
 inline constexpr int kRadius = 10;
 
-/// Gives the whole program its style, palette and style sheet.
-void apply(QApplication& application);
+/// Gives the whole program its style, palette and style sheet; at any time.
+void apply(QApplication& application, Look look = Look::Dark);
+
+enum class Tone { Dim, Bright, OverPicture };
+/// Colour of a label's text, also of one that is disabled, by day and by night.
+void setTone(QWidget& label, Tone tone);
 
 } // namespace espalier::theme

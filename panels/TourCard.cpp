@@ -80,9 +80,7 @@ TourCard::TourCard(QWidget* parent)
     m_text->setTextFormat(Qt::RichText);
     m_text->setWordWrap(true);
     m_text->setFixedWidth(kTextWidth);
-    QPalette dim = m_number->palette();
-    dim.setColor(QPalette::WindowText, theme::kDimText);
-    m_number->setPalette(dim);
+    theme::setTone(*m_number, theme::Tone::Dim);
     m_skip->setObjectName(QStringLiteral("tourSkip"));
     m_next->setObjectName(QStringLiteral("tourNext"));
     m_next->setDefault(true);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of README.md, in docs/pictures, and those of the help, in docs/help/pictures. "readme" or "help"
-# as an argument makes these alone.
+# Makes the pictures of README.md, in docs/pictures, those of the help, in docs/help/pictures, and those of the library, in
+# resources/thumbnails. "readme", "help" or "library" as an argument makes these alone; the last wants ImageMagick, and
+# takes names of recipes: scripts/pictures.sh library oak willow.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 readonly what="${1:-all}"
@@ -21,4 +22,19 @@ if [[ "$what" == all || "$what" == help ]]; then
     HOME="$home" XDG_CONFIG_HOME="$home" XDG_DATA_HOME="$home" LANGUAGE=en LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb \
         xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX -noreset" \
         build/release/bin/help_pictures docs/help/pictures
+fi
+
+if [[ "$what" == all || "$what" == library ]]; then
+    names=("${@:2}")
+    if [[ ${#names[@]} -eq 0 ]]; then
+        for recipe in resources/recipes/*.json; do
+            names+=("$(basename "$recipe" .json)")
+        done
+    fi
+    picture="$(mktemp --suffix .png)"
+    for name in "${names[@]}"; do
+        ./run replay "resources/recipes/$name.json" --png "$picture" --size 640x560
+        convert "$picture" -resize 256x224 -strip -sampling-factor 4:2:0 -quality 86 "resources/thumbnails/$name.jpg"
+    done
+    rm -f "$picture"
 fi

@@ -49,6 +49,9 @@ public:
     static constexpr int kStripHeight = 36;
 
     /// What bars over the viewport cover, px: whole trees are framed in the rest of it from now on.
+    void setMouseScheme(MouseScheme scheme) { m_gestures.setScheme(scheme); }
+    /// See PointerReader::setPressureExponent.
+    void setPressureExponent(double exponent) { m_pointers.setPressureExponent(exponent); }
     void setFrameMargins(const QMargins& margins) { m_frameMargins = margins; }
     /// What bars leave of it, px.
     QRect clearRect() const { return rect().marginsRemoved(m_frameMargins); }

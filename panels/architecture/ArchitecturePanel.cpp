@@ -41,9 +41,7 @@ QLabel* captionLabel(const QString& text, QWidget* parent)
     auto* label = new QLabel(text, parent);
     label->setAlignment(Qt::AlignTop | Qt::AlignRight);
     label->setFixedHeight(24);
-    QPalette faint = label->palette();
-    faint.setColor(QPalette::WindowText, theme::kDimText);
-    label->setPalette(faint);
+    theme::setTone(*label, theme::Tone::Dim);
     return label;
 }
 

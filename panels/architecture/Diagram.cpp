@@ -257,7 +257,7 @@ void Diagram::drawHandle(QPainter& painter, int number) const
         painter.drawEllipse(centre, kHandleRadius, kHandleRadius);
     }
     if (isFocused) {
-        painter.setPen(QPen(Qt::white, 2.0));
+        painter.setPen(QPen(theme::kBrightText, 2.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(centre, kHandleRadius + 2.5, kHandleRadius + 2.5);
     }
@@ -278,10 +278,10 @@ void Diagram::drawBubble(QPainter& painter, int number) const
     top = std::clamp(top, 1.0, height() - size.height() - 1.0);
     const double left = std::clamp(handle.x() - size.width() / 2.0, 1.0, width() - size.width() - 1.0);
     const QRectF box(QPointF(left, top), size);
-    painter.setPen(QPen(theme::kEdge, 1.0));
-    painter.setBrush(QColor(0x16, 0x18, 0x1c, 235));
+    painter.setPen(QPen(theme::kBubbleEdge, 1.0));
+    painter.setBrush(theme::kBubble);
     painter.drawRoundedRect(box, 6.0, 6.0);
-    painter.setPen(theme::kText);
+    painter.setPen(theme::kBubbleText);
     painter.drawText(box, Qt::AlignCenter, text);
 }
 

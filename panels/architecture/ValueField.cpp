@@ -31,10 +31,7 @@ ValueField::ValueField(ParameterEditor& editor, const char* key, QWidget* parent
     label->setTextFormat(Qt::RichText);
     label->setBuddy(m_number);
     label->setAttribute(Qt::WA_TransparentForMouseEvents);
-    QPalette dim = label->palette();
-    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text})
-        dim.setColor(role, theme::kDimText);
-    label->setPalette(dim);
+    theme::setTone(*label, theme::Tone::Dim);
 
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);

@@ -88,6 +88,9 @@ private Q_SLOTS:
     void mouseLeft_isTheTool();
     void mouseButtons_orbitAndPan_data();
     void mouseButtons_orbitAndPan();
+    void schemes_giveTheButtonsOtherMeanings_data();
+    void schemes_giveTheButtonsOtherMeanings();
+    void pressureCurve_bendsWhatAPenTells();
     void spaceBar_makesTheLeftButtonPan();
     void hover_isToldToTheTool();
     void cancel_waitsForTheRelease();
@@ -296,6 +299,60 @@ void GestureReaderTest::mouseButtons_orbitAndPan_data()
     QTest::newRow("right") << Qt::RightButton << Qt::KeyboardModifiers() << true;
     QTest::newRow("Alt+left") << Qt::LeftButton << Qt::KeyboardModifiers(Qt::AltModifier) << true;
     QTest::newRow("Shift+middle") << Qt::MiddleButton << Qt::KeyboardModifiers(Qt::ShiftModifier) << false;
+}
+
+void GestureReaderTest::schemes_giveTheButtonsOtherMeanings_data()
+{
+    QTest::addColumn<MouseScheme>("scheme");
+    QTest::addColumn<Qt::MouseButton>("button");
+    QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+    QTest::addColumn<QString>("what");
+    const Qt::KeyboardModifiers none;
+    const Qt::KeyboardModifiers alt(Qt::AltModifier);
+    const Qt::KeyboardModifiers shift(Qt::ShiftModifier);
+    const Qt::KeyboardModifiers ctrl(Qt::ControlModifier);
+    using enum MouseScheme;
+    QTest::newRow("Blender left") << Blender << Qt::LeftButton << none << "tool";
+    QTest::newRow("Blender Alt+left") << Blender << Qt::LeftButton << alt << "orbit";
+    QTest::newRow("Blender middle") << Blender << Qt::MiddleButton << none << "orbit";
+    QTest::newRow("Blender Shift+middle") << Blender << Qt::MiddleButton << shift << "pan";
+    QTest::newRow("Blender Ctrl+middle") << Blender << Qt::MiddleButton << ctrl << "zoom";
+    QTest::newRow("Blender right") << Blender << Qt::RightButton << none << "";
+    QTest::newRow("Maya left") << Maya << Qt::LeftButton << none << "tool";
+    QTest::newRow("Maya Alt+left") << Maya << Qt::LeftButton << alt << "orbit";
+    QTest::newRow("Maya middle") << Maya << Qt::MiddleButton << none << "";
+    QTest::newRow("Maya Alt+middle") << Maya << Qt::MiddleButton << alt << "pan";
+    QTest::newRow("Maya right") << Maya << Qt::RightButton << none << "";
+    QTest::newRow("Maya Alt+right") << Maya << Qt::RightButton << alt << "zoom";
+}
+
+void GestureReaderTest::schemes_giveTheButtonsOtherMeanings()
+{
+    QFETCH(MouseScheme, scheme);
+    QFETCH(Qt::MouseButton, button);
+    QFETCH(Qt::KeyboardModifiers, modifiers);
+    QFETCH(QString, what);
+    m_pad->gestures.setScheme(scheme);
+    QTest::mousePress(m_pad.get(), button, modifiers, {50, 60});
+    QTest::mouseRelease(m_pad.get(), button, modifiers, {90, 45});
+    QCOMPARE(m_pad->log.contains("begin"), what == "tool");
+    QCOMPARE(m_pad->orbited, what == "orbit" ? QPointF(40, -15) : QPointF());
+    QCOMPARE(m_pad->panned, what == "pan" ? QPointF(40, -15) : QPointF());
+    // To the right and upwards is nearer.
+    QCOMPARE(m_pad->magnified > 1.2, what == "zoom");
+    QCOMPARE(m_pad->magnified == 1.0, what != "zoom");
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::pressureCurve_bendsWhatAPenTells()
+{
+    m_pad->pointers.setPressureExponent(0.5);
+    sendPen(QEvent::TabletPress, {40, 50}, 0.25, Qt::LeftButton);
+    sendPen(QEvent::TabletMove, {45, 50}, 1.0, Qt::LeftButton);
+    sendPen(QEvent::TabletRelease, {46, 50}, 0.0, Qt::NoButton);
+    QCOMPARE(m_pad->samples[0].pressure, 0.5);
+    QCOMPARE(m_pad->samples[1].pressure, 1.0);
+    QCOMPARE(m_pad->samples[2].pressure, 0.0);
 }
 
 void GestureReaderTest::mouseButtons_orbitAndPan()

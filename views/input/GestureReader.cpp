@@ -13,6 +13,8 @@ namespace {
 constexpr double kPenLinger = 0.6;
 /// Fingers closer than this to their centre do not pinch, px.
 constexpr double kSmallestSpread = 8.0;
+/// Of a drag that zooms: the logarithm of the factor, for a px to the right or upwards.
+constexpr double kZoomPerPixel = 0.006;
 
 /// The last of @p samples that a finger is in, or null.
 const PointerSample* sampleOf(std::span<const PointerSample> samples, int finger)
@@ -70,18 +72,30 @@ void GestureReader::cancel()
 
 GestureReader::Mode GestureReader::modeOfButton(const PointerSample& sample) const
 {
-    switch (sample.button) {
-    case Qt::LeftButton:
+    const bool alt = sample.modifiers.testFlag(Qt::AltModifier);
+    if (sample.button == Qt::LeftButton) {
         if (m_panKey)
             return Mode::Pan;
-        return sample.modifiers.testFlag(Qt::AltModifier) ? Mode::Orbit : Mode::Tool;
-    case Qt::MiddleButton:
-        return sample.modifiers.testFlag(Qt::ShiftModifier) ? Mode::Pan : Mode::Orbit;
-    case Qt::RightButton:
-        return Mode::Orbit;
-    default:
-        return Mode::Idle;
+        return alt ? Mode::Orbit : Mode::Tool;
     }
+    const bool isMiddle = sample.button == Qt::MiddleButton;
+    if (!isMiddle && sample.button != Qt::RightButton)
+        return Mode::Idle;
+    switch (m_scheme) {
+    case MouseScheme::Blender:
+        if (!isMiddle)
+            return Mode::Idle;
+        if (sample.modifiers.testFlag(Qt::ControlModifier))
+            return Mode::Zoom;
+        break;
+    case MouseScheme::Maya:
+        if (!alt)
+            return Mode::Idle;
+        return isMiddle ? Mode::Pan : Mode::Zoom;
+    case MouseScheme::Espalier:
+        break;
+    }
+    return isMiddle && sample.modifiers.testFlag(Qt::ShiftModifier) ? Mode::Pan : Mode::Orbit;
 }
 
 void GestureReader::readPointer(const PointerSample& sample)
@@ -127,6 +141,8 @@ void GestureReader::readPointer(const PointerSample& sample)
             m_target.orbitBy({distance.x(), 0.0});
         else if (m_mode == Mode::Pan)
             m_target.panBy(distance);
+        else if (m_mode == Mode::Zoom)
+            m_target.magnify(std::exp(kZoomPerPixel * (distance.x() - distance.y())), m_pressedAt);
     }
     if (ends)
         m_mode = Mode::Idle;

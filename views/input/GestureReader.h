@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/input/MouseScheme.h"
 #include "views/input/PointerSample.h"
 
 #include <QRectF>
@@ -33,8 +34,8 @@ public:
 };
 
 /// Reads gestures before tools are asked (TreeSketch §3.1): one finger, a pen's tip or the left mouse
-/// button is the tool; two fingers pan and pinch, three rotate. The mouse rotates by its right or middle
-/// button or with Alt, and pans by Shift and the middle button or while the space bar is held. A finger
+/// button is the tool; two fingers pan and pinch, three rotate. Other buttons of the mouse move the camera as
+/// MouseScheme says, and the left one pans while the space bar is held. A finger
 /// that is joined by a second one has not been meant for the tool: its gesture is cancelled, unless the tool
 /// takes the second, too. While a pen is near or down, touch is a palm and counts for nothing.
 class GestureReader {
@@ -46,6 +47,7 @@ public:
 
     /// Whether dragging pans (the space bar is held).
     void setPanKey(bool held) { m_panKey = held; }
+    void setScheme(MouseScheme scheme) { m_scheme = scheme; }
     /// The rotation strip, px: whatever begins there turns the view about the vertical, while another finger
     /// works with the tool.
     void setStrip(const QRectF& strip) { m_strip = strip; }
@@ -62,6 +64,7 @@ private:
         Tool,
         Orbit,
         Pan,
+        Zoom,
         TwoFingers,
         ThreeFingers,
         Strip,
@@ -100,6 +103,7 @@ private:
     bool m_mayBeClick = false; ///< Alt and the left button are held, and the pointer has not moved
     QRectF m_strip;
     bool m_panKey = false;
+    MouseScheme m_scheme = MouseScheme::Espalier;
 
     std::vector<Finger> m_fingers;
     std::vector<int> m_toolFingers; ///< Ids

@@ -9,6 +9,7 @@
 #include <QTouchEvent>
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 
@@ -113,7 +114,7 @@ void PointerReader::readTouch(const QTouchEvent& event)
         sample.device = PointerDevice::Finger;
         sample.phase = cancelled ? PointerPhase::Cancel : phaseOf(point.state());
         sample.position = point.position();
-        sample.pressure = hasPressure ? point.pressure() : 1.0;
+        sample.pressure = hasPressure ? std::pow(std::clamp(point.pressure(), 0.0, 1.0), m_pressureExponent) : 1.0;
         sample.time = time;
         sample.modifiers = event.modifiers();
         m_samples.push_back(sample);
@@ -131,7 +132,7 @@ void PointerReader::readTablet(const QTabletEvent& event)
     else
         sample.phase = event.buttons() == Qt::NoButton ? PointerPhase::Hover : PointerPhase::Move;
     sample.position = event.position();
-    sample.pressure = std::clamp(event.pressure(), 0.0, 1.0);
+    sample.pressure = std::pow(std::clamp(event.pressure(), 0.0, 1.0), m_pressureExponent);
     sample.tilt = {radians(event.xTilt()), radians(event.yTilt())};
     sample.time = timeOf(event.timestamp());
     sample.button = event.button();

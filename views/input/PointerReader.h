@@ -25,6 +25,8 @@ public:
     /// What @p event says, one sample for each point that did something; empty if it is no event of a
     /// pointer. Valid until the next call.
     std::span<const PointerSample> read(QEvent& event);
+    /// What is told of a pressure p is p to this power: below 1 a light hand suffices, above 1 it takes a firm one.
+    void setPressureExponent(double exponent) { m_pressureExponent = exponent; }
 
     /// s since the reader was made: the clock of all samples.
     double now() const;
@@ -38,6 +40,7 @@ private:
     QElapsedTimer m_timer;
     double m_offset = 0.0; ///< From the events' own clock to ours, s
     double m_last = 0.0;
+    double m_pressureExponent = 1.0;
     std::vector<PointerSample> m_samples;
 };
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QListView>
+#include <QStyledItemDelegate>
+#include <QTimer>
+
+namespace espalier {
+
+/// Paints a card: a picture, a name, a line or two, and three dots that open its menu.
+class CardPainter : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    /// Height of a card, px, in a column of that width.
+    static int heightFor(int width, const QFont& font);
+    /// Where the dots are in a card, px.
+    static QRect menuPlace(const QRect& card);
+
+    /// All of a cell of the view's grid.
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override;
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const override;
+};
+
+/// Cards in as many columns as there is room for. Enter or a double click activates one; the dots, a long
+/// press, the right button and the menu key ask for its menu.
+class CardView : public QListView {
+    Q_OBJECT
+
+public:
+    explicit CardView(QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    /// @p place: on the screen.
+    void menuAsked(const QModelIndex& index, const QPoint& place);
+    void deleteAsked(const QModelIndex& index);
+    /// Letters were typed that no card has use for.
+    void typed(const QString& text);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    bool isOnDots(const QPoint& place) const;
+
+    QTimer m_longPress;
+    QPoint m_pressedAt;
+};
+
+} // namespace espalier
