@@ -44,6 +44,7 @@ enum class ActionId {
     Architecture,
     LeafSheet,
     BranchSheet,
+    Background,
     History,
     NextPane,
     HideInterface,

@@ -52,7 +52,8 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     files->addSpacing(14);
     files->addWidget(m_title, 1);
     line->addLayout(files, 1);
-    for (const ActionId id : {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet})
+    for (const ActionId id :
+         {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet, ActionId::Background})
         line->addWidget(new BarButton(BarButton::Look::Tab, actions[id], this));
     auto* view = new QHBoxLayout;
     view->setSpacing(2);

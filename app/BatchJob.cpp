@@ -116,6 +116,10 @@ Result<void> writePictureOf(const TreeDocument& document, const CommandLine& lin
     PictureRequest request;
     request.size = line.size;
     request.view = namedView(line.camera.isEmpty() ? recipeView : line.camera);
+    if (line.transparent) {
+        request.options.background = QColor(Qt::transparent);
+        request.options.view.groundShown = line.groundShadow;
+    }
     const Result<QImage> picture = renderImage(document, request);
     if (!picture)
         return Error{Error::Kind::Output,

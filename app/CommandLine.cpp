@@ -45,6 +45,7 @@ struct Option {
     const char* name;
     const char* verbs; ///< Those that know it, between blanks
     Result<void> (*take)(CommandLine&, const QString& value);
+    bool isFlag = false; ///< Without a value
 };
 
 constexpr Option kOptions[] = {
@@ -81,6 +82,18 @@ constexpr Option kOptions[] = {
          line.camera = value;
          return {};
      }},
+    {"--transparent", " replay render ",
+     [](CommandLine& line, const QString&) -> Result<void> {
+         line.transparent = true;
+         return {};
+     },
+     true},
+    {"--ground-shadow", " replay render ",
+     [](CommandLine& line, const QString&) -> Result<void> {
+         line.groundShadow = true;
+         return {};
+     },
+     true},
     {"--stats", " replay ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          line.stats = value;
@@ -136,6 +149,13 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, std::span<co
         const Option* option = findOption(name, verb);
         if (!option)
             return usage(tr("%1 knows no option %2").arg(verb, name));
+        if (option->isFlag) {
+            if (equals >= 0)
+                return usage(tr("%1 wants no value").arg(name));
+            if (const Result<void> taken = option->take(line, {}); !taken)
+                return taken.error();
+            continue;
+        }
         if (equals < 0 && i + 1 == arguments.size())
             return usage(tr("%1 wants a value after it").arg(name));
         const QString value = equals < 0 ? arguments[++i] : argument.mid(equals + 1);
@@ -150,6 +170,10 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, std::span<co
 /// Whether the verb has what it needs, and no more.
 Result<void> checkComplete(const CommandLine& line)
 {
+    if (line.transparent && line.picture.isEmpty())
+        return usage(tr("--transparent wants --png FILE"));
+    if (line.groundShadow && !line.transparent)
+        return usage(tr("--ground-shadow wants --transparent"));
     switch (line.verb) {
     case Verb::Replay:
         if (line.inputs.isEmpty())
@@ -234,6 +258,7 @@ QString commandLineHelp()
               "\n"
               "espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]\n"
               "                [--camera front|side|top|three-quarter]\n"
+              "                [--transparent [--ground-shadow]]\n"
               "                [--stats FILE] [--threads N] [--seed N]\n"
               "    Does what a recipe says, without a window, and writes what comes of it.\n"
               "    Of several recipes each continues the tree of the one before: the first\n"
@@ -243,7 +268,10 @@ QString commandLineHelp()
               "    Writes a project in other formats.\n"
               "\n"
               "espalier render PROJECT --png FILE [--size WxH] [--camera ...]\n"
+              "                [--transparent [--ground-shadow]]\n"
               "    Takes a picture. It wants a display; a virtual one will do.\n"
+              "    --transparent: the tree alone, with straight alpha; --ground-shadow keeps\n"
+              "    its shadow, as black of some opacity.\n"
               "\n"
               "espalier info FILE\n"
               "    Says as JSON what is in a project.\n"

@@ -30,6 +30,8 @@ struct CommandLine {
     QString picture;                   ///< PNG; empty for none
     QSize size{1600, 1200};            ///< Of the picture, px
     QString camera;                    ///< front, side, top, three-quarter; empty for what the recipe says
+    bool transparent = false;          ///< The picture: the tree alone, on nothing
+    bool groundShadow = false;         ///< If so, also its shadow, as black that covers more or less
     QString stats;                     ///< JSON; empty for none
     int threads = 0;                   ///< 0 for as many as the machine has
     std::optional<std::uint64_t> seed; ///< In place of the recipe's

@@ -8,6 +8,7 @@
 #include "app/RecipeTool.h"
 #include "app/SettingsSheet.h"
 #include "app/TreeCounts.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
@@ -37,12 +38,10 @@ constexpr int kThumbnailEdge = 256;
 /// ms between two looks at whether a growing tree is still in sight.
 constexpr int kFollowInterval = 400;
 
-/// The middle of what the viewport shows, without the brush.
+/// The middle of what the viewport shows.
 QImage thumbnailOf(Viewport& viewport)
 {
-    QEvent leave(QEvent::Leave);
-    QCoreApplication::sendEvent(&viewport, &leave);
-    const QImage whole = viewport.grabFramebuffer();
+    const QImage whole = viewport.grabPicture();
     const int edge = std::min(whole.width(), whole.height());
     const QRect middle((whole.width() - edge) / 2, (whole.height() - edge) / 2, edge, edge);
     return whole.copy(middle).scaled(kThumbnailEdge, kThumbnailEdge, Qt::KeepAspectRatio,
@@ -248,7 +247,8 @@ void MainWindow::connectView()
         show();
     }
 
-    const ActionId sheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet};
+    const ActionId sheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet,
+                               ActionId::Background};
     auto* group = new QActionGroup(this);
     group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     for (const ActionId id : sheets)
@@ -411,7 +411,8 @@ void MainWindow::cancel()
         m_document.setCompetitors({});
         return;
     }
-    for (const ActionId id : {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet}) {
+    for (const ActionId id :
+         {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet, ActionId::Background}) {
         if (m_actions[id]->isChecked())
             m_actions[id]->trigger();
     }
@@ -431,8 +432,11 @@ void MainWindow::updateEnabled()
     // Only one thing at a time may change the document.
     m_workspace->growPopOut().setEnabled(!m_recipeRunner.isRunning() &&
                                          !m_workspace->viewport().isGestureActive());
-    for (int i = 0; i < Workspace::kSheetCount; ++i)
-        m_workspace->sheet(i).setEnabled(!isBusy());
+    for (int i = 0; i < Workspace::kSheetCount; ++i) {
+        // What changes the view alone is never in the way.
+        if (&m_workspace->sheet(i) != &m_workspace->background())
+            m_workspace->sheet(i).setEnabled(!isBusy());
+    }
     m_workspace->history().setEnabled(!isBusy());
     m_workspace->library().setMayKeep(!isBusy());
 }

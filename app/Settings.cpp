@@ -24,8 +24,8 @@ const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
 const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
 
-/// Calls @p visit(key, field) for each value that is remembered. Backdrop and sun stay as they are at the
-/// start.
+/// Calls @p visit(key, field) for each value that is remembered. Of the leaves it is not: a tree without them
+/// would surprise.
 template <class Values, class Visit>
 void visitViewValues(Values& values, Visit&& visit)
 {
@@ -38,6 +38,19 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/stretchingWeight"), values.stretchingWeight);
     visit(QStringLiteral("view/groundShown"), values.groundShown);
     visit(QStringLiteral("view/shadowsShown"), values.shadowsShown);
+    visit(QStringLiteral("view/gridShown"), values.gridShown);
+    visit(QStringLiteral("view/backdrop"), values.backdrop);
+    visit(QStringLiteral("view/backgroundColour"), values.backgroundColour);
+    visit(QStringLiteral("view/backgroundTop"), values.backgroundTop);
+    visit(QStringLiteral("view/sunAzimuth"), values.sunAzimuth);
+    visit(QStringLiteral("view/sunElevation"), values.sunElevation);
+    visit(QStringLiteral("view/sunPinned"), values.sunPinned);
+    visit(QStringLiteral("view/sunShown"), values.sunShown);
+    visit(QStringLiteral("view/tracing/file"), values.tracing.file);
+    visit(QStringLiteral("view/tracing/right"), values.tracing.right);
+    visit(QStringLiteral("view/tracing/up"), values.tracing.up);
+    visit(QStringLiteral("view/tracing/height"), values.tracing.height);
+    visit(QStringLiteral("view/tracing/opacity"), values.tracing.opacity);
 }
 
 } // namespace
@@ -85,9 +98,15 @@ ViewValues Settings::viewValues() const
     ViewValues values;
     visitViewValues(values, [&](const QString& key, auto& field) {
         using Field = std::remove_reference_t<decltype(field)>;
-        const QVariant stored = store.value(key, field);
-        if (stored.canConvert<Field>())
-            field = stored.value<Field>();
+        if constexpr (std::is_same_v<Field, Backdrop>) {
+            const int stored = store.value(key, static_cast<int>(field)).toInt();
+            if (stored >= 0 && stored < kBackdropCount)
+                field = static_cast<Backdrop>(stored);
+        } else {
+            const QVariant stored = store.value(key, QVariant::fromValue(field));
+            if (stored.canConvert<Field>())
+                field = stored.value<Field>();
+        }
     });
     return values;
 }
@@ -95,7 +114,12 @@ ViewValues Settings::viewValues() const
 void Settings::setViewValues(const ViewValues& values)
 {
     QSettings store;
-    visitViewValues(values, [&](const QString& key, const auto& field) { store.setValue(key, field); });
+    visitViewValues(values, [&](const QString& key, const auto& field) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, Backdrop>)
+            store.setValue(key, static_cast<int>(field));
+        else
+            store.setValue(key, field);
+    });
 }
 
 QStringList Settings::recentFiles() const

@@ -3,6 +3,7 @@
 
 #include "app/LibraryPanel.h"
 #include "app/TreeCounts.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
@@ -43,6 +44,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
       m_architecture(new ArchitecturePanel(document, this)),
+      m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_library(new LibraryPanel(this)),
       m_help(new HelpPanel(this)),
@@ -53,7 +55,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_tip(new QLabel(this))
 {
     m_sheets = {m_architecture, new ParameterPanel(document, ParameterSheet::Leaves, this),
-                new ParameterPanel(document, ParameterSheet::Branches, this)};
+                new ParameterPanel(document, ParameterSheet::Branches, this), m_background};
     connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
     for (QLabel* label : {m_counts, m_tip}) {
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -227,11 +229,14 @@ void Workspace::arrange()
                                                    {m_growPopOut, PopOut::Grow},
                                                    {m_bendPopOut, PopOut::Bend},
                                                    {m_lassoPopOut, PopOut::Lasso}};
+    QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {
         const QSize size = popOut->sizeHint();
         popOut->setGeometry(placed(QRect(QPoint(x, y), size)));
         // A small window has room for a sheet or for a pop-out.
         popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
+        if (popOut->isVisibleTo(this))
+            popOutPlace = popOut->geometry();
     }
 
     const QSize history = m_history->sizeHint();
@@ -251,7 +256,8 @@ void Workspace::arrange()
     m_counts->setVisible(shown);
     m_tip->adjustSize();
     m_tip->move(20, bottom - m_tip->height());
-    m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x());
+    m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x() &&
+                      !m_tip->geometry().intersects(popOutPlace));
 
     const int most = std::min(right - 2 * kGap, 860);
     m_notice->setMaximumWidth(most);

@@ -16,6 +16,7 @@ class QPushButton;
 namespace espalier {
 
 class ArchitecturePanel;
+class BackgroundPanel;
 class Bar;
 class BendPopOut;
 class BrushPopOut;
@@ -35,7 +36,7 @@ class Workspace : public QWidget {
 
 public:
     enum class PopOut { None, Brush, Grow, Bend, Lasso };
-    static constexpr int kSheetCount = 3;
+    static constexpr int kSheetCount = 4;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
               std::function<void(QMenu&)> fillRecentFiles, QWidget* parent = nullptr);
@@ -48,6 +49,7 @@ public:
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
     ArchitecturePanel& architecture() { return *m_architecture; }
 
+    BackgroundPanel& background() { return *m_background; }
     HistoryPanel& history() { return *m_history; }
     HelpPanel& help() { return *m_help; }
     LibraryPanel& library() { return *m_library; }
@@ -86,6 +88,7 @@ private:
     BendPopOut* m_bendPopOut;
     LassoPopOut* m_lassoPopOut;
     ArchitecturePanel* m_architecture;
+    BackgroundPanel* m_background;
     std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
     LibraryPanel* m_library;

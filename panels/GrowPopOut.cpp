@@ -18,6 +18,8 @@ namespace {
 
 /// Growth steps that the slider reaches beyond the present, at least.
 constexpr int kGrowthZone = 12;
+/// The present holds the handle for so many pixels: who draws it there, or only touches it, grows nothing.
+constexpr int kDetent = 6;
 
 } // namespace
 
@@ -81,7 +83,7 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     connect(hold, &QPushButton::released, this, &GrowPopOut::holdEnds);
     connect(many, &QPushButton::clicked, this, [this] { Q_EMIT stepsAsked(m_count->value()); });
     connect(m_time, &QSlider::valueChanged, this, [this](int position) {
-        Q_EMIT timeMoved(position);
+        Q_EMIT timeMoved(m_time->isSliderDown() ? detained(position) : position);
         // Keys and clicks beside the handle are gestures of their own.
         if (!m_time->isSliderDown())
             Q_EMIT timeReleased();
@@ -106,10 +108,16 @@ void GrowPopOut::showStep()
         return;
     const QSignalBlocker blocker(m_time);
     const auto here = static_cast<int>(m_document.journal().size());
-    const int end = here + static_cast<int>(m_document.future().size());
-    m_time->setRange(0, end + std::max(kGrowthZone, end / 8));
-    m_time->setPageStep(std::max(1, end / 20));
+    m_present = here + static_cast<int>(m_document.future().size());
+    m_time->setRange(0, m_present + std::max(kGrowthZone, m_present / 8));
+    m_time->setPageStep(std::max(1, m_present / 20));
     m_time->setValue(here);
+}
+
+int GrowPopOut::detained(int position) const
+{
+    const int held = m_time->maximum() * kDetent / std::max(1, m_time->width()) + 1;
+    return position > m_present ? std::max(m_present, position - held) : position;
 }
 
 void GrowPopOut::setPlaying(bool plays)

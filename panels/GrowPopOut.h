@@ -37,12 +37,15 @@ public:
 
 private:
     void showStep();
+    /// Where a handle at @p position leads: a little beyond the present is still the present.
+    int detained(int position) const;
 
     const TreeDocument& m_document;
     QSlider* m_time;
     QPushButton* m_play;
     QLabel* m_step;
     QSpinBox* m_count;
+    int m_present = 0; ///< The slider's position at the end of the history
 };
 
 } // namespace espalier

@@ -2,629 +2,2534 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>Commands</name>
+    <name>Actions</name>
     <message>
-        <source>Brush Stroke</source>
-        <translation type="unfinished"></translation>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Start with a seedling.</source>
+        <translation>Mit einem Sämling beginnen.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a project or a recipe.</source>
+        <translation>Ein Projekt oder ein Rezept öffnen.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save the project.</source>
+        <translation>Das Projekt speichern.</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name.</source>
+        <translation>Das Projekt unter einem anderen Namen speichern.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the tree for other programs: GLB, FBX, OBJ, or its skeleton as CSV.</source>
+        <translation>Den Baum für andere Programme schreiben: GLB, FBX, OBJ, oder sein Skelett als CSV.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Leave Espalier.</source>
+        <translation>Espalier verlassen.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back what you did last.</source>
+        <translation>Zurücknehmen, was zuletzt getan wurde.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Nochmals</translation>
+    </message>
+    <message>
+        <source>Do again what you took back.</source>
+        <translation>Zurückgenommenes noch einmal tun.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
+        <translation>Vom Baum nach außen ziehen: Er wächst in den Raum, den der Pinsel durchstreift.</translation>
     </message>
     <message>
         <source>Grow</source>
-        <translation type="unfinished"></translation>
+        <translation>Wachsen</translation>
+    </message>
+    <message>
+        <source>Press anywhere and hold: the tree grows on its own, competing for light and space.</source>
+        <translation>Irgendwo drücken und halten: Der Baum wächst von selbst, im Wettbewerb um Licht und Raum.</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Tap a branch to take it off, or draw across all that shall fall.</source>
+        <translation>Einen Ast antippen, um ihn abzunehmen, oder quer über alles ziehen, was fallen soll.</translation>
+    </message>
+    <message>
+        <source>Bud</source>
+        <translation>Knospe</translation>
+    </message>
+    <message>
+        <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
+        <translation>Eine Knospe antippen: Von nun an wächst nur sie, mit allem, was aus ihr entsteht.</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
+        <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
+        <translation>An einem Ast ziehen, um ihn zu biegen; antippen, um festzulegen, wo er gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Tap a branch to hold its width, and draw the handle to change it.</source>
+        <translation>Einen Ast antippen, um seine Dicke festzuhalten, und am Griff ziehen, um sie zu ändern.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
+        <translation>Den Umriss einer Krone zeichnen: Der Baum wächst, bis er ihn ausfüllt.</translation>
+    </message>
+    <message>
+        <source>Grow One Step</source>
+        <translation>Ein Wuchsschritt</translation>
+    </message>
+    <message>
+        <source>Let the tree grow one step on its own.</source>
+        <translation>Den Baum von selbst einen Schritt wachsen lassen.</translation>
+    </message>
+    <message>
+        <source>Smaller Brush</source>
+        <translation>Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Make the brush smaller, while brushing too.</source>
+        <translation>Den Pinsel verkleinern, auch während des Pinselns.</translation>
+    </message>
+    <message>
+        <source>Larger Brush</source>
+        <translation>Größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Make the brush larger, while brushing too.</source>
+        <translation>Den Pinsel vergrößern, auch während des Pinselns.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Take back the stroke or the growth under way.</source>
+        <translation>Den laufenden Strich oder das laufende Wachstum zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Frame All</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Show the whole tree.</source>
+        <translation>Den ganzen Baum zeigen.</translation>
+    </message>
+    <message>
+        <source>From the Front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Look at the tree from the front.</source>
+        <translation>Den Baum von vorn betrachten.</translation>
+    </message>
+    <message>
+        <source>From the Side</source>
+        <translation>Von der Seite</translation>
+    </message>
+    <message>
+        <source>Look at the tree from the side.</source>
+        <translation>Den Baum von der Seite betrachten.</translation>
+    </message>
+    <message>
+        <source>From the Top</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Look down at the tree.</source>
+        <translation>Auf den Baum hinabschauen.</translation>
+    </message>
+    <message>
+        <source>Three-Quarter</source>
+        <translation>Schräg von vorn</translation>
+    </message>
+    <message>
+        <source>Look at the tree from a corner.</source>
+        <translation>Den Baum schräg von vorn betrachten.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads.</source>
+        <translation>Die Punkte freien Raums zeigen, die der Pinsel verteilt.</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Blätter</translation>
+    </message>
+    <message>
+        <source>Show the leaves.</source>
+        <translation>Die Blätter zeigen.</translation>
+    </message>
+    <message>
+        <source>Architecture</source>
+        <translation>Architektur</translation>
+    </message>
+    <message>
+        <source>How the tree grows from now on.</source>
+        <translation>Wie der Baum von nun an wächst.</translation>
+    </message>
+    <message>
+        <source>What the leaves look like.</source>
+        <translation>Wie die Blätter aussehen.</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Äste</translation>
+    </message>
+    <message>
+        <source>How thick branches are, and their bark.</source>
+        <translation>Wie dick die Äste sind, und ihre Rinde.</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
+        <translation>Was um den Baum herum ist: Hintergrund, Boden, Sonne, eine Bildvorlage.</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>All that you did, step by step; a click goes there.</source>
+        <translation>Alles Getane, Schritt für Schritt; ein Klick führt dorthin.</translation>
+    </message>
+    <message>
+        <source>To the Panels and Back</source>
+        <translation>Zu den Bedienfeldern und zurück</translation>
+    </message>
+    <message>
+        <source>Give the keys to the panels, or back to the tree.</source>
+        <translation>Die Tastatur den Bedienfeldern geben oder zurück dem Baum.</translation>
+    </message>
+    <message>
+        <source>Only the Tree</source>
+        <translation>Nur der Baum</translation>
+    </message>
+    <message>
+        <source>Hide everything but the tree; the same key brings it back.</source>
+        <translation>Alles außer dem Baum ausblenden; dieselbe Taste holt es zurück.</translation>
+    </message>
+    <message>
+        <source>Full Screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen.</source>
+        <translation>Den ganzen Bildschirm füllen.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>About the tool in hand, and about everything else.</source>
+        <translation>Über das Werkzeug in der Hand und über alles andere.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>BendTool</name>
+    <message>
+        <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
+        <translation>An einem Ast ziehen, um ihn zu biegen; antippen, um erst seine Basis festzulegen, dann Haltepunkte</translation>
+    </message>
+</context>
+<context>
+    <name>BrushTool</name>
+    <message>
+        <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
+        <translation>Ziehen, um einen Baum zu pinseln; an einem Ast beginnen, um in dessen Tiefe fortzufahren</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Brush Stroke</source>
+        <translation>Pinselstrich</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wachsen</translation>
     </message>
     <message>
         <source>Change Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter ändern</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegen</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Travel in Time</source>
+        <translation>Zeitreise</translation>
+    </message>
+    <message>
+        <source>Remove Width</source>
+        <translation>Dicke freigeben</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Dicke</translation>
+    </message>
+</context>
+<context>
+    <name>Display</name>
+    <message>
+        <source>there is no display (DISPLAY is not set); xvfb-run provides a virtual one</source>
+        <translation>es gibt keine Anzeige (DISPLAY ist nicht gesetzt); xvfb-run stellt eine virtuelle bereit</translation>
+    </message>
+    <message>
+        <source>the display %1 does not answer</source>
+        <translation>die Anzeige %1 antwortet nicht</translation>
+    </message>
+</context>
+<context>
+    <name>Envelope</name>
+    <message>
+        <source>There is no lasso stroke.</source>
+        <translation>Es gibt keinen Lassostrich.</translation>
+    </message>
+    <message>
+        <source>The lasso's drawing plane is not valid.</source>
+        <translation>Die Zeichenebene des Lassos ist ungültig.</translation>
+    </message>
+    <message>
+        <source>The lasso is too small to enclose anything.</source>
+        <translation>Das Lasso ist zu klein, um etwas zu umschließen.</translation>
+    </message>
+    <message>
+        <source>The lasso encloses no area.</source>
+        <translation>Das Lasso umschließt keine Fläche.</translation>
+    </message>
+    <message>
+        <source>The lasso is too small for how far it is from the origin.</source>
+        <translation>Das Lasso ist zu klein für seinen Abstand vom Ursprung.</translation>
+    </message>
+</context>
+<context>
+    <name>Exporter</name>
+    <message>
+        <source>the meshes could not be written: %1</source>
+        <translation>die Netze konnten nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>there is no export to “.%1”; there are %2</source>
+        <translation>es gibt keinen Export nach „.%1“; es gibt %2</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>Der Export wurde abgebrochen.</translation>
+    </message>
+</context>
+<context>
+    <name>FbxRepair</name>
+    <message>
+        <source>this is no sound binary FBX file</source>
+        <translation>dies ist keine einwandfreie binäre FBX-Datei</translation>
+    </message>
+</context>
+<context>
+    <name>GrowTool</name>
+    <message>
+        <source>Press and hold: the tree grows until you let go.</source>
+        <translation>Drücken und halten: Der Baum wächst bis zum Loslassen.</translation>
+    </message>
+</context>
+<context>
+    <name>JournalCheck</name>
+    <message>
+        <source>its steps do not join those around it</source>
+        <translation>die Schritte schließen nicht an die benachbarten an</translation>
+    </message>
+    <message>
+        <source>its parameters do not join those around it</source>
+        <translation>die Parameter schließen nicht an die benachbarten an</translation>
+    </message>
+    <message>
+        <source>its births are out of order</source>
+        <translation>die Geburten sind nicht in der richtigen Reihenfolge</translation>
+    </message>
+    <message>
+        <source>it changes buds that were not there</source>
+        <translation>ändert Knospen, die nicht da waren</translation>
+    </message>
+    <message>
+        <source>it changes buds in a way that cannot be</source>
+        <translation>ändert Knospen auf unmögliche Weise</translation>
+    </message>
+    <message>
+        <source>it bends an internode that was not there</source>
+        <translation>biegt ein Internodium, das nicht da war</translation>
+    </message>
+    <message>
+        <source>it bends an internode in a way that cannot be</source>
+        <translation>biegt ein Internodium auf unmögliche Weise</translation>
+    </message>
+    <message>
+        <source>it sets a width in a way that cannot be</source>
+        <translation>legt eine Dicke auf unmögliche Weise fest</translation>
+    </message>
+    <message>
+        <source>it changes an envelope in a way that cannot be</source>
+        <translation>ändert eine Hülle auf unmögliche Weise</translation>
+    </message>
+    <message>
+        <source>it lets an internode die that did not</source>
+        <translation>lässt ein Internodium sterben, das nicht gestorben ist</translation>
+    </message>
+    <message>
+        <source>it bears an internode that is not there</source>
+        <translation>bringt ein Internodium hervor, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>it bears an internode at another time</source>
+        <translation>bringt ein Internodium zu einer anderen Zeit hervor</translation>
+    </message>
+    <message>
+        <source>it bears an internode after what grows on it</source>
+        <translation>bringt ein Internodium nach dem hervor, was darauf wächst</translation>
+    </message>
+    <message>
+        <source>before it, an internode would live on a dead one</source>
+        <translation>davor würde ein Internodium auf einem toten leben</translation>
+    </message>
+    <message>
+        <source>before it, two internodes would continue the same axis</source>
+        <translation>davor würden zwei Internodien dieselbe Achse fortsetzen</translation>
+    </message>
+    <message>
+        <source>it changes the buds of a dead internode</source>
+        <translation>ändert die Knospen eines toten Internodiums</translation>
+    </message>
+    <message>
+        <source>internode %1 has no beginning or no end in the history</source>
+        <translation>Internodium %1 hat in der Geschichte keinen Anfang oder kein Ende</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>Schritt %1 der Geschichte</translation>
+    </message>
+    <message>
+        <source>the history</source>
+        <translation>die Geschichte</translation>
     </message>
 </context>
 <context>
     <name>JsonReader</name>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>it is larger than %1 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>ist größer als %1 MB</translation>
     </message>
     <message>
         <source>it holds too many values</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält zu viele Werte</translation>
     </message>
     <message>
         <source>line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1</translation>
     </message>
     <message>
         <source>not valid JSON: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>kein gültiges JSON: %1</translation>
     </message>
     <message>
         <source>a JSON object is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein JSON-Objekt wird erwartet</translation>
     </message>
     <message>
         <source>it is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>fehlt</translation>
     </message>
     <message>
         <source>a whole number from %1 to %2 is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl von %1 bis %2 wird erwartet</translation>
     </message>
     <message>
         <source>a string is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zeichenkette wird erwartet</translation>
     </message>
     <message>
         <source>a whole number of at most 64 bits is expected, from 2^53 on as a string of digits</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl von höchstens 64 Bit wird erwartet, ab 2^53 als Zeichenkette aus Ziffern</translation>
     </message>
     <message>
         <source>an object is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Objekt wird erwartet</translation>
     </message>
     <message>
         <source>an array is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Array wird erwartet</translation>
     </message>
     <message>
         <source>“%1” is not known here</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist hier nicht bekannt</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2 is expected</source>
+        <translation>eine Zahl von %1 bis %2 wird erwartet</translation>
+    </message>
+</context>
+<context>
+    <name>Lasso</name>
+    <message>
+        <source>The lasso's drawing plane is not valid.</source>
+        <translation>Die Zeichenebene des Lassos ist ungültig.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>There is no envelope to regrow.</source>
+        <translation>Es gibt keine Hülle für einen Neuwuchs.</translation>
+    </message>
+    <message>
+        <source>Regrow</source>
+        <translation>Neuwuchs</translation>
+    </message>
+    <message>
+        <source>Remove Envelope</source>
+        <translation>Hülle entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>LassoTool</name>
+    <message>
+        <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
+        <translation>Den Umriss einer Krone zeichnen; der Baum füllt ihn aus. An einem Ast beginnen, um in dessen Tiefe zu zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>OffscreenRenderer</name>
+    <message>
+        <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
+        <translation>Es kann kein Bild gezeichnet werden, denn es gibt keine Anzeige mit OpenGL 3.3; eine virtuelle (Xvfb) genügt.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels is too large; %3 along an edge is the most.</source>
+        <translation>Ein Bild von %1 × %2 Pixeln ist zu groß; höchstens %3 je Kante sind möglich.</translation>
+    </message>
+</context>
+<context>
+    <name>Outputs</name>
+    <message>
+        <source>%1: the picture could not be packed</source>
+        <translation>%1: das Bild konnte nicht gepackt werden</translation>
+    </message>
+</context>
+<context>
+    <name>Overlay</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
     </message>
 </context>
 <context>
     <name>Parameters</name>
     <message>
         <source>Internode</source>
-        <translation type="unfinished"></translation>
+        <translation>Internodium</translation>
     </message>
     <message>
         <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge eines Internodiums. Es ist das Maß für alles, was wächst: kleinere ergeben feinere Bäume.</translation>
     </message>
     <message>
         <source>Shoot length</source>
-        <translation type="unfinished"></translation>
+        <translation>Trieblänge</translation>
     </message>
     <message>
         <source>How many internodes the strongest shoot grows in one step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Internodien der stärkste Trieb in einem Schritt wächst.</translation>
     </message>
     <message>
         <source>Branching angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Verzweigungswinkel</translation>
     </message>
     <message>
         <source>Between a branch and what branches off it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen einem Ast und dem, was von ihm abzweigt.</translation>
     </message>
     <message>
         <source>Deflection</source>
-        <translation type="unfinished"></translation>
+        <translation>Ablenkung</translation>
     </message>
     <message>
         <source>How far an axis turns away from a branch that it bears: 0 keeps it straight, more makes it zigzag.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit eine Achse von einem Ast weggelenkt wird, den sie trägt: 0 hält sie gerade, mehr lässt sie im Zickzack wachsen.</translation>
     </message>
     <message>
         <source>Phyllotaxis</source>
-        <translation type="unfinished"></translation>
+        <translation>Phyllotaxis</translation>
     </message>
     <message>
         <source>Turn around the axis from one bud to the next: 137.5° is a spiral, 180° two rows, 90° crossed pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung um die Achse von einer Knospe zur nächsten: 137,5° ist eine Spirale, 180° zwei Zeilen, 90° gekreuzte Paare.</translation>
     </message>
     <message>
         <source>Buds at a node</source>
-        <translation type="unfinished"></translation>
+        <translation>Knospen je Knoten</translation>
     </message>
     <message>
         <source>One is alternate, two opposite, more a whorl, as in pines.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine ist wechselständig, zwei gegenständig, mehr ein Quirl, wie bei Kiefern.</translation>
     </message>
     <message>
         <source>Occupied radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Belegter Radius</translation>
     </message>
     <message>
         <source>Space around each bud that nothing else grows into, in internodes. More makes an airier crown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Raum um jede Knospe, in den nichts anderes wächst, in Internodien. Mehr ergibt eine luftigere Krone.</translation>
     </message>
     <message>
         <source>Sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Sichtweite</translation>
     </message>
     <message>
         <source>How far beyond its own space a bud sees room to grow, in internodes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit über ihren eigenen Raum hinaus eine Knospe Wuchsraum sieht, in Internodien.</translation>
     </message>
     <message>
         <source>Field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Sichtfeld</translation>
     </message>
     <message>
         <source>How far to the sides a bud sees room to grow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit zu den Seiten eine Knospe Wuchsraum sieht.</translation>
     </message>
     <message>
         <source>Brush density</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinseldichte</translation>
     </message>
     <message>
         <source>How much room to grow the brush spreads, in points per cubic internode. More makes denser growth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel Wuchsraum der Pinsel verteilt, in Punkten je Kubikinternodium. Mehr ergibt dichteren Wuchs.</translation>
     </message>
     <message>
         <source>Brush memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinselgedächtnis</translation>
     </message>
     <message>
         <source>Growth steps after which the room that the brush has spread is forgotten.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wuchsschritte, nach denen der vom Pinsel verteilte Raum vergessen wird.</translation>
     </message>
     <message>
         <source>Room at a bud</source>
-        <translation type="unfinished"></translation>
+        <translation>Raum je Knospe</translation>
     </message>
     <message>
         <source>When the tree grows on its own: the room to grow that each bud finds around itself in each step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenn der Baum von selbst wächst: der Wuchsraum, den jede Knospe in jedem Schritt um sich findet.</translation>
     </message>
     <message>
         <source>Apical dominance</source>
-        <translation type="unfinished"></translation>
+        <translation>Apikaldominanz</translation>
     </message>
     <message>
         <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer die Wuchskraft bekommt: über 0,5 die Hauptachse, wie bei Nadelbäumen; darunter die Äste, wie bei Sträuchern.</translation>
     </message>
     <message>
         <source>Light sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtbedarf</translation>
     </message>
     <message>
         <source>How much more a bud in the light thrives than one in the shade.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel besser eine Knospe im Licht gedeiht als eine im Schatten.</translation>
     </message>
     <message>
         <source>Shedding</source>
-        <translation type="unfinished"></translation>
+        <translation>Astabwurf</translation>
     </message>
     <message>
         <source>Branches with less vigour than this die: 0 keeps them all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Äste mit weniger Wuchskraft sterben ab: 0 erhält alle.</translation>
     </message>
     <message>
         <source>Shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>Schatten</translation>
     </message>
     <message>
         <source>How much light one internode takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel Licht ein Internodium wegnimmt.</translation>
     </message>
     <message>
         <source>Shadow falloff</source>
-        <translation type="unfinished"></translation>
+        <translation>Schattenabfall</translation>
     </message>
     <message>
         <source>How fast a shadow fades on its way down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell ein Schatten nach unten hin schwindet.</translation>
     </message>
     <message>
         <source>Shadow depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Schattentiefe</translation>
     </message>
     <message>
         <source>How many layers below an internode its shadow reaches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Schichten unter einem Internodium sein Schatten noch erreicht.</translation>
     </message>
     <message>
         <source>Straightness</source>
-        <translation type="unfinished"></translation>
+        <translation>Geradheit</translation>
     </message>
     <message>
         <source>How much a shoot keeps the direction that it has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sehr ein Trieb die Richtung beibehält, die er hat.</translation>
     </message>
     <message>
         <source>Tropism</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropismus</translation>
     </message>
     <message>
         <source>How much a shoot turns toward the set-point angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sehr sich ein Trieb zum Sollwinkel hin wendet.</translation>
     </message>
     <message>
         <source>Free space</source>
-        <translation type="unfinished"></translation>
+        <translation>Freier Raum</translation>
     </message>
     <message>
         <source>How much a shoot turns toward where there is room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sehr sich ein Trieb dorthin wendet, wo Raum ist.</translation>
     </message>
     <message>
         <source>Set-point angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Sollwinkel</translation>
     </message>
     <message>
         <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wohin sich Triebe wenden: 0° ist aufwärts, 90° waagerecht, mehr lässt sie hängen.</translation>
     </message>
     <message>
         <source>Follow the stroke</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Strich folgen</translation>
     </message>
     <message>
         <source>Shoots turn toward where the brush goes, instead of to the set-point angle.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>Triebe wenden sich dorthin, wohin der Pinsel geht, statt zum Sollwinkel.</translation>
     </message>
     <message>
         <source>Vigour of the buds above and below a leaning branch.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sideways</source>
-        <translation type="unfinished"></translation>
+        <translation>Wuchskraft der Knospen oben und unten an einem geneigten Ast.</translation>
     </message>
     <message>
         <source>Vigour of the buds on the sides of a leaning branch.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Above or below</source>
-        <translation type="unfinished"></translation>
+        <translation>Wuchskraft der Knospen an den Seiten eines geneigten Asts.</translation>
     </message>
     <message>
         <source>Above 0 the buds on the upper side are stronger, as in fruit trees; below 0 those on the lower side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Über 0 sind die Knospen der Oberseite stärker, wie bei Obstbäumen; unter 0 die der Unterseite.</translation>
     </message>
     <message>
         <source>Irregularity</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung</translation>
     </message>
     <message>
         <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Streuung der Winkel und Längen: 0 ist ein Schema, 1 so wild wie die Natur.</translation>
     </message>
     <message>
         <source>Upright trunk</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufrechter Stamm</translation>
     </message>
     <message>
         <source>The trunk grows straight up, whatever the branches do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Stamm wächst gerade nach oben, was auch die Äste tun.</translation>
     </message>
     <message>
         <source>Leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>Blätter</translation>
     </message>
     <message>
         <source>Whether the tree has any.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob der Baum welche hat.</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form</translation>
     </message>
     <message>
         <source>The outline of a leaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss eines Blatts.</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>From the stalk to the tip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Stiel bis zur Spitze.</translation>
     </message>
     <message>
         <source>Breadth</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Width by length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite im Verhältnis zur Länge.</translation>
     </message>
     <message>
         <source>Variation of size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größenstreuung</translation>
     </message>
     <message>
         <source>How much the sizes of leaves differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sehr sich die Größen der Blätter unterscheiden.</translation>
     </message>
     <message>
         <source>At a node</source>
-        <translation type="unfinished"></translation>
+        <translation>Je Knoten</translation>
     </message>
     <message>
         <source>How many leaves grow together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele Blätter zusammen wachsen.</translation>
     </message>
     <message>
         <source>How far inward</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit innen</translation>
     </message>
     <message>
         <source>Branches that carry more twigs than this are bare.</source>
-        <translation type="unfinished"></translation>
+        <translation>Äste, die mehr Zweige tragen, sind kahl.</translation>
     </message>
     <message>
         <source>Angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf&apos;s stalk.</source>
-        <translation type="unfinished"></translation>
+        <source>Between a shoot and the leaf's stalk.</source>
+        <translation>Zwischen einem Trieb und dem Blattstiel.</translation>
     </message>
     <message>
         <source>Droop</source>
-        <translation type="unfinished"></translation>
+        <translation>Hängen</translation>
     </message>
     <message>
         <source>How far leaves hang down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die Blätter herabhängen.</translation>
     </message>
     <message>
         <source>Toward the sky</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Himmel</translation>
     </message>
     <message>
         <source>How far leaves turn their faces up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die Blätter ihre Flächen nach oben wenden.</translation>
     </message>
     <message>
         <source>Hue</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbton</translation>
     </message>
     <message>
         <source>0° is red, 60° yellow, 120° green.</source>
-        <translation type="unfinished"></translation>
+        <translation>0° ist Rot, 60° Gelb, 120° Grün.</translation>
     </message>
     <message>
         <source>Variation of hue</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbtonstreuung</translation>
     </message>
     <message>
         <source>How much the colours of leaves differ.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Yellow of the weak</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sehr sich die Farben der Blätter unterscheiden.</translation>
     </message>
     <message>
         <source>How far the leaves of weak shoots turn toward yellow and red.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit sich die Blätter schwacher Triebe nach Gelb und Rot verfärben.</translation>
     </message>
     <message>
         <source>Exponent</source>
-        <translation type="unfinished"></translation>
+        <translation>Exponent</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
-        <translation type="unfinished"></translation>
+        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <translation>Wie sich die Dicken addieren, wo Äste zusammentreffen: 2 ist Leonardos Regel; weniger ergibt dickere Stämme.</translation>
     </message>
     <message>
         <source>Tips</source>
-        <translation type="unfinished"></translation>
+        <translation>Spitzen</translation>
     </message>
     <message>
         <source>Diameter of the thinnest twigs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser der dünnsten Zweige.</translation>
     </message>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
     <message>
         <source>Diameter of the trunk at the ground; at 0 it follows from the exponent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser des Stamms am Boden; bei 0 folgt er aus dem Exponenten.</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>What the bark looks like.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Rinde aussieht.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
-        <translation type="unfinished"></translation>
+        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <translation>Stammlänge, nach der sich das Rindenmuster wiederholt.</translation>
     </message>
     <message>
         <source>Shoot</source>
-        <translation type="unfinished"></translation>
+        <translation>Trieb</translation>
     </message>
     <message>
         <source>Space</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light and vigour</source>
-        <translation type="unfinished"></translation>
+        <translation>Raum</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Gravimorphism</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Character</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraft</translation>
     </message>
     <message>
         <source>Form</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestalt</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitz</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke</translation>
     </message>
     <message>
         <source>Bark</source>
-        <translation type="unfinished"></translation>
+        <translation>Rinde</translation>
     </message>
     <message>
         <source>ovate</source>
-        <translation type="unfinished"></translation>
+        <translation>eiförmig</translation>
     </message>
     <message>
         <source>lanceolate</source>
-        <translation type="unfinished"></translation>
+        <translation>lanzettlich</translation>
     </message>
     <message>
         <source>lobed</source>
-        <translation type="unfinished"></translation>
+        <translation>gelappt</translation>
     </message>
     <message>
         <source>needles</source>
-        <translation type="unfinished"></translation>
+        <translation>Nadeln</translation>
     </message>
     <message>
         <source>furrowed</source>
-        <translation type="unfinished"></translation>
+        <translation>gefurcht</translation>
     </message>
     <message>
         <source>smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>glatt</translation>
     </message>
     <message>
         <source>plated</source>
-        <translation type="unfinished"></translation>
+        <translation>plattig</translation>
     </message>
     <message>
         <source>birch</source>
-        <translation type="unfinished"></translation>
+        <translation>Birke</translation>
+    </message>
+    <message>
+        <source>Behind</source>
+        <translation>Dahinter</translation>
+    </message>
+    <message>
+        <source>What stands behind the tree.</source>
+        <translation>Was hinter dem Baum steht.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Ground below the tree, with the tree's shadow.</source>
+        <translation>Boden unter dem Baum, mit dem Schatten des Baums.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Lines on the ground, a metre apart.</source>
+        <translation>Linien auf dem Boden, im Abstand von einem Meter.</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Shadows of the sun.</source>
+        <translation>Schatten der Sonne.</translation>
+    </message>
+    <message>
+        <source>Show the sun</source>
+        <translation>Sonne zeigen</translation>
+    </message>
+    <message>
+        <source>Show the sun as a ball that you can drag about the tree.</source>
+        <translation>Die Sonne als Kugel zeigen, die sich um den Baum ziehen lässt.</translation>
+    </message>
+    <message>
+        <source>Pin the sun</source>
+        <translation>Sonne anheften</translation>
+    </message>
+    <message>
+        <source>The sun stays where it is on the screen when the tree is turned; otherwise it turns with the tree.</source>
+        <translation>Die Sonne behält ihren Ort auf dem Bildschirm, wenn der Baum gedreht wird; sonst dreht sie sich mit dem Baum.</translation>
+    </message>
+    <message>
+        <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
+        <translation>Wo die Sonne steht: 0° vor dem Baum, 90° rechts von ihm; bei angehefteter Sonne aus der Sicht des Betrachters.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>How high the sun stands above the horizon.</source>
+        <translation>Wie hoch die Sonne über dem Horizont steht.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>How much of the picture is seen.</source>
+        <translation>Wie deutlich das Bild zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>How high the picture is.</source>
+        <translation>Wie hoch das Bild ist.</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>Where the picture's middle is beside the seedling.</source>
+        <translation>Wo die Mitte des Bilds neben dem Sämling liegt.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Where the picture's middle is above the seedling.</source>
+        <translation>Wo die Mitte des Bilds über dem Sämling liegt.</translation>
+    </message>
+    <message>
+        <source>studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>horizon</source>
+        <translation>Horizont</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation>einfarbig</translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <translation>Farbverlauf</translation>
+    </message>
+    <message>
+        <source>Gravitropic set-point angle: orthotropic at 0°, plagiotropic near 90°, positively gravitropic beyond.</source>
+        <translation>Gravitroper Sollwinkel: orthotrop bei 0°, plagiotrop nahe 90°, darüber positiv gravitrop.</translation>
+    </message>
+    <message>
+        <source>Buds above and below</source>
+        <translation>Knospen oben und unten</translation>
+    </message>
+    <message>
+        <source>Vertical semi-axis of the gravimorphic ellipse.</source>
+        <translation>Senkrechte Halbachse der gravimorphen Ellipse.</translation>
+    </message>
+    <message>
+        <source>Buds at the sides</source>
+        <translation>Knospen seitlich</translation>
+    </message>
+    <message>
+        <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
+        <translation>Halbachse parallel zum Boden; ist sie die größere, herrscht Amphitonie.</translation>
+    </message>
+    <message>
+        <source>Upper or lower buds</source>
+        <translation>Ober- oder Unterseite</translation>
+    </message>
+    <message>
+        <source>Displacement of the ellipse: epitony above 0, hypotony below.</source>
+        <translation>Verschiebung der Ellipse: Epitonie über 0, Hypotonie darunter.</translation>
+    </message>
+    <message>
+        <source>Angle of insertion of a lateral bud on its axis.</source>
+        <translation>Ansatzwinkel einer Seitenknospe an ihrer Achse.</translation>
+    </message>
+    <message>
+        <source>The main axis yields to a lateral, as toward sympodial growth.</source>
+        <translation>Die Hauptachse weicht einer Seitenachse aus, in Richtung sympodialen Wuchses.</translation>
+    </message>
+    <message>
+        <source>Weight of the heading H of the axis.</source>
+        <translation>Gewicht der Richtung H der Achse.</translation>
+    </message>
+    <message>
+        <source>Weight of gravitropism T.</source>
+        <translation>Gewicht des Gravitropismus T.</translation>
+    </message>
+    <message>
+        <source>Weight of the environment E: the mean direction of the free space that a bud perceives.</source>
+        <translation>Gewicht der Umgebung E: die mittlere Richtung des freien Raums, den eine Knospe wahrnimmt.</translation>
+    </message>
+    <message>
+        <source>Radius of the zone of occupancy.</source>
+        <translation>Radius der belegten Zone.</translation>
+    </message>
+    <message>
+        <source>Depth of the volume of perception, which reaches to r + d.</source>
+        <translation>Tiefe des Wahrnehmungsraums, der bis r + d reicht.</translation>
+    </message>
+    <message>
+        <source>Apex angle of the cone of perception.</source>
+        <translation>Öffnungswinkel des Wahrnehmungskegels.</translation>
+    </message>
+    <message>
+        <source>Excurrent forms above 0.5, decurrent ones below.</source>
+        <translation>Exkurrente Wuchsformen über 0,5, dekurrente darunter.</translation>
+    </message>
+    <message>
+        <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
+        <translation>Exponent der Reaktion auf Licht: hoch bei Lichtbaumarten, niedrig bei Schattenbaumarten.</translation>
+    </message>
+    <message>
+        <source>Threshold of cladoptosis: vigour per internode, relative to that of the whole tree.</source>
+        <translation>Schwelle der Kladoptose: Wuchskraft je Internodium, bezogen auf die des ganzen Baums.</translation>
+    </message>
+    <message>
+        <source>Metamers of the strongest shoot of a flush.</source>
+        <translation>Metamere des stärksten Triebs eines Austriebs.</translation>
+    </message>
+    <message>
+        <source>Divergence angle: spiral, distichous, decussate.</source>
+        <translation>Divergenzwinkel: spiralig, zweizeilig, kreuzgegenständig.</translation>
+    </message>
+    <message>
+        <source>The set-point angle is inferred from the direction of the stroke.</source>
+        <translation>Der Sollwinkel wird aus der Richtung des Strichs abgeleitet.</translation>
+    </message>
+    <message>
+        <source>The axis of order 0 is orthotropic, as in most conifers.</source>
+        <translation>Die Achse der Ordnung 0 ist orthotrop, wie bei den meisten Nadelbäumen.</translation>
+    </message>
+    <message>
+        <source>Length of a metamer.</source>
+        <translation>Länge eines Metamers.</translation>
+    </message>
+    <message>
+        <source>Alternate, opposite or verticillate.</source>
+        <translation>Wechselständig, gegenständig oder quirlständig.</translation>
+    </message>
+    <message>
+        <source>Variance of the angles and of the metamers.</source>
+        <translation>Varianz der Winkel und der Metamere.</translation>
+    </message>
+    <message>
+        <source>Intensity of the penumbra that a metamer casts.</source>
+        <translation>Stärke des Halbschattens, den ein Metamer wirft.</translation>
+    </message>
+    <message>
+        <source>Base of its decay from layer to layer.</source>
+        <translation>Basis der Abnahme von Schicht zu Schicht.</translation>
+    </message>
+    <message>
+        <source>Height of the pyramid of shadow, in voxels.</source>
+        <translation>Höhe der Schattenpyramide, in Voxeln.</translation>
+    </message>
+    <message>
+        <source>Density of the markers of free space.</source>
+        <translation>Dichte der Marker freien Raums.</translation>
+    </message>
+    <message>
+        <source>Maximum age of a marker.</source>
+        <translation>Höchstalter eines Markers.</translation>
+    </message>
+    <message>
+        <source>Markers generated in each volume of perception.</source>
+        <translation>In jedem Wahrnehmungsraum erzeugte Marker.</translation>
+    </message>
+    <message>
+        <source>Only near the tips</source>
+        <translation>Nur an den Spitzen</translation>
+    </message>
+    <message>
+        <source>Leaves grow so many internodes down from the tip of a shoot, and no further.</source>
+        <translation>Blätter wachsen von der Spitze eines Triebs so viele Internodien abwärts und nicht weiter.</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Sättigung</translation>
+    </message>
+    <message>
+        <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
+        <translation>Wie kräftig die Farbe ist: wenig davon ergibt Blüten und silbrige Blätter.</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>How light the leaves are.</source>
+        <translation>Wie hell die Blätter sind.</translation>
+    </message>
+    <message>
+        <source>Yellowing</source>
+        <translation>Vergilbung</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>Anlauf</translation>
+    </message>
+    <message>
+        <source>How much the trunk spreads where it meets the ground.</source>
+        <translation>Wie sehr sich der Stamm am Boden verbreitert.</translation>
+    </message>
+    <message>
+        <source>Branching</source>
+        <translation>Verzweigung</translation>
+    </message>
+    <message>
+        <source>Vigour</source>
+        <translation>Wuchskraft</translation>
+    </message>
+    <message>
+        <source>Habit</source>
+        <translation>Habitus</translation>
+    </message>
+    <message>
+        <source>Shade</source>
+        <translation>Beschattung</translation>
+    </message>
+    <message>
+        <source>Room to grow</source>
+        <translation>Wuchsraum</translation>
+    </message>
+    <message>
+        <source>cordate</source>
+        <translation>herzförmig</translation>
+    </message>
+    <message>
+        <source>palmate</source>
+        <translation>handförmig</translation>
+    </message>
+    <message>
+        <source>pinnate</source>
+        <translation>gefiedert</translation>
+    </message>
+    <message>
+        <source>willow</source>
+        <translation>Weide</translation>
+    </message>
+    <message>
+        <source>fascicle</source>
+        <translation>Büschel</translation>
+    </message>
+    <message>
+        <source>frond</source>
+        <translation>Wedel</translation>
+    </message>
+    <message>
+        <source>cherry</source>
+        <translation>Kirsche</translation>
+    </message>
+    <message>
+        <source>mottled</source>
+        <translation>gefleckt</translation>
+    </message>
+    <message>
+        <source>fibrous</source>
+        <translation>faserig</translation>
+    </message>
+    <message>
+        <source>ringed</source>
+        <translation>geringelt</translation>
     </message>
 </context>
 <context>
     <name>ParametersJson</name>
     <message>
         <source>true or false is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>true oder false wird erwartet</translation>
     </message>
     <message>
         <source>one of these is expected: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>eines von diesen wird erwartet: %1</translation>
     </message>
     <message>
         <source>a whole number is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl wird erwartet</translation>
     </message>
     <message>
         <source>a number is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl wird erwartet</translation>
     </message>
     <message>
         <source>%1 is not within %2…%3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt nicht in %2…%3</translation>
     </message>
     <message>
         <source>axisWeight, tropismWeight and spaceWeight must not all be 0</source>
-        <translation type="unfinished"></translation>
+        <translation>axisWeight, tropismWeight und spaceWeight dürfen nicht alle 0 sein</translation>
     </message>
     <message>
         <source>it must not be beyond 0.99 times ellipseVertical, which is %1</source>
-        <translation type="unfinished"></translation>
+        <translation>darf nicht über das 0,99-Fache von ellipseVertical (%1) hinausgehen</translation>
     </message>
     <message>
         <source>an object is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Objekt wird erwartet</translation>
     </message>
     <message>
         <source>there is no such parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>einen solchen Parameter gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>Program</name>
+    <message>
+        <source>%1; see espalier --help</source>
+        <translation>%1; siehe espalier --help</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectFile</name>
+    <message>
+        <source>pairs of an internode and a diameter are expected</source>
+        <translation>Paare aus einem Internodium und einem Durchmesser werden erwartet</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>ein Objekt wird erwartet</translation>
+    </message>
+    <message>
+        <source>it does not describe an Espalier project</source>
+        <translation>beschreibt kein Espalier-Projekt</translation>
+    </message>
+    <message>
+        <source>Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads versions up to %4</source>
+        <translation>Espalier %1 hat die Datei in Version %2 des Formats geschrieben; dies ist Espalier %3, das Versionen bis %4 liest</translation>
+    </message>
+    <message>
+        <source>1 to %1 sets are expected</source>
+        <translation>1 bis %1 Sätze werden erwartet</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>Internodium %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>liegt weiter als %1 m entfernt</translation>
+    </message>
+    <message>
+        <source>the lassos</source>
+        <translation>die Lassos</translation>
+    </message>
+    <message>
+        <source>their parts do not add up</source>
+        <translation>ihre Teile passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>the history</source>
+        <translation>die Geschichte</translation>
+    </message>
+    <message>
+        <source>its parts do not add up</source>
+        <translation>die Teile passen nicht zusammen</translation>
+    </message>
+    <message>
+        <source>the tree or its history is too large for a project file</source>
+        <translation>der Baum oder seine Geschichte ist zu groß für eine Projektdatei</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 GB</source>
+        <translation>ist größer als %1 GB</translation>
+    </message>
+</context>
+<context>
+    <name>PruneTool</name>
+    <message>
+        <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
+        <translation>Einen Ast antippen, um ihn abzunehmen, oder quer über die Äste ziehen, die fallen sollen</translation>
+    </message>
+</context>
+<context>
+    <name>Recipe</name>
+    <message>
+        <source>there is no such bud</source>
+        <translation>eine solche Knospe gibt es nicht</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>ein Objekt wird erwartet</translation>
+    </message>
+    <message>
+        <source>a number other than 0 is expected</source>
+        <translation>eine andere Zahl als 0 wird erwartet</translation>
+    </message>
+    <message>
+        <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
+        <translation>es gibt keine Operation „%1“; es gibt setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow und removeLasso</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>a stroke has at least one sample</source>
+        <translation>ein Strich hat mindestens einen Stützpunkt</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 samples</source>
+        <translation>ein Rezept hat höchstens %1 Stützpunkte</translation>
+    </message>
+    <message>
+        <source>three numbers within ±%1 are expected</source>
+        <translation>drei Zahlen innerhalb von ±%1 werden erwartet</translation>
+    </message>
+    <message>
+        <source>right and up must have length 1 and be at right angles</source>
+        <translation>right und up müssen die Länge 1 haben und im rechten Winkel stehen</translation>
+    </message>
+    <message>
+        <source>a lasso has at least three points</source>
+        <translation>ein Lasso hat mindestens drei Punkte</translation>
+    </message>
+    <message>
+        <source>two numbers within ±%1 are expected, right and up, in m</source>
+        <translation>zwei Zahlen innerhalb von ±%1 werden erwartet, right und up, in m</translation>
+    </message>
+    <message>
+        <source>1 to %1 internodes are expected</source>
+        <translation>1 bis %1 Internodien werden erwartet</translation>
+    </message>
+    <message>
+        <source>a list of internodes' numbers is expected</source>
+        <translation>eine Liste von Internodiennummern wird erwartet</translation>
+    </message>
+    <message>
+        <source>an array of five numbers is expected: time, x, y, z, radius</source>
+        <translation>ein Array aus fünf Zahlen wird erwartet: Zeit, x, y, z, Radius</translation>
+    </message>
+    <message>
+        <source>the time is not within 0…%1 s</source>
+        <translation>die Zeit liegt nicht in 0…%1 s</translation>
+    </message>
+    <message>
+        <source>the time does not go forwards</source>
+        <translation>die Zeit geht nicht vorwärts</translation>
+    </message>
+    <message>
+        <source>a coordinate is not within ±%1 m</source>
+        <translation>eine Koordinate liegt nicht innerhalb von ±%1 m</translation>
+    </message>
+    <message>
+        <source>the radius is not within 0…%1 m</source>
+        <translation>der Radius liegt nicht in 0…%1 m</translation>
+    </message>
+    <message>
+        <source>a bend has from 1 to %1 handles</source>
+        <translation>eine Biegung hat 1 bis %1 Griffe</translation>
+    </message>
+    <message>
+        <source>an array of three numbers within ±%1 is expected</source>
+        <translation>ein Array aus drei Zahlen innerhalb von ±%1 wird erwartet</translation>
+    </message>
+    <message>
+        <source>there is no view “%1”; there are front, side, top and three-quarter</source>
+        <translation>es gibt keine Ansicht „%1“; es gibt front, side, top und three-quarter</translation>
+    </message>
+    <message>
+        <source>this is no recipe: one begins with “%1”: %2</source>
+        <translation>dies ist kein Rezept: eines beginnt mit „%1“: %2</translation>
+    </message>
+    <message>
+        <source>the recipe is of version %1, this program reads versions up to %2</source>
+        <translation>das Rezept hat Version %1, dieses Programm liest Versionen bis %2</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 operations</source>
+        <translation>ein Rezept hat höchstens %1 Operationen</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeTool</name>
+    <message>
+        <source>A recipe is playing; Escape hands the brush to you.</source>
+        <translation>Ein Rezept läuft; Esc gibt den Pinsel frei.</translation>
+    </message>
+</context>
+<context>
+    <name>SelectBudTool</name>
+    <message>
+        <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
+        <translation>Eine Knospe antippen, und nur sie wächst von nun an; neben den Baum tippen, um wieder alle wachsen zu lassen</translation>
+    </message>
+</context>
+<context>
+    <name>SunTool</name>
+    <message>
+        <source>%1° high</source>
+        <translation>%1° hoch</translation>
+    </message>
+    <message>
+        <source>Drag the sun about the tree.</source>
+        <translation>Die Sonne um den Baum ziehen.</translation>
+    </message>
+</context>
+<context>
+    <name>WidthTool</name>
+    <message>
+        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <translation>Einen Ast antippen, um seine Dicke festzuhalten; an den Enden des Griffs ziehen, um sie zu ändern</translation>
+    </message>
+</context>
+<context>
+    <name>ZipArchive</name>
+    <message>
+        <source>the archive could not be packed: %1</source>
+        <translation>das Archiv konnte nicht gepackt werden: %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it is no project file, or a damaged one (%1)</source>
+        <translation>keine Projektdatei, oder eine beschädigte (%1)</translation>
+    </message>
+    <message>
+        <source>it is no project file: it is empty</source>
+        <translation>keine Projektdatei: sie ist leer</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, but %2 are expected</source>
+        <translation>hat %1 Bytes, aber %2 werden erwartet</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>ist größer als %1 Bytes</translation>
     </message>
 </context>
 <context>
     <name>espalier</name>
     <message>
         <source>its parent does not come before it</source>
-        <translation type="unfinished"></translation>
+        <translation>der Träger kommt nicht davor</translation>
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation type="unfinished"></translation>
+        <translation>die Drehung ist keine</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>die Länge liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>die Wuchskraft liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>wächst aus einer Knospe, die es nicht gibt</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>hat eine Knospe, die es nicht gibt</translation>
     </message>
     <message>
         <source>it is neither there nor away</source>
-        <translation type="unfinished"></translation>
+        <translation>ist weder da noch weg</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
-        <translation type="unfinished"></translation>
+        <translation>die Parameter fehlen</translation>
     </message>
     <message>
         <source>it was born in the future</source>
-        <translation type="unfinished"></translation>
+        <translation>wurde in der Zukunft geboren</translation>
     </message>
     <message>
         <source>it died before it was born</source>
-        <translation type="unfinished"></translation>
+        <translation>starb vor der eigenen Geburt</translation>
+    </message>
+    <message>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <translation>--size verlangt BREITExHÖHE von bis zu %1 Pixeln je Kante, nicht "%2"</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
+        <translation>%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .obj .fbx .glb .csv</translation>
+    </message>
+    <message>
+        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <translation>--camera ist front, side, top oder three-quarter, nicht "%1"</translation>
+    </message>
+    <message>
+        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <translation>--threads verlangt eine Zahl von 1 bis %1, nicht "%2"</translation>
+    </message>
+    <message>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <translation>--seed verlangt eine ganze Zahl von 0 bis 18446744073709551615, nicht "%1"</translation>
+    </message>
+    <message>
+        <source>%1 knows no option %2</source>
+        <translation>%1 kennt keine Option %2</translation>
+    </message>
+    <message>
+        <source>%1 wants no value</source>
+        <translation>%1 verlangt keinen Wert</translation>
+    </message>
+    <message>
+        <source>%1 wants a value after it</source>
+        <translation>%1 verlangt einen Wert dahinter</translation>
+    </message>
+    <message>
+        <source>--transparent wants --png FILE</source>
+        <translation>--transparent verlangt --png DATEI</translation>
+    </message>
+    <message>
+        <source>--ground-shadow wants --transparent</source>
+        <translation>--ground-shadow verlangt --transparent</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe</source>
+        <translation>replay verlangt mindestens ein Rezept</translation>
+    </message>
+    <message>
+        <source>%1 wants one project</source>
+        <translation>%1 verlangt ein Projekt</translation>
+    </message>
+    <message>
+        <source>render wants --png FILE</source>
+        <translation>render verlangt --png DATEI</translation>
+    </message>
+    <message>
+        <source>info wants one file</source>
+        <translation>info verlangt eine Datei</translation>
+    </message>
+    <message>
+        <source>a window shows one file, so what is "%1"?</source>
+        <translation>ein Fenster zeigt eine Datei, was ist also "%1"?</translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and
+textures) or .csv (skeleton).
+Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation>Espalier: Bäume mit dem Pinsel wachsen lassen.
+
+espalier [PROJEKT]
+    Öffnet das Fenster.
+
+espalier --demo [REZEPT]
+    Öffnet das Fenster und pinselt einen Baum darin; danach gehört er Ihnen.
+
+espalier replay REZEPT... [-o AUSGABE]... [--png DATEI] [--size BxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats DATEI] [--threads N] [--seed N]
+    Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
+    Von mehreren Rezepten setzt jedes den Baum des vorigen fort: das erste
+    bestimmt den Startwert, und jedes setzt zu Beginn seine Parameter in Kraft.
+
+espalier export PROJEKT [-o AUSGABE]...
+    Schreibt ein Projekt in anderen Formaten.
+
+espalier render PROJEKT --png DATEI [--size BxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Nimmt ein Bild auf. Das verlangt eine Anzeige; eine virtuelle genügt.
+    --transparent: der Baum allein, mit nicht vormultipliziertem Alpha;
+    --ground-shadow behält seinen Schatten, als Schwarz mit etwas Deckkraft.
+
+espalier info DATEI
+    Sagt als JSON, was in einem Projekt ist.
+
+espalier --help, --version
+
+AUSGABE endet auf .espalier (Projekt), .obj, .fbx, .glb (Netze mit Blättern und
+Texturen) oder .csv (Skelett).
+Endet mit 0, wenn alles getan ist, mit 2, wenn die Befehlszeile falsch ist, mit
+3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
+geschrieben werden konnte.
+</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ArchitecturePanel</name>
+    <message>
+        <source>Architecture</source>
+        <translation>Architektur</translation>
+    </message>
+    <message>
+        <source>More ›</source>
+        <translation>Mehr ›</translation>
+    </message>
+    <message>
+        <source>The rest of what steers growth: shoots, shade, room to grow</source>
+        <translation>Was das Wachstum sonst noch lenkt: Triebe, Beschattung, Wuchsraum</translation>
+    </message>
+    <message>
+        <source>‹ Less</source>
+        <translation>‹ Weniger</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BackgroundPanel</name>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>The colour, or that at the lower edge.</source>
+        <translation>Die Farbe, oder die am unteren Rand.</translation>
+    </message>
+    <message>
+        <source>The colour at the upper edge.</source>
+        <translation>Die Farbe am oberen Rand.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>Picture to draw after</source>
+        <translation>Bildvorlage</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a picture to show behind the tree, so that you can draw after it.</source>
+        <translation>Ein Bild wählen, das hinter dem Baum erscheint, um danach zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Show no picture behind the tree.</source>
+        <translation>Kein Bild hinter dem Baum zeigen.</translation>
+    </message>
+    <message>
+        <source>Picture to Draw After</source>
+        <translation>Bildvorlage</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Lower colour</source>
+        <translation>Farbe unten</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Upper colour</source>
+        <translation>Farbe oben</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>%1 kann nicht gelesen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BendPopOut</name>
+    <message>
+        <source>Bending</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
+        <translation>&lt;b&gt;Biegung&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Biegen widersetzt: ein steifer biegt sich in weitem Bogen und wird eher in die Länge gezogen.</translation>
+    </message>
+    <message>
+        <source>Stretching</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
+        <translation>&lt;b&gt;Dehnung&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Dehnen widersetzt: er behält seine Länge, oder er folgt der Hand weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BranchingDiagram</name>
+    <message>
+        <source>zigzag</source>
+        <translation>Zickzack</translation>
+    </message>
+    <message>
+        <source>acute</source>
+        <translation>spitz</translation>
+    </message>
+    <message>
+        <source>spreading</source>
+        <translation>abstehend</translation>
+    </message>
+    <message>
+        <source>reflexed</source>
+        <translation>zurückgebogen</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BrushPopOut</name>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
+        <translation>&lt;b&gt;Pinselradius&lt;/b&gt; [ ]&lt;br&gt;Ein großer Pinsel lässt eine Krone in den Raum wachsen, den er durchstreift; gegen null zeichnet er einen einzelnen Ast genau entlang des Strichs.</translation>
+    </message>
+    <message>
+        <source>A pen's pressure scales the brush.</source>
+        <translation>Der Stiftdruck bestimmt die Größe des Pinsels mit.</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <translation>Die Punkte freien Raums zeigen, die der Pinsel verteilt und zu denen die Triebe wachsen.</translation>
+    </message>
+    <message>
+        <source>%L1 m</source>
+        <translation>%L1 m</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>draws a branch</source>
+        <translation>zeichnet einen Ast</translation>
+    </message>
+    <message>
+        <source>grows a crown</source>
+        <translation>bildet eine Krone</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::DirectionDiagram</name>
+    <message>
+        <source>Weights of direction</source>
+        <translation>Gewichte der Richtung</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>ausgewogen</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>gerade</translation>
+    </message>
+    <message>
+        <source>tropism</source>
+        <translation>Tropismus</translation>
+    </message>
+    <message>
+        <source>free space</source>
+        <translation>freier Raum</translation>
+    </message>
+    <message>
+        <source>H straight on</source>
+        <translation>H geradeaus</translation>
+    </message>
+    <message>
+        <source>T tropism</source>
+        <translation>T Tropismus</translation>
+    </message>
+    <message>
+        <source>E space</source>
+        <translation>E Raum</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::DocumentFile</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::FileController</name>
+    <message>
+        <source>Binary glTF</source>
+        <translation>Binäres glTF</translation>
+    </message>
+    <message>
+        <source>FBX</source>
+        <translation>FBX</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Skeleton as a table</source>
+        <translation>Skelett als Tabelle</translation>
+    </message>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Nicht gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>The tree cannot be kept safe from a crash: %1</source>
+        <translation>Der Baum kann nicht gegen einen Absturz gesichert werden: %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
+        <translation>Bäume und Rezepte (*.espalier *.json);;Bäume (*.espalier);;Rezepte (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Trees (*.espalier)</source>
+        <translation>Bäume (*.espalier)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Not exported. %1</source>
+        <translation>Nicht exportiert. %1</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Espalier</source>
+        <translation>Espalier</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 enthält ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>Ein nie gespeicherter Baum</translation>
+    </message>
+    <message>
+        <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
+        <translation>Espalier wurde unerwartet beendet. %1 kann im letzten Zustand zurückgeholt werden.</translation>
+    </message>
+    <message>
+        <source>Bring Back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Forget Them</source>
+        <translation>Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::GravimorphismDiagram</name>
+    <message>
+        <source>all alike</source>
+        <translation>alle gleich</translation>
+    </message>
+    <message>
+        <source>amphitony</source>
+        <translation>Amphitonie</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>epitony</source>
+        <translation>Epitonie</translation>
+    </message>
+    <message>
+        <source>hypotony</source>
+        <translation>Hypotonie</translation>
+    </message>
+    <message>
+        <source>side %1</source>
+        <translation>seitlich %1</translation>
+    </message>
+    <message>
+        <source>above %1 · below %2</source>
+        <translation>oben %1 · unten %2</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::GrowPopOut</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
+        <translation>Zurück: Der Baum bildet sich zurück, durch alles Getane hindurch. Vor: Er kommt wieder, und jenseits der Marke wächst er.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play what happened from here on, or all of it</source>
+        <translation>Das Geschehene von hier an abspielen, oder alles</translation>
+    </message>
+    <message>
+        <source>Hold to grow</source>
+        <translation>Wachsen (halten)</translation>
+    </message>
+    <message>
+        <source>A tap grows one step; hold to grow on. One hold is one undo step.</source>
+        <translation>Tippen: ein Wuchsschritt; halten: weiter wachsen. Einmal halten ist ein Schritt zum Rückgängigmachen.</translation>
+    </message>
+    <message>
+        <source>Steps to grow</source>
+        <translation>Anzahl der Schritte</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Grow that many steps, as one undo step. Escape stops.</source>
+        <translation>So viele Schritte wachsen, rückgängig zu machen in einem Schritt. Esc hält an.</translation>
+    </message>
+    <message>
+        <source>step %L1</source>
+        <translation>Schritt %L1</translation>
+    </message>
+    <message>
+        <source>step %L1, %L2 edits and steps back</source>
+        <translation>Schritt %L1, %L2 Änderungen und Schritte zurück</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HelpPage</name>
+    <message>
+        <source>Page of the help</source>
+        <translation>Hilfeseite</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HelpPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation>Zurück zur vorigen Seite</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>Hilfe schließen</translation>
+    </message>
+    <message>
+        <source>Close the help (Esc)</source>
+        <translation>Hilfe schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search in the help</source>
+        <translation>In der Hilfe suchen</translation>
+    </message>
+    <message>
+        <source>Pages of the help</source>
+        <translation>Seiten der Hilfe</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Rundgang starten</translation>
+    </message>
+    <message>
+        <source>Play this recipe</source>
+        <translation>Rezept abspielen</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nichts gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Seedling</source>
+        <translation>Sämling</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LassoPopOut</name>
+    <message>
+        <source>Regrow</source>
+        <translation>Neuwuchs</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Hülle</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you did to it since goes.</source>
+        <translation>&lt;b&gt;Neuwuchs&lt;/b&gt;&lt;br&gt;Den Baum dorthin zurückbringen, wo er vor dem Zeichnen seiner Hülle stand, und ihn die Hülle mit den jetzt geltenden Parametern neu füllen lassen. Was seither an ihm getan wurde, entfällt.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Remove&lt;/b&gt;&lt;br&gt;Take the envelope away; the tree stays as it grew.</source>
+        <translation>&lt;b&gt;Entfernen&lt;/b&gt;&lt;br&gt;Die Hülle wegnehmen; der Baum bleibt, wie er gewachsen ist.</translation>
+    </message>
+    <message>
+        <source>Keep what has grown. Escape takes it back instead.</source>
+        <translation>Behalten, was gewachsen ist. Esc nimmt es stattdessen zurück.</translation>
+    </message>
+    <message>
+        <source>Show the envelope.</source>
+        <translation>Die Hülle zeigen.</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the tree grows into.</source>
+        <translation>Die Punkte freien Raums zeigen, in den der Baum wächst.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::MainWindow</name>
+    <message>
+        <source>The tree has no more room to grow in.</source>
+        <translation>Der Baum hat keinen Raum mehr zum Wachsen.</translation>
+    </message>
+    <message>
+        <source>%1[*] – Espalier</source>
+        <translation>%1[*] – Espalier</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Notice</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PerceptionDiagram</name>
+    <message>
+        <source>dense</source>
+        <translation>dicht</translation>
+    </message>
+    <message>
+        <source>ordinary</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>airy</source>
+        <translation>luftig</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RadiusSlider</name>
+    <message>
+        <source>Brush radius</source>
+        <translation>Pinselradius</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RotationStrip</name>
+    <message>
+        <source>Rotation strip</source>
+        <translation>Drehleiste</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TopBar</name>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>Open Recent</source>
+        <translation>Zuletzt benutzt</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 enthält ungespeicherte Änderungen.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Tour</name>
+    <message>
+        <source>Brush a tree</source>
+        <translation>Einen Baum pinseln</translation>
+    </message>
+    <message>
+        <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
+        <translation>Hier ist ein Sämling. &lt;b&gt;Auf ihn drücken und langsam nach oben ziehen&lt;/b&gt;; loslassen, wenn gefällt, was wächst.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
+        <translation>&lt;b&gt;Auf einen Ast drücken und langsam nach außen ziehen&lt;/b&gt;; loslassen, wenn gefällt, was wächst.</translation>
+    </message>
+    <message>
+        <source>Large and small</source>
+        <translation>Groß und klein</translation>
+    </message>
+    <message>
+        <source>A large brush grows a crown, a tiny one draws a single branch. &lt;b&gt;Draw the slider, or press&amp;nbsp;[&amp;nbsp;and&amp;nbsp;]&lt;/b&gt;.</source>
+        <translation>Ein großer Pinsel lässt eine Krone wachsen, ein winziger zeichnet einen einzelnen Ast. &lt;b&gt;Am Regler ziehen oder&amp;nbsp;[&amp;nbsp;und&amp;nbsp;] drücken&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
+        <translation>Schneiden, biegen, mit dem Lasso zeichnen: was ein Gärtner braucht, ist hier. &lt;b&gt;Wachsen wählen&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>Back in time</source>
+        <translation>Zurück in der Zeit</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
+        <translation>&lt;b&gt;Diesen Regler nach links ziehen&lt;/b&gt;, und der Baum bildet sich zurück; nach rechts, und er kommt wieder und wächst weiter.</translation>
+    </message>
+    <message>
+        <source>All around</source>
+        <translation>Ringsum</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
+        <translation>&lt;b&gt;Entlang dieses Rands ziehen&lt;/b&gt;, und der Baum dreht sich, auch während die andere Hand pinselt. Die rechte Maustaste dreht ihn ebenfalls.</translation>
+    </message>
+    <message>
+        <source>When you wonder</source>
+        <translation>Bei Fragen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
+        <translation>&lt;b&gt;F1&lt;/b&gt; oder dieser Knopf erklärt das Werkzeug in der Hand. &lt;b&gt;Strg+Z&lt;/b&gt; nimmt alles zurück, also ruhig ausprobieren.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TourCard</name>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Rundgang</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 <context>
     <name>espalier::Tree</name>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>die Spalten des Baums sind verschieden lang</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>der Baum ist leer, oder ihm fehlen seine Parameter</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation type="unfinished"></translation>
+        <translation>der Sämling muss an der Basis stehen</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation type="unfinished"></translation>
+        <translation>lebt auf einem toten Internodium</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation type="unfinished"></translation>
+        <translation>zwei Internodien setzen dieselbe Achse fort</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Internodium %1: %2</translation>
+    </message>
+    <message>
+        <source>width %1 cannot be</source>
+        <translation>Dicke %1 ist unmöglich</translation>
+    </message>
+    <message>
+        <source>lasso %1 cannot be</source>
+        <translation>Lasso %1 ist unmöglich</translation>
+    </message>
+    <message>
+        <source>the lassos in force are out of order</source>
+        <translation>die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TropismDiagram</name>
+    <message>
+        <source>as the stroke</source>
+        <translation>wie der Strich</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>aufrecht</translation>
+    </message>
+    <message>
+        <source>slanting</source>
+        <translation>schräg</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>waagerecht</translation>
+    </message>
+    <message>
+        <source>weeping</source>
+        <translation>hängend</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Viewport</name>
+    <message>
+        <source>Tree</source>
+        <translation>Baum</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Workspace</name>
+    <message>
+        <source>Only one branch grows  ✕</source>
+        <translation>Nur ein Ast wächst  ✕</translation>
+    </message>
+    <message>
+        <source>Let all buds grow again</source>
+        <translation>Alle Knospen wieder wachsen lassen</translation>
+    </message>
+    <message>
+        <source>a seedling</source>
+        <translation>ein Sämling</translation>
+    </message>
+    <message>
+        <source>%L1 internodes · %L2 leaves · step %L3</source>
+        <translation>%L1 Internodien · %L2 Blätter · Schritt %L3</translation>
     </message>
 </context>
 </TS>

@@ -4,9 +4,11 @@
 #include "views/render/OverlayRenderer.h"
 #include "views/render/RenderTarget.h"
 #include "views/render/Renderer.h"
+#include "views/render/Sun.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/SelectionRings.h"
+#include "views/tools/SunTool.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -34,6 +36,7 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
       m_scene(document),
       m_tool(std::make_unique<BrushTool>(toolContext())),
       m_eraser(std::make_unique<PruneTool>(toolContext())),
+      m_sun(std::make_unique<SunTool>(toolContext())),
       m_hand(m_tool.get())
 {
     setFormat(surfaceFormat());
@@ -60,6 +63,7 @@ Viewport::~Viewport()
 {
     m_tool.reset();
     m_eraser.reset();
+    m_sun.reset();
     releaseGl();
 }
 
@@ -148,6 +152,13 @@ void Viewport::showAnew()
 
 void Viewport::followSettings()
 {
+    // Pinned or let go, the sun stays where it is.
+    if (const bool isPinned = m_settings.values().sunPinned; isPinned != m_shown.sunPinned) {
+        ViewValues moved = m_settings.values();
+        moved.sunPinned = std::exchange(m_shown.sunPinned, isPinned);
+        pinSun(moved, m_camera, isPinned);
+        m_settings.setValues(moved);
+    }
     // What only tools show does not touch the picture of the tree.
     ViewValues values = m_settings.values();
     values.brushRadius = m_shown.brushRadius;
@@ -157,6 +168,7 @@ void Viewport::followSettings()
     values.stretchingWeight = m_shown.stretchingWeight;
     values.envelopeShown = m_shown.envelopeShown;
     values.planeShown = m_shown.planeShown;
+    values.sunShown = m_shown.sunShown;
     update();
     if (values == m_shown)
         return;
@@ -176,6 +188,17 @@ void Viewport::setTool(std::unique_ptr<Tool> tool)
     Q_EMIT toolChanged();
 }
 
+QPointF Viewport::sunPlace() const
+{
+    return m_sun->place();
+}
+
+bool Viewport::keyForTool(int key)
+{
+    Tool& tool = m_hand == m_sun.get() ? *m_tool : *m_hand;
+    return !isGestureActive() && tool.keyPressed(key);
+}
+
 void Viewport::cancelGesture()
 {
     m_gestures.cancel();
@@ -184,7 +207,7 @@ void Viewport::cancelGesture()
 bool Viewport::needsTicks() const
 {
     return m_hand->wantsTicks() || areRingsExpanding() || m_flight.isFlying() || m_keys.isAnyHeld() ||
-           m_pacer.isPhasingIn();
+           m_pacer.isPhasingIn() || isRefining();
 }
 
 bool Viewport::areRingsExpanding() const
@@ -240,6 +263,10 @@ void Viewport::tick()
         m_pictureIsOld = true;
         update();
     }
+    if (isRefining()) {
+        m_passIsDue = true;
+        update();
+    }
     if (!needsTicks())
         m_ticks.stop();
 }
@@ -265,6 +292,15 @@ void Viewport::initializeGL()
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGl, Qt::UniqueConnection);
 }
 
+QImage Viewport::grabPicture()
+{
+    grabFramebuffer(); // draws what has not been drawn
+    makeCurrent();
+    QImage picture = m_picture->readImage();
+    doneCurrent();
+    return picture;
+}
+
 void Viewport::releaseGl()
 {
     if (!m_renderer)
@@ -287,17 +323,22 @@ void Viewport::drawPicture()
     Gl& gl = *currentGl();
     QElapsedTimer timer;
     timer.start();
-    m_renderer->render(m_scene, camera, options, *m_picture);
+    if (m_pictureIsOld)
+        m_passes = 0;
+    m_renderer->renderPass(m_scene, camera, options, *m_picture, m_passes);
     // Only a finished frame tells how long it took, and waiting for it also keeps input from running ahead
     // of what is seen.
     gl.glFinish();
     m_pacer.frameTook(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
     m_pictureIsOld = false;
+    m_passIsDue = false;
+    ++m_passes;
+    startTicking();
 }
 
 void Viewport::paintGL()
 {
-    if (m_pictureIsOld)
+    if (m_pictureIsOld || (m_passIsDue && isRefining()))
         drawPicture();
     Gl& gl = *currentGl();
     const GLuint widgetBuffer = defaultFramebufferObject();
@@ -310,6 +351,8 @@ void Viewport::paintGL()
     gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
     m_overlay.clear();
     m_hand->paint(m_overlay);
+    if (m_hand != m_sun.get())
+        m_sun->paint(m_overlay);
     if (const Competitors& only = m_document.competitors(); !only.areAll()) {
         const BudRef bud{only.node, only.slot};
         const Vec3 place = budPosition(m_document.tree(), m_document.index(), bud, branchRadius(only.node));

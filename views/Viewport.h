@@ -21,6 +21,7 @@ namespace espalier {
 class OverlayRenderer;
 class Renderer;
 class RenderTarget;
+class SunTool;
 
 /// Shows a document's tree, and lets a hand work on it with a tool or turn it about. While something moves
 /// it draws plainly and fast; when all has come to rest it draws well. The picture of the tree is kept, so
@@ -63,16 +64,21 @@ public:
     /// whatever the tool.
     void setTool(std::unique_ptr<Tool> tool);
     const Tool& tool() const { return *m_tool; }
+    /// Where the ball is that moves the sun, px; it is in hand while the pointer is on it.
+    QPointF sunPlace() const;
 
     /// While a tool's gesture is under way, the document must not be changed from elsewhere: cancel it
     /// before.
     bool isGestureActive() const { return m_hand->isActive(); }
     void cancelGesture();
     /// A key for the tool, between gestures; whether it meant something to it.
-    bool keyForTool(int key) { return !isGestureActive() && m_hand->keyPressed(key); }
+    bool keyForTool(int key);
+
+    /// What it shows of the tree, without what tools and the sun's ball show over it.
+    QImage grabPicture();
 
     /// Whether nothing moves and the picture is as good as it gets.
-    bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld; }
+    bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld && !isRefining(); }
 
     QSize minimumSizeHint() const override { return {320, 240}; }
     QSize sizeHint() const override { return {1280, 800}; }
@@ -134,6 +140,11 @@ private:
     bool needsTicks() const;
     bool areRingsExpanding() const;
     void startTicking();
+    /// Whether passes of the picture at its best are still to be drawn.
+    bool isRefining() const
+    {
+        return m_pacer.isAtRest() && !m_pictureIsOld && m_passes < RenderOptions::kBestSamples;
+    }
     void drawPicture();
     void paintLabels();
     void releaseGl();
@@ -151,11 +162,14 @@ private:
     TreeScene m_scene;
     std::unique_ptr<Tool> m_tool;
     std::unique_ptr<Tool> m_eraser; ///< In hand while a pen is turned over
-    Tool* m_hand;                   ///< The one of the two that samples go to
+    std::unique_ptr<SunTool> m_sun; ///< In hand while the pointer is on the sun
+    Tool* m_hand;                   ///< The one of the three that samples go to
     Overlay m_overlay;
 
     FramePacer m_pacer;
     bool m_pictureIsOld = true;
+    int m_passes = 0; ///< That the picture shown is the mean of
+    bool m_passIsDue = false;
     QBasicTimer m_ticks;
     QBasicTimer m_restTimer;
     double m_lastTick = 0.0;    ///< s

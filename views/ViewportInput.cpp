@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of Viewport that listens to the hand.
 #include "views/Viewport.h"
+#include "views/tools/SunTool.h"
 
 #include <QKeyEvent>
 #include <QWheelEvent>
@@ -171,7 +172,11 @@ std::vector<PickedBud> Viewport::pickBuds(const QPointF& screen, PointerDevice d
 
 void Viewport::takeInHand(const PointerSample& sample)
 {
+    if (m_hand->isActive())
+        return;
     Tool* hand = sample.isEraser ? m_eraser.get() : m_tool.get();
+    if (m_sun->isAt(sample.position, reachOf(sample.device)))
+        hand = m_sun.get();
     if (hand == m_hand)
         return;
     m_hand->leave();

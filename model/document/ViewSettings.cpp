@@ -22,7 +22,12 @@ void ViewSettings::setValues(const ViewValues& values)
     wanted.brushRadius = std::clamp(wanted.brushRadius, 0.0, kMaxBrushRadius);
     for (double* weight : {&wanted.bendingWeight, &wanted.stretchingWeight})
         *weight = std::clamp(*weight, kLeastBendWeight, kMostBendWeight);
-    wanted.sunElevation = std::clamp(wanted.sunElevation, radians(5), radians(90));
+    wanted.sunElevation = std::clamp(wanted.sunElevation, kLeastSunElevation, radians(90));
+    TracingImage& tracing = wanted.tracing;
+    for (double* offset : {&tracing.right, &tracing.up})
+        *offset = std::clamp(*offset, -TracingImage::kMaxOffset, TracingImage::kMaxOffset);
+    tracing.height = std::clamp(tracing.height, 0.01, TracingImage::kMaxHeight);
+    tracing.opacity = std::clamp(tracing.opacity, 0.0, 1.0);
     if (wanted == m_values)
         return;
     m_values = wanted;

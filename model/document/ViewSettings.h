@@ -3,7 +3,9 @@
 
 #include "model/base/Vector.h"
 
+#include <QColor>
 #include <QObject>
+#include <QString>
 
 #include <type_traits>
 
@@ -20,10 +22,31 @@ inline constexpr double kMostBendWeight = 100.0;
 /// a tenth a notch, down to an axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
 
+/// The sun stays above the horizon, rad.
+inline constexpr double kLeastSunElevation = radians(5);
+
 /// What stands behind the tree.
 enum class Backdrop : int {
-    Studio,  ///< Dark, lighter behind the tree
-    Horizon, ///< An overcast sky over a light ground
+    Studio,   ///< Dark, lighter behind the tree
+    Horizon,  ///< An overcast sky over a light ground
+    Plain,    ///< One colour
+    Gradient, ///< From one colour at the lower edge to another at the upper one
+};
+inline constexpr int kBackdropCount = 4;
+
+/// A picture behind the tree to draw after. It stands upright at the seedling, parallel to the screen, so it
+/// keeps its place beside the tree when the view is moved or magnified.
+struct TracingImage {
+    static constexpr double kMaxHeight = 100.0; ///< m
+    static constexpr double kMaxOffset = 100.0; ///< m
+
+    QString file{};       ///< Empty for none
+    double right = 0.0;   ///< m, of its middle from the seedling, −kMaxOffset...kMaxOffset
+    double up = 1.5;      ///< m, likewise
+    double height = 3.0;  ///< m, 0.01...kMaxHeight; its width follows
+    double opacity = 0.5; ///< 0...1
+
+    bool operator==(const TracingImage&) const = default;
 };
 
 /// How the tree is shown and what the hand holds; belongs to the person who works, not to the tree, so it
@@ -40,9 +63,16 @@ struct ViewValues {
     bool leavesShown = true;
     bool groundShown = true;
     bool shadowsShown = true;
+    bool gridShown = false; ///< Lines on the ground, a metre apart
     Backdrop backdrop = Backdrop::Studio;
-    double sunAzimuth = radians(58);   ///< rad from +Z (front) toward +X (right)
-    double sunElevation = radians(48); ///< rad above the horizon, 5°...90°
+    QColor backgroundColour{92, 98, 104}; ///< Of Plain; of Gradient at the lower edge
+    QColor backgroundTop{188, 202, 214};  ///< Of Gradient at the upper edge
+    TracingImage tracing{};
+    /// rad from +Z (front) toward +X (right); of a pinned sun, from the camera toward its right.
+    double sunAzimuth = radians(58);
+    double sunElevation = radians(48); ///< rad above the horizon, kLeastSunElevation...90°
+    bool sunPinned = false;            ///< It stays where it is on the screen when the tree is turned
+    bool sunShown = true;              ///< As a ball that a hand can drag
 
     bool operator==(const ViewValues&) const = default;
 };

@@ -151,8 +151,14 @@ void DirectionDiagram::draw(QPainter& painter, const GrowthParameters& growth)
         painter.drawLine(point, at[i]);
     }
     diagram::drawLabel(painter, at[0] - QPointF(0.0, 11.0), tr("H straight on"));
-    diagram::drawLabel(painter, {std::max(34.0, at[1].x()), at[1].y() + 11.0}, tr("T tropism"));
-    diagram::drawLabel(painter, {std::min(width() - 26.0, at[2].x()), at[2].y() + 11.0}, tr("E space"));
+    // Whole words, in any language: what would stand out at a side moves in.
+    const auto half = [&](const QString& text) {
+        return 0.5 * painter.fontMetrics().horizontalAdvance(text) + 2.0;
+    };
+    const QString tropism = tr("T tropism");
+    const QString space = tr("E space");
+    diagram::drawLabel(painter, {std::max(half(tropism), at[1].x()), at[1].y() + 11.0}, tropism);
+    diagram::drawLabel(painter, {std::min(width() - half(space), at[2].x()), at[2].y() + 11.0}, space);
 }
 
 } // namespace espalier

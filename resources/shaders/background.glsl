@@ -12,9 +12,11 @@ vec3 backdrop(vec2 place)
     vec3 inner = frame.backgroundInner.rgb;
     vec3 outer = frame.backgroundOuter.rgb;
     if (frame.backgroundInner.w < 0.5) {
-        vec2 offset = (place - vec2(0.5, 0.6)) * vec2(max(frame.viewSize.x * frame.viewSize.w, 1.0), 1.15);
+        vec2 offset = (place - vec2(0.5, 0.56)) * vec2(max(frame.viewSize.x * frame.viewSize.w, 1.0), 1.15);
         return mix(inner, outer, smoothstep(0.0, 1.0, length(offset) * 0.95));
     }
+    if (frame.backgroundInner.w > 1.5)
+        return mix(inner, outer, place.y);
     vec4 far = frame.inverseViewProjection * vec4(2.0 * place - 1.0, 1.0, 1.0);
     float height = normalize(far.xyz / far.w - frame.eye.xyz).y;
     vec3 sky = mix(inner, outer, smoothstep(0.0, 0.7, height));

@@ -1,12 +1,14 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A disc that fades into the background, with the tree's blurred shadow (red) and how much of the sky its crown hides
-// (green) in a texture.
+// A disc that fades into the background. Textures hold the tree's shadow as near casters (red) and far ones (green) throw
+// it, each blurred as the sun's disc does, and how much of the sky the crown hides (blue).
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "background.glsl"
 
-uniform sampler2D groundShadow;
+uniform sampler2D sharpShadow; // red
+uniform sampler2D softShadow;  // green
+uniform sampler2D skyShadow;   // blue
 
 in vec2 groundPlace;
 
@@ -25,27 +27,50 @@ float smoothGrain(vec2 p)
                mix(grain(cell + vec2(0.0, 1.0)), grain(cell + vec2(1.0, 1.0)), t.x), t.y);
 }
 
+// Lines a metre apart, and stronger ones every ten.
+float gridLines(vec2 world)
+{
+    vec2 pixel = fwidth(world);
+    vec2 fine = 1.0 - smoothstep(0.2, 1.0, abs(fract(world + 0.5) - 0.5) / pixel);
+    vec2 coarse = 1.0 - smoothstep(0.3, 1.2, 10.0 * abs(fract(0.1 * world + 0.5) - 0.5) / pixel);
+    // Far away they would be nothing but noise.
+    vec2 apart = 1.0 - smoothstep(0.15, 0.5, pixel);
+    return max(0.28 * max(fine.x * apart.x, fine.y * apart.y), 0.5 * max(coarse.x, coarse.y));
+}
+
 void main()
 {
     float radius = length(groundPlace);
     if (radius >= 1.0)
         discard;
-    vec2 shade = texture(groundShadow, 0.5 + 0.5 * groundPlace).rg;
+    vec2 at = 0.5 + 0.5 * groundPlace;
+    // Some of the sun's light is handed on by all that stands around.
+    float shade = 0.88 * frame.sunDirection.w * (1.0 - (1.0 - texture(sharpShadow, at).r) * (1.0 - texture(softShadow, at).g));
     vec2 world = groundPlace * frame.ground.w;
-    float texture = mix(1.0, 0.86 + 0.28 * smoothGrain(world * 9.0) * smoothGrain(world * 2.3 + 7.0), 0.4);
 
-    float sun = frame.sunDirection.y * (1.0 - shade.r * frame.sunDirection.w);
-    float sky = 1.0 - 0.6 * shade.g;
-    vec3 light = frame.ground.rgb * texture * (frame.sunColour.rgb * sun + frame.skyColour.rgb * sky);
-    // Like a pool of light on a studio's floor.
+    // What stands on the ground darkens it around its foot.
+    float foot = max(length(world) - frame.foot.x, 0.0) / frame.foot.x;
+    float contact = 0.75 * exp(-1.1 * foot) + 0.25 * exp(-0.3 * foot);
+    float sky = (1.0 - 0.5 * texture(skyShadow, at).b) * (1.0 - 0.8 * contact);
+    float sun = frame.sunDirection.y * (1.0 - shade);
+
     float fade = 1.0 - smoothstep(0.12, 1.0, radius);
-    float seenFromAbove = smoothstep(-0.02, 0.1, frame.eye.y / max(length(frame.eye.xyz), 1e-3));
-    float opacity = fade * seenFromAbove;
-    if (frame.backgroundInner.w > 2.5) {
-        // Without a background only the shadow is left of the ground.
-        float dark = clamp(0.75 * shade.r * frame.sunDirection.w + 0.5 * shade.g, 0.0, 1.0);
-        colour = vec4(vec3(0.0), dark * opacity);
+    float opacity = fade * smoothstep(-0.02, 0.1, frame.eye.y / max(length(frame.eye.xyz), 1e-3));
+    vec4 ground = vec4(0.0);
+    if (frame.backgroundInner.w > 1.5) {
+        // Before a background of one's own, only the shadow is seen of the ground: how much darker it would be.
+        vec3 open = frame.sunColour.rgb * frame.sunDirection.y + frame.skyColour.rgb;
+        vec3 left = frame.sunColour.rgb * sun + frame.skyColour.rgb * sky;
+        float dark = 1.0 - pow(dot(left, vec3(1.0)) / dot(open, vec3(1.0)), 1.0 / 2.2);
+        ground = vec4(vec3(0.0), dark * opacity);
     } else {
-        colour = vec4((developed(light) + dithering()) * opacity, opacity);
+        // Like a pool of light on a studio's floor.
+        float texture = 0.96 + 0.08 * smoothGrain(world * 5.0);
+        vec3 light = frame.ground.rgb * texture * (frame.sunColour.rgb * sun + frame.skyColour.rgb * sky);
+        ground = vec4((developed(light) + dithering()) * opacity, opacity);
     }
+    ground *= frame.foot.y;
+    float lines = frame.foot.z * gridLines(world) * opacity;
+    vec3 tone = vec3(dot(frame.backgroundInner.rgb, vec3(0.3, 0.6, 0.1)) > 0.5 ? 0.1 : 0.85);
+    colour = ground * (1.0 - lines) + vec4(tone, 1.0) * lines;
 }

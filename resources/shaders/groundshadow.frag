@@ -1,11 +1,13 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the sun is hidden from the ground (red), and where something stands right above it (green).
-uniform sampler2DShadow shadowMap;
+// Where the sun is hidden from the ground by what is near it (red) or farther up (green), and where something stands right
+// above it (blue).
+uniform sampler2D shadowMap;
 uniform sampler2D coverage;
 uniform mat4 shadowFromWorld;
 uniform mat4 coverageFromWorld;
 uniform float radius; // of the ground, m
+uniform float near;   // difference of depth in the shadow map up to which a caster is near
 
 in vec2 place;
 
@@ -18,6 +20,8 @@ void main()
     vec3 sunPlace = (shadowFromWorld * world).xyz;
     vec2 abovePlace = (coverageFromWorld * world).xy;
     bool outside = any(lessThan(abovePlace, vec2(0.0))) || any(greaterThan(abovePlace, vec2(1.0)));
-    colour = vec4(1.0 - texture(shadowMap, vec3(sunPlace.xy, min(sunPlace.z, 0.9999))),
-                  outside ? 0.0 : texture(coverage, abovePlace).r, 0.0, 1.0);
+    float above = sunPlace.z - texture(shadowMap, sunPlace.xy).r;
+    float hidden = texture(shadowMap, sunPlace.xy).r < min(sunPlace.z, 0.9999) ? 1.0 : 0.0;
+    float far = smoothstep(0.5 * near, 1.5 * near, above);
+    colour = vec4(hidden * (1.0 - far), hidden * far, outside ? 0.0 : texture(coverage, abovePlace).r, 1.0);
 }

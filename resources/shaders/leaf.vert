@@ -2,19 +2,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "frame.glsl"
 #include "leaf.glsl"
+#include "ambient.glsl"
+#include "leaflight.glsl"
 
+uniform float saturation; // of the texture, 0...1: what is grey has no hue to turn
+
+out vec2 leafUv;
+#ifdef PLAIN
+out vec3 received;
+#else
 out vec3 worldPosition;
 out vec3 worldNormal;
 out vec4 worldTangent;
-out vec2 leafUv;
-flat out vec2 leafTint; // shift of the hue, brightness
+out vec3 outward; // from the crown's middle
+out float share;  // of ambient light
+flat out vec3 leafTint;
+#endif
+
+// What the hue of the texture must be multiplied by to turn it by an angle, rad. Hue is meant as people pick it, on the
+// wheel of displayed colours; a square root is near enough to the transfer function for that.
+vec3 hueFactor(float angle)
+{
+    const vec3 shown = vec3(0.305, 0.5, 0.19); // the textures' green
+    const float hue = 98.0 / 60.0;
+    vec3 k = mod(vec3(5.0, 3.0, 1.0) + hue + angle * (3.0 / 3.14159265), 6.0);
+    vec3 turned = 0.5 - 0.31 * clamp(min(k, 4.0 - k), 0.0, 1.0);
+    vec3 factor = turned / shown;
+    return factor * factor;
+}
+
+// No two leaves are the same green: some are younger and yellower, some older and bluer.
+vec3 leafVariety()
+{
+    vec3 lot = fract(sin(leafPlace.xyz * mat3(127.1, 311.7, 74.7, 269.5, 183.3, 246.1, 113.5, 271.9, 124.6)) * 43758.5453);
+    return (0.8 + 0.4 * lot.x) * mix(vec3(0.86, 0.96, 1.1), vec3(1.2, 1.05, 0.8), lot.y * lot.z);
+}
 
 void main()
 {
-    worldPosition = leafPosition();
-    worldNormal = turned(cardNormal);
-    worldTangent = vec4(turned(cardTangent.xyz), cardTangent.w);
+    vec3 place = leafPosition();
+    vec3 normal = turned(cardNormal);
+    vec3 fromMiddle = normalize((place - frame.crown.xyz) / (frame.crownRadii.xyz * frame.crownRadii.xyz) + vec3(0.0, 1e-4, 0.0));
+    float ambient = ambientShare(place) * crownDepth(place);
+    vec3 tint = hueFactor(leafLook.y) * leafLook.z * leafVariety();
+    // Under a warm sun and a filmic curve, leaves as they are would look like paint: this is more like what a camera sees.
+    tint *= vec3(0.84, 0.63, 0.80);
+    tint = mix(vec3(dot(tint, vec3(0.21, 0.72, 0.07))), tint, saturation);
     leafUv = cardUv;
-    leafTint = leafLook.yz;
-    gl_Position = frame.viewProjection * vec4(worldPosition, 1.0);
+    gl_Position = frame.viewProjection * vec4(place, 1.0);
+#ifdef PLAIN
+    float side = dot(normal, frame.eye.xyz - place) < 0.0 ? -1.0 : 1.0;
+    LeafLight light = leafLight(place, side * normal, fromMiddle, side, ambient, smoothstep(0.1, 0.75, ambient));
+    received = tint * (light.reflected + light.through * kThrough);
+#else
+    worldPosition = place;
+    worldNormal = normal;
+    worldTangent = vec4(turned(cardTangent.xyz), cardTangent.w);
+    outward = fromMiddle;
+    share = ambient;
+    leafTint = tint;
+#endif
 }

@@ -12,6 +12,7 @@ private Q_SLOTS:
     void nothing_opensAnEmptyWindow();
     void project_opensAWindowWithIt();
     void replay_takesRecipesOutputsAndOptionsInAnyOrder();
+    void transparent_isAskedForWithoutAValue();
     void doubleDash_endsTheOptions();
     void demo_takesARecipeOrNone();
     void wrongLines_saySo_data();
@@ -55,6 +56,16 @@ void CommandLineTest::replay_takesRecipesOutputsAndOptionsInAnyOrder()
     QVERIFY(!parseCommandLine({QStringLiteral("replay"), QStringLiteral("a.json")})->needsDisplay());
 }
 
+void CommandLineTest::transparent_isAskedForWithoutAValue()
+{
+    const Result<CommandLine> line = parseCommandLine(
+        {QStringLiteral("render"), QStringLiteral("--transparent"), QStringLiteral("t.espalier"),
+         QStringLiteral("--png"), QStringLiteral("t.png"), QStringLiteral("--ground-shadow")});
+    QVERIFY(line);
+    QVERIFY(line->transparent && line->groundShadow);
+    QCOMPARE(line->inputs, QStringList{QStringLiteral("t.espalier")});
+}
+
 void CommandLineTest::doubleDash_endsTheOptions()
 {
     const Result<CommandLine> line =
@@ -96,6 +107,9 @@ void CommandLineTest::wrongLines_saySo_data()
     add("export a.espalier b.espalier", "one project");
     add("export a.espalier --stats s.json", "--stats");
     add("render a.espalier", "--png");
+    add("render a.espalier --png a.png --ground-shadow", "--transparent");
+    add("render a.espalier --png a.png --transparent=yes", "no value");
+    add("replay a.json --transparent", "--png");
     add("info", "file");
     add("--colour", "--colour");
     add("a.espalier b.espalier", "b.espalier");

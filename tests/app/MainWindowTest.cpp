@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "commands/GrowGesture.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/Bar.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
@@ -744,6 +745,10 @@ void MainWindowTest::sheets_opensOneAtATime()
     QVERIFY(workspace.sheet(0).isVisible());
     action(ActionId::LeafSheet)->trigger();
     QVERIFY(!workspace.sheet(0).isVisible() && workspace.sheet(1).isVisible());
+    action(ActionId::Background)->trigger();
+    QVERIFY(!workspace.sheet(1).isVisible() && workspace.background().isVisible());
+    action(ActionId::LeafSheet)->trigger();
+    QVERIFY(!workspace.background().isVisible());
     QTest::keyClick(handle(), Qt::Key_Escape);
     QTRY_VERIFY(!workspace.sheet(1).isVisible());
 }
@@ -792,6 +797,8 @@ void MainWindowTest::architecture_isDraggedOverTheLiveTree()
     // The tree is still there to be brushed.
     brush(0.5F, 1.2F, 0.5F);
     QVERIFY(document.index().livingCount() > grown);
+    action(ActionId::Architecture)->trigger();
+    QVERIFY(!panel.isVisible());
 }
 
 void MainWindowTest::recipe_isPlayedAndHandedOver()

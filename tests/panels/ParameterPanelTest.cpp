@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterPanel.h"
 
+#include "panels/BackgroundPanel.h"
 #include "panels/ParameterRow.h"
 #include "panels/ParameterValue.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
+#include "panels/ViewRow.h"
 #include "tests/support/TestClasses.h"
 
 #include <QtTest>
@@ -28,6 +30,9 @@ private Q_SLOTS:
     void keys_stride();
     void typedNumber_isPutInForceAndUndone();
     void radiusSlider_keepsTheRadiusItIsGiven();
+    void background_changesTheViewAndFollowsIt();
+    void background_offersTheColoursThatAreSeen();
+    void background_saysWhichPictureIsShown();
 };
 
 namespace {
@@ -204,6 +209,60 @@ void ParameterPanelTest::radiusSlider_keepsTheRadiusItIsGiven()
     QTest::mouseClick(&slider, Qt::LeftButton, {}, QPoint(32, 2));
     QCOMPARE(slider.radius(), 5.0);
     QCOMPARE(edits.size(), 2);
+}
+
+void ParameterPanelTest::background_changesTheViewAndFollowsIt()
+{
+    ViewSettings settings;
+    BackgroundPanel panel(settings);
+    panel.resize(panel.sizeHint());
+    panel.show();
+    auto* slider = panel.row("view.sunElevation")->findChild<QSlider*>();
+    drag(*slider, 0.5, 0.9);
+    QVERIFY(settings.values().sunElevation > radians(70));
+    settings.set(&ViewValues::sunAzimuth, radians(200));
+    QVERIFY(std::abs(panel.row("view.sunAzimuth")->value() + 160.0) < 1e-6);
+    QTest::mouseClick(panel.row("view.gridShown")->findChild<QCheckBox*>(), Qt::LeftButton);
+    QVERIFY(settings.values().gridShown);
+    settings.set(&ViewValues::backdrop, Backdrop::Horizon);
+    QCOMPARE(panel.row("view.backdrop")->findChild<QComboBox*>()->currentIndex(), 1);
+}
+
+void ParameterPanelTest::background_offersTheColoursThatAreSeen()
+{
+    ViewSettings settings;
+    BackgroundPanel panel(settings);
+    const auto* colour = panel.findChild<QPushButton*>(QStringLiteral("backgroundColour"));
+    const auto* top = panel.findChild<QPushButton*>(QStringLiteral("backgroundTop"));
+    QVERIFY(!colour->isEnabled() && !top->isEnabled());
+    settings.set(&ViewValues::backdrop, Backdrop::Plain);
+    QVERIFY(colour->isEnabled() && !top->isEnabled());
+    settings.set(&ViewValues::backdrop, Backdrop::Gradient);
+    QVERIFY(colour->isEnabled() && top->isEnabled());
+}
+
+void ParameterPanelTest::background_saysWhichPictureIsShown()
+{
+    ViewSettings settings;
+    BackgroundPanel panel(settings);
+    auto* remove = panel.findChild<QPushButton*>(QStringLiteral("tracingRemove"));
+    const auto says = [&](const QString& text) {
+        const QList<QLabel*> labels = panel.findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [&](const QLabel* label) { return label->toolTip() == text; });
+    };
+    QVERIFY(!remove->isEnabled());
+    QVERIFY(!panel.row("view.tracing.up")->isEnabled());
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("sketch.png"));
+    QVERIFY(QImage(8, 8, QImage::Format_RGB32).save(file));
+    panel.trace(file);
+    QCOMPARE(settings.values().tracing.file, file);
+    QVERIFY(says(QStringLiteral("sketch.png")));
+    QVERIFY(panel.row("view.tracing.up")->isEnabled());
+    panel.trace(folder.filePath(QStringLiteral("none.png")));
+    QVERIFY(says(QStringLiteral("none.png cannot be read.")));
+    QTest::mouseClick(remove, Qt::LeftButton);
+    QVERIFY(settings.values().tracing.file.isEmpty());
 }
 
 static const test::TestClass<ParameterPanelTest> parameterPanelTest;

@@ -43,7 +43,7 @@ void FramePacerTest::atRest_isAtItsBest()
 {
     const FramePacer pacer;
     QVERIFY(pacer.isAtRest());
-    QCOMPARE(applied(pacer).samples, 4);
+    QCOMPARE(applied(pacer).samples, RenderOptions::kBestSamples);
     QCOMPARE(applied(pacer).shadowStrength, 1.0);
     QCOMPARE(pacer.scale(), 1.0);
 }
@@ -99,7 +99,7 @@ void FramePacerTest::shadows_arePhasedInAtRest()
     pacer.rest();
     QVERIFY(!pacer.isAtRest());
     QVERIFY(pacer.isPhasingIn());
-    QCOMPARE(applied(pacer).samples, 4);
+    QCOMPARE(applied(pacer).samples, 1);
     QVERIFY(pacer.advance(0.5 * FramePacer::kPhaseIn));
     QCOMPARE(applied(pacer).shadowStrength, 0.5);
     QVERIFY(pacer.advance(FramePacer::kPhaseIn));

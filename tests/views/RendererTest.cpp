@@ -66,7 +66,12 @@ private Q_SLOTS:
     void shadows_darken();
     void ambientLight_isLessInsideTheCrown();
     void samples_smoothEdges();
+    void picture_isTheSameAtAnySize();
+    void sun_throwsTheShadowToItsOtherSide();
     void backdrops_differ();
+    void gradient_goesFromColourToColour();
+    void grid_isSeenOnTheGround();
+    void tracingImage_standsBehindTheTree();
     void size_beyondTheCardIsAnError();
     void renderImage_drawsADocument();
 
@@ -272,11 +277,128 @@ void RendererTest::samples_smoothEdges()
     QVERIFY(partlyCovered(4) > 500);
 }
 
+void RendererTest::picture_isTheSameAtAnySize()
+{
+    const auto drawn = [&](const QSize& size, NamedView view) {
+        return *m_renderer->render(*m_scene, pictureCamera(view, *m_scene, size), {});
+    };
+    const auto distance = [](const QImage& a, const QImage& b) {
+        double sum = 0.0;
+        for (int y = 0; y < a.height(); ++y) {
+            for (int x = 0; x < a.width(); ++x)
+                sum += std::abs(a.pixelColor(x, y).greenF() - b.pixelColor(x, y).greenF());
+        }
+        return sum / (a.width() * a.height());
+    };
+    const QImage small = drawn({160, 120}, NamedView::Front);
+    const QImage large =
+        drawn({480, 360}, NamedView::Front).scaled(160, 120, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const QImage other = drawn({160, 120}, NamedView::Side);
+    const double off = distance(small, large);
+    QVERIFY2(off < 0.012, qPrintable(QString::number(off)));
+    QVERIFY(distance(small, other) > 3.0 * off);
+}
+
+void RendererTest::sun_throwsTheShadowToItsOtherSide()
+{
+    // How far to the right of the seedling the shadow's middle lies, px.
+    const auto shadow = [&](double azimuth) {
+        RenderOptions options;
+        options.background = QColor(Qt::transparent);
+        options.samples = 1;
+        options.view.sunAzimuth = azimuth;
+        options.view.sunElevation = radians(40);
+        Camera camera = pictureCamera(NamedView::Front, *m_scene, kSize);
+        camera.setElevation(static_cast<float>(radians(30)));
+        camera.setDistance(2.0F * camera.distance());
+        const QImage image = *m_renderer->render(*m_scene, camera, options);
+        double sum = 0.0;
+        double moment = 0.0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor colour = image.pixelColor(x, y);
+                if (colour.alpha() < 20 || colour.value() > 0)
+                    continue;
+                sum += colour.alpha();
+                moment += colour.alpha() * x;
+            }
+        }
+        return moment / sum - camera.project(Vec3::Zero())->x();
+    };
+    const double fromRight = shadow(radians(90));
+    const double fromLeft = shadow(radians(-90));
+    QVERIFY2(fromRight < -10.0, qPrintable(QString::number(fromRight)));
+    QVERIFY2(fromLeft > 10.0, qPrintable(QString::number(fromLeft)));
+}
+
 void RendererTest::backdrops_differ()
 {
     RenderOptions horizon;
     horizon.view.backdrop = Backdrop::Horizon;
     QVERIFY(brightness(draw(*m_scene, horizon)) > 2.0 * brightness(draw(*m_scene)));
+}
+
+void RendererTest::gradient_goesFromColourToColour()
+{
+    RenderOptions options;
+    options.samples = 1;
+    options.view.groundShown = false;
+    options.view.backdrop = Backdrop::Gradient;
+    options.view.backgroundColour = QColor(200, 20, 40);
+    options.view.backgroundTop = QColor(10, 90, 220);
+    const auto isNear = [](const QColor& a, const QColor& b) {
+        return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) <
+               8;
+    };
+    QImage image = draw(*m_scene, options);
+    QVERIFY(isNear(image.pixelColor(0, 0), options.view.backgroundTop));
+    QVERIFY(isNear(image.pixelColor(0, kSize.height() - 1), options.view.backgroundColour));
+    options.view.backdrop = Backdrop::Plain;
+    image = draw(*m_scene, options);
+    QVERIFY(isNear(image.pixelColor(0, 0), options.view.backgroundColour));
+    QVERIFY(isNear(image.pixelColor(0, kSize.height() - 1), options.view.backgroundColour));
+}
+
+void RendererTest::grid_isSeenOnTheGround()
+{
+    RenderOptions options;
+    options.samples = 1;
+    options.view.groundShown = false;
+    const QImage without = draw(*m_scene, options, NamedView::ThreeQuarter);
+    options.view.gridShown = true;
+    const QImage with = draw(*m_scene, options, NamedView::ThreeQuarter);
+    const int lines = difference(without, with);
+    QVERIFY(lines > 100);
+    QVERIFY(lines < kSize.width() * kSize.height() / 3);
+}
+
+void RendererTest::tracingImage_standsBehindTheTree()
+{
+    QTemporaryDir folder;
+    QImage red(40, 20, QImage::Format_RGB32);
+    red.fill(Qt::red);
+    RenderOptions options;
+    options.samples = 1;
+    options.view.groundShown = false;
+    options.view.leavesShown = false;
+    options.view.tracing.file = folder.filePath(QStringLiteral("red.png"));
+    options.view.tracing.up = 1.0;
+    options.view.tracing.height = 2.0;
+    options.view.tracing.opacity = 1.0;
+    const QImage none = draw(*m_scene, options);
+    QVERIFY(red.save(options.view.tracing.file));
+    // A file that could not be read is looked at again when it is chosen again.
+    options.view.tracing.file.prepend(QStringLiteral("/"));
+    const QImage image = draw(*m_scene, options);
+    const Camera camera = pictureCamera(NamedView::Front, *m_scene, kSize);
+    const auto at = [&](const QImage& picture, const Vec3& place) {
+        return picture.pixelColor(camera.project(place)->toPoint());
+    };
+    QCOMPARE(at(image, {1.9F, 1.9F, 0.0F}), QColor(Qt::red));
+    QCOMPARE(at(image, {-1.9F, 0.1F, 0.0F}), QColor(Qt::red));
+    QCOMPARE(at(image, {2.1F, 1.0F, 0.0F}), at(none, {2.1F, 1.0F, 0.0F}));
+    // The trunk stands before it.
+    QVERIFY(at(image, {0.0F, 0.05F, 0.0F}) != QColor(Qt::red));
 }
 
 void RendererTest::size_beyondTheCardIsAnError()

@@ -34,6 +34,10 @@ void ViewSettingsTest::values_stayWithinTheirLimits()
     QCOMPARE(settings.values().brushRadius, 0.0);
     settings.set(&ViewValues::sunElevation, 0.0);
     QVERIFY(settings.values().sunElevation > 0.0);
+    settings.set(&ViewValues::tracing, {.right = -1e9, .height = 0.0, .opacity = 2.0});
+    QCOMPARE(settings.values().tracing.right, -TracingImage::kMaxOffset);
+    QVERIFY(settings.values().tracing.height > 0.0);
+    QCOMPARE(settings.values().tracing.opacity, 1.0);
 }
 
 void ViewSettingsTest::steppedRadius_goesDownToAnAxisAndUpAgain()

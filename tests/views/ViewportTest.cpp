@@ -29,6 +29,25 @@ private Q_SLOTS:
     void picture_changesWithTheTreeAndComesToRest();
     void brushRadius_doesNotRedrawTheTree();
     void window_canBeChanged();
+    void sun_isDraggedAndNothingIsUndone();
+    void sun_goesBehindTheTreeBeyondTheRim();
+    void escape_putsTheSunBack();
+    void pinnedSun_staysOnTheScreen();
+    void heldSun_staysUnderThePointerWhileTheTreeTurns();
+
+private:
+    bool isSunAt(const QPointF& place) const
+    {
+        const QPointF away = m_view->sunPlace() - place;
+        return std::hypot(away.x(), away.y()) < 2.0;
+    }
+    void moveHeld(const QPointF& place)
+    {
+        QMouseEvent event(QEvent::MouseMove, place, m_view->mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(m_view.get(), &event);
+    }
+    void pressSun() { QTest::mousePress(m_view.get(), Qt::LeftButton, {}, m_view->sunPlace().toPoint()); }
 };
 
 void ViewportTest::seedling_isShownBySettingOut()
@@ -306,6 +325,84 @@ void ViewportTest::window_canBeChanged()
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 10000);
     QCOMPARE(m_view->grabFramebuffer(), before);
     m_view->setParent(nullptr);
+}
+
+void ViewportTest::sun_isDraggedAndNothingIsUndone()
+{
+    const ViewValues before = m_settings->values();
+    const QPointF target(250.0, 180.0);
+    pressSun();
+    moveHeld(target + QPointF(60.0, -20.0));
+    moveHeld(target);
+    QVERIFY(isSunAt(target));
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, target.toPoint());
+    QVERIFY(isSunAt(target));
+    QVERIFY(m_settings->values().sunAzimuth < before.sunAzimuth);
+    QVERIFY(m_settings->values().sunElevation < before.sunElevation);
+    QCOMPARE(alive(), 1U);
+    QCOMPARE(m_document->undoStack().count(), 0);
+    // Elsewhere, and where no sun is shown, the hand brushes.
+    m_settings->set(&ViewValues::sunShown, false);
+    const double azimuth = m_settings->values().sunAzimuth;
+    pressSun();
+    moveHeld(target + QPointF(-40.0, 0.0));
+    QCOMPARE(m_settings->values().sunAzimuth, azimuth);
+}
+
+void ViewportTest::sun_goesBehindTheTreeBeyondTheRim()
+{
+    const QPointF rim(m_view->width() - 130.0, m_view->height() / 2.0 - 20.0);
+    pressSun();
+    moveHeld(rim + QPointF(50.0, 0.0));
+    // East is to the right; behind the tree is north.
+    const double azimuth = m_settings->values().sunAzimuth;
+    QVERIFY2(azimuth > radians(95) && azimuth < radians(160), qPrintable(QString::number(degrees(azimuth))));
+    QVERIFY(m_view->sunPlace().x() < rim.x());
+    // Pulled down to the ground it stays above the horizon.
+    moveHeld(QPointF(rim.x(), m_view->height()));
+    QVERIFY(m_settings->values().sunElevation >= kLeastSunElevation);
+}
+
+void ViewportTest::escape_putsTheSunBack()
+{
+    const ViewValues before = m_settings->values();
+    pressSun();
+    moveHeld({200.0, 150.0});
+    QVERIFY(m_settings->values() != before);
+    QTest::keyClick(m_view.get(), Qt::Key_Escape);
+    QCOMPARE(m_settings->values(), before);
+}
+
+void ViewportTest::pinnedSun_staysOnTheScreen()
+{
+    const auto turn = [&](float angle) {
+        Camera camera = m_view->camera();
+        camera.orbit(angle, 0.0F);
+        m_view->setCamera(camera);
+    };
+    turn(0.4F);
+    const QPointF place = m_view->sunPlace();
+    m_settings->set(&ViewValues::sunPinned, true);
+    QVERIFY(isSunAt(place));
+    turn(0.5F);
+    QVERIFY(isSunAt(place));
+    m_settings->set(&ViewValues::sunPinned, false);
+    QVERIFY(isSunAt(place));
+    turn(0.5F);
+    QVERIFY(!isSunAt(place));
+}
+
+void ViewportTest::heldSun_staysUnderThePointerWhileTheTreeTurns()
+{
+    const QPointF target(420.0, 150.0);
+    pressSun();
+    moveHeld(target);
+    const double azimuth = m_settings->values().sunAzimuth;
+    Camera camera = m_view->camera();
+    camera.orbit(0.6F, 0.0F);
+    m_view->setCamera(camera);
+    QTRY_VERIFY(isSunAt(target));
+    QVERIFY(std::abs(m_settings->values().sunAzimuth - azimuth - 0.6) < 0.01);
 }
 
 QTEST_MAIN(ViewportTest)

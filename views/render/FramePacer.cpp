@@ -64,8 +64,9 @@ bool FramePacer::showsShadows() const
 
 void FramePacer::apply(RenderOptions& options) const
 {
-    options.samples = m_isAtRest ? 4 : 1;
+    options.samples = isAtRest() ? RenderOptions::kBestSamples : 1;
     options.shadowStrength = m_shadowStrength;
+    options.isPlain = !m_isAtRest && m_saving >= Saving::Shadows;
 }
 
 double FramePacer::scale() const

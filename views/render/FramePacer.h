@@ -19,7 +19,7 @@ public:
     enum class Saving {
         Nothing,
         ShadowsOfGrowth, ///< No shadows while the tree itself changes
-        Shadows,         ///< None while anything moves
+        Shadows,         ///< None while anything moves, and plain light
         HalfThePixels,
         MostPixels, ///< A quarter is drawn
     };

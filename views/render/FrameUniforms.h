@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace espalier {
 
@@ -28,7 +29,10 @@ struct FrameUniforms {
     Vector backgroundInner{};
     Vector backgroundOuter{};
     Vector ground{};
+    Vector foot{};
+    Vector pass{};
+    Matrix centredViewProjection{}; ///< Of the pixels' middles; not in the block
 };
-static_assert(sizeof(FrameUniforms) == 3 * 64 + 14 * 16);
+static_assert(offsetof(FrameUniforms, centredViewProjection) == 3 * 64 + 16 * 16);
 
 } // namespace espalier

@@ -69,13 +69,19 @@ void GlBuffer::write(std::size_t offset, const void* data, std::size_t bytes)
                          data);
 }
 
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertexShader, const char* fragmentShader)
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertexShader, const char* fragmentShader,
+                                                  const char* define)
 {
+    const auto source = [define](const char* name) {
+        QByteArray text = readShader(QString::fromLatin1(name));
+        // The first line must stay the version.
+        if (*define != '\0')
+            text.insert(text.indexOf('\n') + 1, QByteArray("#define ") + define + '\n');
+        return text;
+    };
     auto program = std::make_unique<QOpenGLShaderProgram>();
-    const bool works = program->addShaderFromSourceCode(QOpenGLShader::Vertex,
-                                                        readShader(QString::fromLatin1(vertexShader))) &&
-                       program->addShaderFromSourceCode(QOpenGLShader::Fragment,
-                                                        readShader(QString::fromLatin1(fragmentShader))) &&
+    const bool works = program->addShaderFromSourceCode(QOpenGLShader::Vertex, source(vertexShader)) &&
+                       program->addShaderFromSourceCode(QOpenGLShader::Fragment, source(fragmentShader)) &&
                        program->link();
     if (!works)
         qFatal("%s and %s: %s", vertexShader, fragmentShader, qPrintable(program->log()));

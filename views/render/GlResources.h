@@ -76,9 +76,10 @@ private:
 };
 
 /// Makes a program of two of the resources' shaders, such as "bark.vert" and "bark.frag"; a line #include
-/// "x.glsl" in them stands for that file. The shaders are parts of this program: an error in them is a
-/// defect and ends it.
-std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertexShader, const char* fragmentShader);
+/// "x.glsl" in them stands for that file, and @p define, if any, is a name that #ifdef knows in both. The
+/// shaders are parts of this program: an error in them is a defect and ends it.
+std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertexShader, const char* fragmentShader,
+                                                  const char* define = "");
 
 enum class TextureContent {
     Colour, ///< sRGB, made linear when it is looked up

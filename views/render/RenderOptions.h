@@ -11,12 +11,17 @@ namespace espalier {
 
 /// How a picture is drawn.
 struct RenderOptions {
+    static constexpr int kBestSamples = 8;
+
     ViewValues view;
     /// Behind the tree instead of the backdrop, as is; a transparent colour leaves the tree and its shadow
     /// alone.
     std::optional<QColor> background;
-    int samples = 4;             ///< A pixel: 1, or smooth edges by more
+    /// Passes that a picture is the mean of, each seen from a place within the pixel of its own: 1, or smooth
+    /// edges by more.
+    int samples = kBestSamples;
     double shadowStrength = 1.0; ///< 0...1, for letting shadows appear softly
+    bool isPlain = false;        ///< Lit corner by corner, without shadows: about what it will look like
 };
 
 } // namespace espalier

@@ -9,48 +9,43 @@
 
 namespace espalier {
 
-/// Where a picture is drawn: colour and depth, with several samples a pixel or one, and afterwards readable
-/// as textures with one.
+/// Where a picture is drawn: colour and depth, readable as textures afterwards. Several passes may be drawn,
+/// each a little beside the others; the picture is their mean, so that it gets smoother from pass to pass.
 class RenderTarget {
 public:
-    explicit RenderTarget(Gl& gl) : m_gl(gl) {}
+    explicit RenderTarget(Gl& gl);
+    ~RenderTarget();
 
-    /// Makes it ready to be drawn into. @p samples: 1, or as many of them as the card offers.
-    void begin(const QSize& size, int samples);
-    /// What was drawn is in the textures now.
-    void resolve();
+    /// Makes it ready for a pass to be drawn into.
+    void begin(const QSize& size);
+    /// Pass number @p pass has been drawn: the picture is now the mean of all from 0 to that.
+    void finish(int pass);
 
     const QSize& size() const { return m_size; }
-    /// Samples a pixel that the card gave.
-    int samples() const { return m_samples; }
+    /// Of the last pass.
     GLuint depthTexture() const { return m_buffers->depth.get(); }
-    /// Holds the resolved picture.
+    /// Holds the picture.
     GLuint framebuffer() const { return m_buffers->framebuffer.get(); }
     QImage readImage() const;
 
 private:
     struct Buffers {
-        explicit Buffers(Gl& gl) : framebuffer(gl), colour(gl), depth(gl) {}
+        explicit Buffers(Gl& gl) : framebuffer(gl), colour(gl), depth(gl), meanFramebuffer(gl), mean(gl) {}
         GlFramebuffer framebuffer;
         GlTexture colour;
         GlTexture depth;
-    };
-    struct SampleBuffers {
-        explicit SampleBuffers(Gl& gl) : framebuffer(gl), colour(gl), depth(gl) {}
-        GlFramebuffer framebuffer;
-        GlRenderbuffer colour;
-        GlRenderbuffer depth;
+        GlFramebuffer meanFramebuffer;
+        GlTexture mean;
     };
 
     void make(const QSize& size);
-    void makeSamples(int samples);
+    void copy(GLuint from, GLuint to);
 
     Gl& m_gl;
     std::optional<Buffers> m_buffers;
-    std::optional<SampleBuffers> m_sampleBuffers;
+    GlVertexArray m_noVertices;
+    std::unique_ptr<QOpenGLShaderProgram> m_copyProgram;
     QSize m_size;
-    int m_samples = 1;
-    int m_madeSamples = 1;
 };
 
 } // namespace espalier

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/Renderer.h"
 
+#include "views/render/Lighting.h"
+#include "views/render/Sun.h"
 #include "views/render/TreeScene.h"
 
 #include <QOpenGLShaderProgram>
@@ -17,54 +19,22 @@ constexpr int kLightUnit = 0;
 constexpr int kShadowUnit = 1;
 constexpr int kColourUnit = 2;
 constexpr int kNormalUnit = 3;
+constexpr int kSharpUnit = 2;
+constexpr int kSoftUnit = 3;
+constexpr int kSkyUnit = 4;
 
 using Vector = FrameUniforms::Vector;
 
-/// The light of one backdrop; colours are linear, but those of the background, which are shown as they are.
-struct Lighting {
-    Vector sun;
-    Vector sky;
-    Vector ground; ///< Light from below
-    Vector rim;
-    Vector backgroundInner;
-    Vector backgroundOuter;
-    Vector groundAlbedo;
-    float leastAmbient;  ///< a_min
-    float lightExponent; ///< γ
-    float exposure;
-};
-
-constexpr Vector displayed(int red, int green, int blue, float last)
+/// Where in a pixel a pass looks through it, from its middle, −0.5...0.5; any number of passes are evenly
+/// spread (the additive recurrence of Roberts 2018).
+Vec2 placeInPixel(int pass)
 {
-    return {static_cast<float>(red) / 255.0F, static_cast<float>(green) / 255.0F,
-            static_cast<float>(blue) / 255.0F, last};
+    const auto place = [pass](double step) {
+        const double at = 0.5 + step * pass;
+        return static_cast<float>(at - std::floor(at) - 0.5);
+    };
+    return {place(0.7548776662466927), place(0.5698402909980532)};
 }
-
-constexpr Lighting kStudio{
-    .sun = {2.65F, 2.35F, 1.88F, 0.0F},
-    .sky = {0.58F, 0.66F, 0.78F, 0.0F},
-    .ground = {0.24F, 0.22F, 0.20F, 0.0F},
-    .rim = {0.16F, 0.20F, 0.26F, 0.0F},
-    .backgroundInner = displayed(58, 66, 77, 0.0F),
-    .backgroundOuter = displayed(32, 36, 43, 0.0F),
-    .groundAlbedo = {0.026F, 0.032F, 0.042F, 0.0F},
-    .leastAmbient = 0.22F,
-    .lightExponent = 1.4F,
-    .exposure = 0.85F,
-};
-
-constexpr Lighting kHorizon{
-    .sun = {3.0F, 2.75F, 2.35F, 0.0F},
-    .sky = {0.78F, 0.88F, 1.02F, 0.0F},
-    .ground = {0.42F, 0.40F, 0.36F, 0.0F},
-    .rim = {0.0F, 0.0F, 0.0F, 0.0F},
-    .backgroundInner = displayed(226, 230, 232, 1.0F),
-    .backgroundOuter = displayed(150, 178, 206, 1.0F),
-    .groundAlbedo = {0.30F, 0.29F, 0.27F, 0.0F},
-    .leastAmbient = 0.3F,
-    .lightExponent = 1.0F,
-    .exposure = 0.9F,
-};
 
 Vector toVector(const Vec3& vector, float last)
 {
@@ -76,15 +46,6 @@ FrameUniforms::Matrix toMatrix(const Matrix4& matrix)
     FrameUniforms::Matrix numbers;
     std::copy_n(matrix.data(), numbers.size(), numbers.begin());
     return numbers;
-}
-
-Vec3 towardSun(const ViewValues& view)
-{
-    const double level = std::cos(view.sunElevation);
-    return Vec3(static_cast<float>(level * std::sin(view.sunAzimuth)),
-                static_cast<float>(std::sin(view.sunElevation)),
-                static_cast<float>(level * std::cos(view.sunAzimuth)))
-        .normalized();
 }
 
 /// The ground reaches well beyond the tree, its shadow included, and beyond a seedling's view.
@@ -106,21 +67,27 @@ Renderer::Renderer(Gl& gl)
     : m_gl(gl),
       m_tree(gl),
       m_shadows(gl),
+      m_tracing(gl),
       m_noVertices(gl),
       m_uniformBuffer(gl),
       m_barkProgram(loadProgram("bark.vert", "bark.frag")),
       m_leafProgram(loadProgram("leaf.vert", "leaf.frag")),
+      m_plainBarkProgram(loadProgram("bark.vert", "bark.frag", "PLAIN")),
+      m_plainLeafProgram(loadProgram("leaf.vert", "leaf.frag", "PLAIN")),
       m_shadowProgram(loadProgram("shadow.vert", "shadow.frag")),
       m_leafShadowProgram(loadProgram("leafshadow.vert", "leafshadow.frag")),
       m_backgroundProgram(loadProgram("screen.vert", "background.frag")),
       m_groundProgram(loadProgram("ground.vert", "ground.frag"))
 {
     m_uniformBuffer.reserve(sizeof(FrameUniforms));
-    for (QOpenGLShaderProgram* program : {m_barkProgram.get(), m_leafProgram.get(), m_groundProgram.get()}) {
+    for (QOpenGLShaderProgram* program : {m_barkProgram.get(), m_leafProgram.get(), m_plainBarkProgram.get(),
+                                          m_plainLeafProgram.get(), m_groundProgram.get()}) {
         program->bind();
         program->setUniformValue("lightVolume", kLightUnit);
         program->setUniformValue("shadowMap", kShadowUnit);
-        program->setUniformValue("groundShadow", kColourUnit);
+        program->setUniformValue("sharpShadow", kSharpUnit);
+        program->setUniformValue("softShadow", kSoftUnit);
+        program->setUniformValue("skyShadow", kSkyUnit);
         program->setUniformValue("barkColour", kColourUnit);
         program->setUniformValue("barkNormal", kNormalUnit);
         program->setUniformValue("leafColour", kColourUnit);
@@ -135,31 +102,53 @@ Renderer::~Renderer() = default;
 void Renderer::render(TreeScene& scene, const Camera& camera, const RenderOptions& options,
                       RenderTarget& target)
 {
+    for (int pass = 0; pass < options.samples; ++pass)
+        renderPass(scene, camera, options, target, pass);
+}
+
+void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOptions& options,
+                          RenderTarget& target, int pass)
+{
     const QSize size(static_cast<int>(camera.viewSize().width()),
                      static_cast<int>(camera.viewSize().height()));
     scene.prepare();
     m_shadowsAreOld = m_tree.follow(scene) || m_shadowsAreOld;
-    if (options.view.shadowsShown && options.shadowStrength > 0.0)
-        updateShadows(scene, options);
-    fillFrame(scene, camera, options, size);
+    if (options.view.shadowsShown && options.shadowStrength > 0.0 && !options.isPlain)
+        updateShadows(scene, camera, options);
+    fillFrame(scene, camera, options, size, pass);
 
-    target.begin(size, options.samples);
+    target.begin(size);
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glDepthFunc(GL_LESS);
     m_gl.glDepthMask(GL_TRUE);
-    drawBackground(options);
+    const bool isTransparentNow = isTransparent(options);
+    const QColor colour = isTransparentNow ? QColor(Qt::transparent) : options.background.value_or(Qt::black);
+    m_gl.glClearColor(colour.redF(), colour.greenF(), colour.blueF(), isTransparentNow ? 0.0F : 1.0F);
+    m_gl.glClearDepth(1.0);
+    m_gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     bindTexture(kLightUnit, GL_TEXTURE_3D, m_tree.lightVolume());
     bindTexture(kShadowUnit, GL_TEXTURE_2D, m_shadows.map());
     m_gl.glEnable(GL_DEPTH_TEST);
-    if (options.view.groundShown)
-        drawGround();
-    drawTree(options, target.samples() > 1);
-    target.resolve();
+    m_gl.glDisable(GL_BLEND);
+    drawTree(options, static_cast<float>(std::min(scene.parameters().leaves.saturation, 1.0)));
+    // What the tree covers need not be drawn.
+    const bool isTracing = !options.background && !options.view.tracing.file.isEmpty();
+    if (!options.background)
+        drawBackground();
+    if (m_frame.foot[1] > 0.0F || m_frame.foot[2] > 0.0F)
+        drawGround(!isTracing);
+    if (isTracing)
+        drawTracing(camera, options);
+    target.finish(pass);
+    // What is drawn over the picture shall not tremble from pass to pass.
+    m_frame.viewProjection = m_frame.centredViewProjection;
+    sendFrame();
 }
 
-void Renderer::updateShadows(const TreeScene& scene, const RenderOptions& options)
+void Renderer::updateShadows(const TreeScene& scene, const Camera& camera, const RenderOptions& options)
 {
-    const ShadowState state{towardSun(options.view), options.view.leavesShown, groundRadius(scene.bounds())};
+    const ShadowState state{towardSun(options.view, camera), options.view.leavesShown,
+                            groundRadius(scene.bounds())};
     if (!m_shadowsAreOld && state == m_shadowState)
         return;
     const auto bindForWood = [this](const Matrix4& clipFromWorld) {
@@ -188,9 +177,9 @@ void Renderer::updateShadows(const TreeScene& scene, const RenderOptions& option
 }
 
 void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options,
-                         const QSize& size)
+                         const QSize& size, int pass)
 {
-    const Lighting& lighting = options.view.backdrop == Backdrop::Horizon ? kHorizon : kStudio;
+    const Lighting& lighting = lightingOf(options.view.backdrop);
     const Box3& bounds = scene.bounds();
     const float radius = groundRadius(bounds);
     const Vec3 eye = camera.position();
@@ -201,14 +190,19 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
     const float farthest = nearest + eye.norm() + 1.5F * radius + bounds.diagonal().norm();
     const Matrix4 viewProjection = camera.projectionMatrix(nearest, farthest) * camera.viewMatrix();
 
-    const bool shadows = options.view.shadowsShown && !m_shadowsAreOld;
+    const bool shadows = options.view.shadowsShown && !m_shadowsAreOld && !options.isPlain;
     FrameUniforms& frame = m_frame;
-    frame.viewProjection = toMatrix(viewProjection);
+    frame.centredViewProjection = toMatrix(viewProjection);
+    const Vec2 offset = placeInPixel(pass);
+    Matrix4 moved = viewProjection;
+    moved.row(0) += 2.0F * offset.x() / static_cast<float>(size.width()) * viewProjection.row(3);
+    moved.row(1) += 2.0F * offset.y() / static_cast<float>(size.height()) * viewProjection.row(3);
+    frame.viewProjection = toMatrix(moved);
     frame.inverseViewProjection = toMatrix(viewProjection.inverse());
     frame.shadowFromWorld = toMatrix(m_shadows.shadowFromWorld());
     frame.eye = toVector(eye, 1.0F / camera.pixelsPerMetre(1.0F));
-    frame.sunDirection =
-        toVector(towardSun(options.view), shadows ? static_cast<float>(options.shadowStrength) : 0.0F);
+    frame.sunDirection = toVector(towardSun(options.view, camera),
+                                  shadows ? static_cast<float>(options.shadowStrength) : 0.0F);
     frame.sunColour = lighting.sun;
     frame.skyColour = lighting.sky;
     frame.groundColour = lighting.ground;
@@ -223,40 +217,57 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
     const auto width = static_cast<float>(size.width());
     const auto height = static_cast<float>(size.height());
     frame.viewSize = {width, height, 1.0F / width, 1.0F / height};
-    frame.backgroundInner = lighting.backgroundInner;
-    frame.backgroundOuter = lighting.backgroundOuter;
+    const BackdropColours colours = backdropColours(options.view);
+    frame.backgroundInner = colours.inner;
+    frame.backgroundOuter = colours.outer;
     if (options.background)
         frame.backgroundInner[3] = isTransparent(options) ? 3.0F : 2.0F;
     frame.ground = lighting.groundAlbedo;
     frame.ground[3] = radius;
-    m_uniformBuffer.write(0, &frame, sizeof(frame));
+    const float foot = std::max(scene.mesh().meshedRadius(0), 0.005F);
+    const bool isGridShown = options.view.gridShown && !options.background;
+    frame.foot = {foot, options.view.groundShown ? 1.0F : 0.0F, isGridShown ? 1.0F : 0.0F, 0.0F};
+    // Among several samples to a pixel there is room for finer detail.
+    frame.pass = {offset.x(), offset.y(), options.samples > 1 ? -0.7F : 0.0F, 0.0F};
+    sendFrame();
+}
+
+void Renderer::sendFrame()
+{
+    m_uniformBuffer.write(0, &m_frame, sizeof(m_frame));
     m_gl.glBindBufferBase(GL_UNIFORM_BUFFER, 0, m_uniformBuffer.name());
 }
 
-void Renderer::drawBackground(const RenderOptions& options)
+void Renderer::drawBackground()
 {
-    const QColor colour = options.background.value_or(Qt::black);
-    m_gl.glClearColor(isTransparent(options) ? 0.0F : colour.redF(),
-                      isTransparent(options) ? 0.0F : colour.greenF(),
-                      isTransparent(options) ? 0.0F : colour.blueF(), isTransparent(options) ? 0.0F : 1.0F);
-    m_gl.glClearDepth(1.0);
-    m_gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    if (options.background)
-        return;
-    m_gl.glDisable(GL_DEPTH_TEST);
-    m_gl.glDisable(GL_BLEND);
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_FALSE);
     m_gl.glBindVertexArray(m_noVertices.get());
     m_backgroundProgram->bind();
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDepthFunc(GL_LESS);
 }
 
-void Renderer::drawGround()
+/// Over the ground too, which would hide most of a picture that is seen level.
+void Renderer::drawTracing(const Camera& camera, const RenderOptions& options)
 {
-    bindTexture(kColourUnit, GL_TEXTURE_2D, m_shadows.groundTexture());
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_FALSE);
+    m_tracing.draw(options.view.tracing, camera);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDepthFunc(GL_LESS);
+}
+
+void Renderer::drawGround(bool hides)
+{
+    bindTexture(kSharpUnit, GL_TEXTURE_2D, m_shadows.sharpGround());
+    bindTexture(kSoftUnit, GL_TEXTURE_2D, m_shadows.softGround());
+    bindTexture(kSkyUnit, GL_TEXTURE_2D, m_shadows.skyGround());
     m_gl.glEnable(GL_BLEND);
     m_gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     // From below the ground is not seen and hides nothing.
-    m_gl.glDepthMask(m_frame.eye[1] > 0.0F ? GL_TRUE : GL_FALSE);
+    m_gl.glDepthMask(hides && m_frame.eye[1] > 0.0F ? GL_TRUE : GL_FALSE);
     m_gl.glBindVertexArray(m_noVertices.get());
     m_groundProgram->bind();
     m_gl.glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
@@ -264,26 +275,23 @@ void Renderer::drawGround()
     m_gl.glDisable(GL_BLEND);
 }
 
-void Renderer::drawTree(const RenderOptions& options, bool smooth)
+void Renderer::drawTree(const RenderOptions& options, float saturation)
 {
+    // Leaves first: what they cover of the wood need not be lit.
+    if (options.view.leavesShown) {
+        bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.leafColour());
+        bindTexture(kNormalUnit, GL_TEXTURE_2D, m_tree.leafNormal());
+        QOpenGLShaderProgram& leaf = options.isPlain ? *m_plainLeafProgram : *m_leafProgram;
+        leaf.bind();
+        leaf.setUniformValue("saturation", saturation);
+        m_tree.drawLeaves();
+    }
+    QOpenGLShaderProgram& bark = options.isPlain ? *m_plainBarkProgram : *m_barkProgram;
     bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.barkColour());
     bindTexture(kNormalUnit, GL_TEXTURE_2D, m_tree.barkNormal());
-    m_barkProgram->bind();
-    m_barkProgram->setUniformValue("widening", smooth ? 0.2F : 0.4F);
+    bark.bind();
+    bark.setUniformValue("widening", options.samples > 1 ? 0.2F : 0.4F);
     m_tree.drawBark();
-    if (!options.view.leavesShown)
-        return;
-    bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.leafColour());
-    bindTexture(kNormalUnit, GL_TEXTURE_2D, m_tree.leafNormal());
-    m_leafProgram->bind();
-    m_leafProgram->setUniformValue("alphaToCoverage", smooth);
-    if (smooth) {
-        m_gl.glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-        m_gl.glEnable(GL_SAMPLE_ALPHA_TO_ONE);
-    }
-    m_tree.drawLeaves();
-    m_gl.glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
-    m_gl.glDisable(GL_SAMPLE_ALPHA_TO_ONE);
 }
 
 void Renderer::bindTexture(int unit, GLenum kind, GLuint texture)

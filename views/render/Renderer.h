@@ -5,6 +5,7 @@
 #include "views/render/FrameUniforms.h"
 #include "views/render/RenderOptions.h"
 #include "views/render/RenderTarget.h"
+#include "views/render/TracingLayer.h"
 #include "views/render/TreeBuffers.h"
 #include "views/render/TreeShadows.h"
 
@@ -22,29 +23,39 @@ public:
     ~Renderer();
 
     /// Draws @p scene as @p camera sees it; its view size is the picture's, in any pixels. Takes the
-    /// scene's changes: only they are sent to the card. The target is resolved afterwards.
+    /// scene's changes: only they are sent to the card.
     void render(TreeScene& scene, const Camera& camera, const RenderOptions& options, RenderTarget& target);
+    /// Draws one of the passes, 0...options.samples − 1 in that order; after each there is a picture.
+    void renderPass(TreeScene& scene, const Camera& camera, const RenderOptions& options,
+                    RenderTarget& target, int pass);
 
     /// The frame's uniforms stay bound after render(), for what is drawn over it.
     const FrameUniforms& frame() const { return m_frame; }
 
 private:
-    void updateShadows(const TreeScene& scene, const RenderOptions& options);
+    void updateShadows(const TreeScene& scene, const Camera& camera, const RenderOptions& options);
     void fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options,
-                   const QSize& size);
-    void drawBackground(const RenderOptions& options);
-    void drawGround();
-    void drawTree(const RenderOptions& options, bool smooth);
+                   const QSize& size, int pass);
+    void drawBackground();
+    /// @p hides: what is below it.
+    void drawGround(bool hides);
+    void drawTracing(const Camera& camera, const RenderOptions& options);
+    /// @p saturation: of the leaves, 0...1.
+    void drawTree(const RenderOptions& options, float saturation);
+    void sendFrame();
     void bindTexture(int unit, GLenum kind, GLuint texture);
 
     Gl& m_gl;
     TreeBuffers m_tree;
     TreeShadows m_shadows;
+    TracingLayer m_tracing;
     GlVertexArray m_noVertices;
     GlBuffer m_uniformBuffer;
     FrameUniforms m_frame;
     std::unique_ptr<QOpenGLShaderProgram> m_barkProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_leafProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_plainBarkProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_plainLeafProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_shadowProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_leafShadowProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_backgroundProgram;

@@ -59,10 +59,17 @@ std::vector<Vec3> TreeScene::outline() const
 {
     const Tree& tree = m_document.tree();
     std::vector<Vec3> points{Vec3::Zero()};
-    points.reserve(m_document.index().livingCount() + 1);
+    points.reserve(m_document.index().livingCount() + m_mesh.leaves().size() + 1);
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (tree.isAlive(id))
             points.push_back(m_document.index().nodePosition(id));
+    }
+    // A palm's leaves reach far beyond its nodes.
+    for (const LeafInstance& leaf : m_mesh.leaves()) {
+        if (leaf.length > 0.0F) {
+            const Rotation rotation(leaf.rotation[3], leaf.rotation[0], leaf.rotation[1], leaf.rotation[2]);
+            points.push_back(toVec3(leaf.position) + leaf.length * (rotation * Vec3::UnitY()));
+        }
     }
     return points;
 }

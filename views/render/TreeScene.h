@@ -31,7 +31,7 @@ public:
     const LightGrid& light() const { return m_light; }
     /// Of the living tree with its leaves and the seedling's base, m; never empty.
     const Box3& bounds() const { return m_bounds; }
-    /// Points that a picture of the whole tree must show: its nodes and its base, m.
+    /// Points that a picture of the whole tree must show: its nodes, its base, and the tips of its leaves, m.
     std::vector<Vec3> outline() const;
 
 private:

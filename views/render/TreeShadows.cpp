@@ -5,12 +5,17 @@
 #include <QVector2D>
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 
 namespace {
 
 constexpr int kCoverageEdge = 256;
+constexpr int kSoftEdge = 256;
+constexpr int kSkyEdge = 64;
+/// Casters up to this share of the tree's height away throw a sharp shadow.
+constexpr float kNearShare = 0.25F;
 
 } // namespace
 
@@ -43,8 +48,11 @@ TreeShadows::TreeShadows(Gl& gl)
     : m_gl(gl),
       m_map(gl),
       m_mapFramebuffer(gl),
-      m_coverage(gl),
-      m_ground{Surface(gl), Surface(gl)},
+      m_coverage(gl, kCoverageEdge),
+      m_ground(gl, kGroundEdge),
+      m_sharp(gl, kGroundEdge),
+      m_soft(gl, kSoftEdge),
+      m_sky(gl, kSkyEdge),
       m_noVertices(gl),
       m_groundProgram(loadProgram("screen.vert", "groundshadow.frag")),
       m_blurProgram(loadProgram("screen.vert", "blur.frag"))
@@ -67,17 +75,18 @@ TreeShadows::TreeShadows(Gl& gl)
     gl.glReadBuffer(GL_NONE);
     gl.glClear(GL_DEPTH_BUFFER_BIT);
 
-    makeSurface(m_coverage, kCoverageEdge, GL_R8);
-    for (Surface& surface : m_ground)
-        makeSurface(surface, kGroundEdge, GL_RG8);
+    for (const Surface* surface : {&m_coverage, &m_ground, &m_sharp.first, &m_sharp.second, &m_soft.first,
+                                   &m_soft.second, &m_sky.first, &m_sky.second})
+        makeSurface(*surface);
 }
 
 TreeShadows::~TreeShadows() = default;
 
-void TreeShadows::makeSurface(Surface& surface, int edge, GLint format)
+void TreeShadows::makeSurface(const Surface& surface)
 {
     m_gl.glBindTexture(GL_TEXTURE_2D, surface.texture.get());
-    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, format, edge, edge, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, surface.edge, surface.edge, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                      nullptr);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         m_gl.glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     constexpr std::array<float, 4> outside{};
@@ -101,6 +110,7 @@ void TreeShadows::render(const Box3& bounds, const Vec3& sun, float groundRadius
     m_shadowFromWorld = textureFromClip() * fromSun;
     m_texelEdge = 2.0F / (static_cast<float>(kMapEdge) *
                           std::min(fromSun.row(0).head<3>().norm(), fromSun.row(1).head<3>().norm()));
+    m_depthPerMetre = 0.5F * fromSun.row(2).head<3>().norm();
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_mapFramebuffer.get());
     m_gl.glViewport(0, 0, kMapEdge, kMapEdge);
     m_gl.glEnable(GL_DEPTH_TEST);
@@ -127,36 +137,54 @@ void TreeShadows::shadeGround(const Matrix4& coverageFromWorld, float groundRadi
 {
     m_gl.glBindVertexArray(m_noVertices.get());
     m_gl.glViewport(0, 0, kGroundEdge, kGroundEdge);
-    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_ground[0].framebuffer.get());
-    m_gl.glActiveTexture(GL_TEXTURE0);
-    m_gl.glBindTexture(GL_TEXTURE_2D, m_map.get());
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_ground.framebuffer.get());
     m_gl.glActiveTexture(GL_TEXTURE1);
     m_gl.glBindTexture(GL_TEXTURE_2D, m_coverage.texture.get());
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    m_gl.glBindTexture(GL_TEXTURE_2D, m_map.get());
+    // Here the depth itself is asked for: it tells how far up a caster is.
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
     m_groundProgram->bind();
     m_groundProgram->setUniformValue("shadowMap", 0);
     m_groundProgram->setUniformValue("coverage", 1);
     setMatrix(*m_groundProgram, "shadowFromWorld", m_shadowFromWorld);
     setMatrix(*m_groundProgram, "coverageFromWorld", coverageFromWorld);
     m_groundProgram->setUniformValue("radius", groundRadius);
+    m_groundProgram->setUniformValue("near", kNearShare * height * m_depthPerMetre);
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
 
-    // The sun's disc blurs a shadow by about a hundredth of the way it has come; a crown hides the sky for
-    // as far around as it is high.
-    const float texels = static_cast<float>(kGroundEdge) / (2.0F * groundRadius);
-    const QVector2D sigma(std::max(0.018F * height * texels, 1.0F), std::max(0.16F * height * texels, 2.0F));
+    // The sun's disc blurs a shadow by about a hundredth of the way it has come, and thin clouds by more; a
+    // crown hides the sky for as far around as it is high.
+    const float share = height / (2.0F * groundRadius);
     m_blurProgram->bind();
     m_blurProgram->setUniformValue("image", 0);
-    m_blurProgram->setUniformValue("sigma", sigma);
-    m_gl.glActiveTexture(GL_TEXTURE0);
-    for (const std::size_t from : {0U, 1U}) {
-        m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_ground[1 - from].framebuffer.get());
-        m_gl.glBindTexture(GL_TEXTURE_2D, m_ground[from].texture.get());
-        constexpr float texel = 1.0F / kGroundEdge;
+    blur(m_ground, m_sharp, 0.005F * share);
+    blur(m_ground, m_soft, 0.02F * share);
+    blur(m_ground, m_sky, 0.16F * share);
+    m_blurProgram->release();
+}
+
+/// By a Gaussian of @p sigma, as a share of the edge.
+void TreeShadows::blur(const Surface& from, const Pair& to, float sigma)
+{
+    constexpr float kMostSamples = 12.0F; // to each side
+    const auto edge = static_cast<float>(to.first.edge);
+    const float texels = std::max(sigma * edge, 0.7F);
+    // Far apart samples of a wide blur fall between texels, where the hardware averages for us.
+    const float stride = std::max(3.0F * texels / kMostSamples, 1.0F);
+    m_blurProgram->setUniformValue("sigma", texels / stride);
+    m_blurProgram->setUniformValue("reach", static_cast<int>(std::ceil(3.0F * texels / stride)));
+    m_gl.glViewport(0, 0, to.first.edge, to.first.edge);
+    const std::pair<const Surface*, const Surface*> ways[] = {{&from, &to.second}, {&to.second, &to.first}};
+    for (const auto& [source, target] : ways) {
+        m_gl.glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer.get());
+        m_gl.glBindTexture(GL_TEXTURE_2D, source->texture.get());
+        const float step = stride / edge;
         m_blurProgram->setUniformValue("direction",
-                                       from == 0 ? QVector2D(texel, 0.0F) : QVector2D(0.0F, texel));
+                                       source == &from ? QVector2D(step, 0.0F) : QVector2D(0.0F, step));
         m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     }
-    m_blurProgram->release();
 }
 
 } // namespace espalier

@@ -18,7 +18,7 @@ Matrix4 textureFromClip();
 class TreeShadows {
 public:
     static constexpr int kMapEdge = 2048;
-    static constexpr int kGroundEdge = 512;
+    static constexpr int kGroundEdge = 512; ///< Of the sharpest of the ground's textures
 
     explicit TreeShadows(Gl& gl);
     ~TreeShadows();
@@ -34,28 +34,44 @@ public:
     /// Edge of a texel, m.
     float texelEdge() const { return m_texelEdge; }
     GLuint map() const { return m_map.get(); }
-    /// Red: 1 in the sun's shadow; green: 1 under a closed crown.
-    GLuint groundTexture() const { return m_ground[0].texture.get(); }
+    /// Red: 1 in the shadow of what is near the ground.
+    GLuint sharpGround() const { return m_sharp.first.texture.get(); }
+    /// Green: 1 in the shadow of what is farther up.
+    GLuint softGround() const { return m_soft.first.texture.get(); }
+    /// Blue: 1 under a closed crown.
+    GLuint skyGround() const { return m_sky.first.texture.get(); }
 
 private:
     struct Surface {
-        explicit Surface(Gl& gl) : framebuffer(gl), texture(gl) {}
+        Surface(Gl& gl, int pixels) : framebuffer(gl), texture(gl), edge(pixels) {}
         GlFramebuffer framebuffer;
         GlTexture texture;
+        int edge; ///< px
+    };
+    /// What a blur goes back and forth between; the first has the result.
+    struct Pair {
+        Pair(Gl& gl, int edge) : first(gl, edge), second(gl, edge) {}
+        Surface first;
+        Surface second;
     };
 
-    void makeSurface(Surface& surface, int edge, GLint format);
+    void makeSurface(const Surface& surface);
     void shadeGround(const Matrix4& coverageFromWorld, float groundRadius, float height);
+    void blur(const Surface& from, const Pair& to, float sigma);
 
     Gl& m_gl;
     GlTexture m_map;
     GlFramebuffer m_mapFramebuffer;
     Surface m_coverage;
-    std::array<Surface, 2> m_ground;
+    Surface m_ground; ///< Before it is blurred
+    Pair m_sharp;
+    Pair m_soft;
+    Pair m_sky;
     GlVertexArray m_noVertices;
     std::unique_ptr<QOpenGLShaderProgram> m_groundProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_blurProgram;
     Matrix4 m_shadowFromWorld = Matrix4::Identity();
+    float m_depthPerMetre = 1.0F;
     float m_texelEdge = 0.01F;
 };
 

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/BackgroundPanel.h"
+
+#include "panels/Sideways.h"
+#include "panels/Theme.h"
+#include "panels/ViewRow.h"
+
+#include <QColorDialog>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QImageReader>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <cstring>
+
+namespace espalier {
+
+namespace {
+
+using enum Quantity;
+
+/// A value of the view as a row shows it, in surface units.
+struct Field {
+    ParameterInfo info;
+    ParameterText text;
+    double (*get)(const ViewValues&);
+    void (*set)(ViewValues&, double);
+};
+
+template <bool ViewValues::*Member>
+constexpr Field switchField(const char* key, const char* label, const char* tip)
+{
+    return {{key, Switch, 0, 1},
+            {key, label, "", tip},
+            [](const ViewValues& values) { return values.*Member ? 1.0 : 0.0; },
+            [](ViewValues& values, double value) { values.*Member = value != 0.0; }};
+}
+
+template <double TracingImage::*Member>
+constexpr Field tracingField(const char* key, const char* label, const char* tip, double least, double most,
+                             ParameterText::Scale scale, const char* unit)
+{
+    return {{key, Number, least, most},
+            {key, label, "", tip, scale, 2, unit},
+            [](const ViewValues& values) { return values.tracing.*Member; },
+            [](ViewValues& values, double value) { values.tracing.*Member = value; }};
+}
+
+/// −180...180
+double shownAzimuth(const ViewValues& values)
+{
+    return std::remainder(degrees(values.sunAzimuth), 360.0);
+}
+
+constexpr auto kLinear = ParameterText::Scale::Linear;
+constexpr auto kLogarithmic = ParameterText::Scale::Logarithmic;
+constexpr int kColumnWidth = 196;     ///< px
+constexpr double kMostTracing = 20.0; ///< m; sliders go no farther
+
+// In columns, from left to right.
+enum FieldPlace : std::size_t {
+    BackdropField,
+    GroundField,
+    GridField,
+    ShadowsField,
+    SunShownField,
+    SunPinnedField,
+    AzimuthField,
+    ElevationField,
+    OpacityField,
+    HeightField,
+    RightField,
+    UpField,
+    FieldCount
+};
+
+constexpr std::array<Field, FieldCount> kFields{{
+    {{"view.backdrop", Choice, 0, kBackdropCount - 1, "studio horizon plain gradient"},
+     {"view.backdrop", QT_TRANSLATE_NOOP("Parameters", "Behind"), "",
+      QT_TRANSLATE_NOOP("Parameters", "What stands behind the tree.")},
+     [](const ViewValues& values) { return static_cast<double>(values.backdrop); },
+     [](ViewValues& values, double value) {
+         values.backdrop = static_cast<Backdrop>(static_cast<int>(value));
+     }},
+    switchField<&ViewValues::groundShown>(
+        "view.groundShown", QT_TRANSLATE_NOOP("Parameters", "Ground"),
+        QT_TRANSLATE_NOOP("Parameters", "Ground below the tree, with the tree's shadow.")),
+    switchField<&ViewValues::gridShown>(
+        "view.gridShown", QT_TRANSLATE_NOOP("Parameters", "Grid"),
+        QT_TRANSLATE_NOOP("Parameters", "Lines on the ground, a metre apart.")),
+    switchField<&ViewValues::shadowsShown>("view.shadowsShown", QT_TRANSLATE_NOOP("Parameters", "Shadows"),
+                                           QT_TRANSLATE_NOOP("Parameters", "Shadows of the sun.")),
+    switchField<&ViewValues::sunShown>(
+        "view.sunShown", QT_TRANSLATE_NOOP("Parameters", "Show the sun"),
+        QT_TRANSLATE_NOOP("Parameters", "Show the sun as a ball that you can drag about the tree.")),
+    switchField<&ViewValues::sunPinned>(
+        "view.sunPinned", QT_TRANSLATE_NOOP("Parameters", "Pin the sun"),
+        QT_TRANSLATE_NOOP("Parameters", "The sun stays where it is on the screen when the tree is turned; "
+                                        "otherwise it turns with the tree.")),
+    {{"view.sunAzimuth", Angle, -180, 180},
+     {"view.sunAzimuth", QT_TRANSLATE_NOOP("Parameters", "Direction"), "",
+      QT_TRANSLATE_NOOP("Parameters", "Where the sun stands: 0° before the tree, 90° to its right; of a "
+                                      "pinned sun, as you look at it."),
+      kLinear, 0, "°"},
+     shownAzimuth,
+     [](ViewValues& values, double value) { values.sunAzimuth = radians(value); }},
+    {{"view.sunElevation", Angle, 5, 90},
+     {"view.sunElevation", QT_TRANSLATE_NOOP("Parameters", "Height"), "",
+      QT_TRANSLATE_NOOP("Parameters", "How high the sun stands above the horizon."), kLinear, 0, "°"},
+     [](const ViewValues& values) { return degrees(values.sunElevation); },
+     [](ViewValues& values, double value) { values.sunElevation = radians(value); }},
+    tracingField<&TracingImage::opacity>("view.tracing.opacity", QT_TRANSLATE_NOOP("Parameters", "Opacity"),
+                                         QT_TRANSLATE_NOOP("Parameters", "How much of the picture is seen."),
+                                         0, 1, kLinear, ""),
+    tracingField<&TracingImage::height>("view.tracing.height", QT_TRANSLATE_NOOP("Parameters", "Height"),
+                                        QT_TRANSLATE_NOOP("Parameters", "How high the picture is."), 0.1,
+                                        TracingImage::kMaxHeight, kLogarithmic, "m"),
+    tracingField<&TracingImage::right>(
+        "view.tracing.right", QT_TRANSLATE_NOOP("Parameters", "To the right"),
+        QT_TRANSLATE_NOOP("Parameters", "Where the picture's middle is beside the seedling."), -kMostTracing,
+        kMostTracing, kLinear, "m"),
+    tracingField<&TracingImage::up>(
+        "view.tracing.up", QT_TRANSLATE_NOOP("Parameters", "Up"),
+        QT_TRANSLATE_NOOP("Parameters", "Where the picture's middle is above the seedling."), -kMostTracing,
+        kMostTracing, kLinear, "m"),
+}};
+
+// What choiceNames() asks for
+[[maybe_unused]] constexpr const char* kChoiceNames[] = {
+    QT_TRANSLATE_NOOP("Parameters", "studio"), QT_TRANSLATE_NOOP("Parameters", "horizon"),
+    QT_TRANSLATE_NOOP("Parameters", "plain"), QT_TRANSLATE_NOOP("Parameters", "gradient")};
+
+QIcon swatch(const QColor& colour)
+{
+    QPixmap pixmap(18, 18);
+    pixmap.fill(colour);
+    return pixmap;
+}
+
+QPushButton* makeButton(const QString& text, const char* name, QVBoxLayout& column, QWidget* parent)
+{
+    auto* button = new QPushButton(text, parent);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setMinimumHeight(theme::kTarget - 8);
+    button->setFocusPolicy(Qt::TabFocus);
+    column.addWidget(button);
+    return button;
+}
+
+} // namespace
+
+BackgroundPanel::BackgroundPanel(ViewSettings& settings, QWidget* parent)
+    : Bar(parent), m_settings(settings), m_content(new QWidget), m_rows(FieldCount, nullptr)
+{
+    auto* columns = new QHBoxLayout(m_content);
+    columns->setContentsMargins(20, 14, 20, 12);
+    columns->setSpacing(18);
+
+    QVBoxLayout* behind = addColumn(tr("Background"));
+    addRow(*behind, BackdropField);
+    m_colour = addColour(*behind, "backgroundColour", tr("The colour, or that at the lower edge."),
+                         &ViewValues::backgroundColour);
+    m_topColour =
+        addColour(*behind, "backgroundTop", tr("The colour at the upper edge."), &ViewValues::backgroundTop);
+    QVBoxLayout* ground = addColumn(tr("Ground"));
+    for (const FieldPlace field : {GroundField, GridField, ShadowsField})
+        addRow(*ground, field);
+    QVBoxLayout* sun = addColumn(tr("Sun"));
+    for (const FieldPlace field : {SunShownField, SunPinnedField, AzimuthField, ElevationField})
+        addRow(*sun, field);
+    addTracing(*addColumn(tr("Picture to draw after")));
+    for (QVBoxLayout* column : {behind, ground, sun})
+        column->addStretch();
+
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(1, 1, 1, 1);
+    whole->addWidget(new Sideways(m_content, this));
+    connect(&settings, &ViewSettings::changed, this, &BackgroundPanel::showValues);
+    showValues();
+}
+
+QVBoxLayout* BackgroundPanel::addColumn(const QString& title)
+{
+    auto* columns = static_cast<QHBoxLayout*>(m_content->layout());
+    if (columns->count() > 0)
+        columns->addWidget(barSeparator(Qt::Vertical, m_content));
+    auto* box = new QWidget(m_content);
+    box->setFixedWidth(kColumnWidth);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(barHeading(title, box));
+    columns->addWidget(box);
+    return column;
+}
+
+void BackgroundPanel::addRow(QVBoxLayout& column, std::size_t field)
+{
+    auto* row = new ViewRow({kFields[field].info, kFields[field].text}, column.parentWidget());
+    column.addWidget(row);
+    m_rows[field] = row;
+    connect(row, &ViewRow::edited, this, [this, field](double value) {
+        ViewValues values = m_settings.values();
+        kFields[field].set(values, value);
+        m_settings.setValues(values);
+    });
+}
+
+QPushButton* BackgroundPanel::addColour(QVBoxLayout& column, const char* name, const QString& toolTip,
+                                        QColor ViewValues::*colour)
+{
+    QPushButton* button = makeButton({}, name, column, column.parentWidget());
+    button->setToolTip(toolTip);
+    button->setAccessibleName(toolTip);
+    connect(button, &QPushButton::clicked, this, [this, colour] { askForColour(colour); });
+    return button;
+}
+
+void BackgroundPanel::addTracing(QVBoxLayout& column)
+{
+    QPushButton* choose = makeButton(tr("Choose…"), "tracingChoose", column, column.parentWidget());
+    choose->setToolTip(tr("Choose a picture to show behind the tree, so that you can draw after it."));
+    connect(choose, &QPushButton::clicked, this, &BackgroundPanel::askForTracing);
+    m_remove = makeButton(tr("Remove"), "tracingRemove", column, column.parentWidget());
+    m_remove->setToolTip(tr("Show no picture behind the tree."));
+    connect(m_remove, &QPushButton::clicked, this, [this] { trace({}); });
+    m_tracingName = new QLabel(column.parentWidget());
+    m_tracingName->setTextFormat(Qt::PlainText);
+    column.addWidget(m_tracingName);
+    column.addStretch();
+    QVBoxLayout* place = addColumn(QString());
+    for (const FieldPlace field : {OpacityField, HeightField, RightField, UpField})
+        addRow(*place, field);
+    place->addStretch();
+}
+
+ViewRow* BackgroundPanel::row(const char* key) const
+{
+    const auto found =
+        std::ranges::find_if(m_rows, [&](const ViewRow* row) { return std::strcmp(row->key(), key) == 0; });
+    return found == m_rows.end() ? nullptr : *found;
+}
+
+void BackgroundPanel::askForColour(QColor ViewValues::*colour)
+{
+    auto* dialog = new QColorDialog(m_settings.values().*colour, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const QColor before = dialog->currentColor();
+    connect(dialog, &QColorDialog::currentColorChanged, this,
+            [this, colour](const QColor& picked) { m_settings.set(colour, picked); });
+    connect(dialog, &QDialog::rejected, this, [this, colour, before] { m_settings.set(colour, before); });
+    dialog->open();
+}
+
+void BackgroundPanel::askForTracing()
+{
+    QStringList patterns;
+    for (const QByteArray& format : QImageReader::supportedImageFormats())
+        patterns.append(QStringLiteral("*.") + QString::fromLatin1(format));
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Picture to Draw After"), QFileInfo(m_settings.values().tracing.file).absolutePath(),
+        tr("Pictures (%1)").arg(patterns.join(QLatin1Char(' '))));
+    if (!file.isEmpty())
+        trace(file);
+}
+
+void BackgroundPanel::trace(const QString& file)
+{
+    TracingImage tracing = m_settings.values().tracing;
+    tracing.file = file;
+    m_settings.set(&ViewValues::tracing, tracing);
+}
+
+void BackgroundPanel::showValues()
+{
+    const ViewValues& values = m_settings.values();
+    for (std::size_t field = 0; field < FieldCount; ++field) {
+        if (const double value = kFields[field].get(values); m_rows[field]->value() != value)
+            m_rows[field]->setValue(value);
+    }
+    const bool isGradient = values.backdrop == Backdrop::Gradient;
+    m_colour->setText(isGradient ? tr("Lower colour") : tr("Colour"));
+    m_colour->setIcon(swatch(values.backgroundColour));
+    m_colour->setEnabled(isGradient || values.backdrop == Backdrop::Plain);
+    m_topColour->setText(tr("Upper colour"));
+    m_topColour->setIcon(swatch(values.backgroundTop));
+    m_topColour->setEnabled(isGradient);
+
+    const QString& file = values.tracing.file;
+    m_remove->setEnabled(!file.isEmpty());
+    for (const FieldPlace field : {OpacityField, HeightField, RightField, UpField})
+        m_rows[field]->setEnabled(!file.isEmpty());
+    if (file == m_traced)
+        return;
+    m_traced = file;
+    const bool isThere = file.isEmpty() || QImageReader(file).canRead();
+    const QString name = QFileInfo(file).fileName();
+    const QString told = isThere ? name : tr("%1 cannot be read.").arg(name);
+    m_tracingName->setText(m_tracingName->fontMetrics().elidedText(told, Qt::ElideMiddle, kColumnWidth));
+    m_tracingName->setToolTip(told);
+}
+
+} // namespace espalier

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/ParameterScale.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+
+namespace espalier {
+
+class ParameterNumber;
+class ParameterSlider;
+
+/// One value of the view to look at and to change, as a ParameterRow shows one of the tree's; but nothing of
+/// it is undone, so it shows at once and there are no gestures.
+class ViewRow : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ViewRow(const ParameterScale& scale, QWidget* parent = nullptr);
+
+    const char* key() const { return m_scale.info().key; }
+    /// In the surface unit.
+    double value() const { return m_value; }
+    /// Shows @p value; no signal.
+    void setValue(double value);
+
+Q_SIGNALS:
+    /// By a person's hand.
+    void edited(double value);
+
+private:
+    void edit(double value);
+
+    ParameterScale m_scale;
+    double m_value = 0.0;
+    ParameterSlider* m_slider = nullptr;
+    ParameterNumber* m_number = nullptr;
+    QCheckBox* m_switch = nullptr;
+    QComboBox* m_choice = nullptr;
+};
+
+} // namespace espalier

@@ -1,0 +1,2534 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr_FR" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>New</source>
+        <translation>Nouveau</translation>
+    </message>
+    <message>
+        <source>Start with a seedling.</source>
+        <translation>Commencer avec une plantule.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open a project or a recipe.</source>
+        <translation>Ouvrir un projet ou une recette.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save the project.</source>
+        <translation>Enregistrer le projet.</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name.</source>
+        <translation>Enregistrer le projet sous un autre nom.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Write the tree for other programs: GLB, FBX, OBJ, or its skeleton as CSV.</source>
+        <translation>Écrire l’arbre pour d’autres programmes : GLB, FBX, OBJ, ou son squelette en CSV.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>Leave Espalier.</source>
+        <translation>Quitter Espalier.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Take back what you did last.</source>
+        <translation>Annuler la dernière action.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Do again what you took back.</source>
+        <translation>Refaire ce qui a été annulé.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
+        <translation>Faire glisser depuis l’arbre vers l’extérieur : il pousse dans l’espace où passe le pinceau.</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Croître</translation>
+    </message>
+    <message>
+        <source>Press anywhere and hold: the tree grows on its own, competing for light and space.</source>
+        <translation>Appuyer n’importe où et maintenir : l’arbre pousse seul, en concurrence pour la lumière et l’espace.</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Tailler</translation>
+    </message>
+    <message>
+        <source>Tap a branch to take it off, or draw across all that shall fall.</source>
+        <translation>Toucher une branche pour l’ôter, ou tracer à travers tout ce qui doit tomber.</translation>
+    </message>
+    <message>
+        <source>Bud</source>
+        <translation>Bourgeon</translation>
+    </message>
+    <message>
+        <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
+        <translation>Toucher un bourgeon : lui seul pousse désormais, avec ce qui en naît.</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Courber</translation>
+    </message>
+    <message>
+        <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
+        <translation>Tirer sur une branche pour la courber ; la toucher pour l’épingler là où elle est tenue.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Tap a branch to hold its width, and draw the handle to change it.</source>
+        <translation>Toucher une branche pour fixer son épaisseur, et tirer la poignée pour la changer.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
+        <translation>Dessiner la silhouette d’un houppier : l’arbre pousse jusqu’à le remplir.</translation>
+    </message>
+    <message>
+        <source>Grow One Step</source>
+        <translation>Croître d’une étape</translation>
+    </message>
+    <message>
+        <source>Let the tree grow one step on its own.</source>
+        <translation>Laisser l’arbre croître seul d’une étape.</translation>
+    </message>
+    <message>
+        <source>Smaller Brush</source>
+        <translation>Pinceau plus petit</translation>
+    </message>
+    <message>
+        <source>Make the brush smaller, while brushing too.</source>
+        <translation>Réduire le pinceau, même en cours de trait.</translation>
+    </message>
+    <message>
+        <source>Larger Brush</source>
+        <translation>Pinceau plus grand</translation>
+    </message>
+    <message>
+        <source>Make the brush larger, while brushing too.</source>
+        <translation>Agrandir le pinceau, même en cours de trait.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Take back the stroke or the growth under way.</source>
+        <translation>Annuler le trait ou la croissance en cours.</translation>
+    </message>
+    <message>
+        <source>Frame All</source>
+        <translation>Tout cadrer</translation>
+    </message>
+    <message>
+        <source>Show the whole tree.</source>
+        <translation>Afficher l’arbre entier.</translation>
+    </message>
+    <message>
+        <source>From the Front</source>
+        <translation>De face</translation>
+    </message>
+    <message>
+        <source>Look at the tree from the front.</source>
+        <translation>Regarder l’arbre de face.</translation>
+    </message>
+    <message>
+        <source>From the Side</source>
+        <translation>De côté</translation>
+    </message>
+    <message>
+        <source>Look at the tree from the side.</source>
+        <translation>Regarder l’arbre de côté.</translation>
+    </message>
+    <message>
+        <source>From the Top</source>
+        <translation>De dessus</translation>
+    </message>
+    <message>
+        <source>Look down at the tree.</source>
+        <translation>Regarder l’arbre d’en haut.</translation>
+    </message>
+    <message>
+        <source>Three-Quarter</source>
+        <translation>Trois quarts</translation>
+    </message>
+    <message>
+        <source>Look at the tree from a corner.</source>
+        <translation>Regarder l’arbre de trois quarts.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads.</source>
+        <translation>Afficher les points d’espace libre que répand le pinceau.</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Show the leaves.</source>
+        <translation>Afficher les feuilles.</translation>
+    </message>
+    <message>
+        <source>Architecture</source>
+        <translation>Architecture</translation>
+    </message>
+    <message>
+        <source>How the tree grows from now on.</source>
+        <translation>Comment l’arbre pousse à partir de maintenant.</translation>
+    </message>
+    <message>
+        <source>What the leaves look like.</source>
+        <translation>L’aspect des feuilles.</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Branches</translation>
+    </message>
+    <message>
+        <source>How thick branches are, and their bark.</source>
+        <translation>L’épaisseur des branches, et leur écorce.</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Fond</translation>
+    </message>
+    <message>
+        <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
+        <translation>Ce qui entoure l’arbre : fond, sol, soleil, image modèle.</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>All that you did, step by step; a click goes there.</source>
+        <translation>Tout ce qui a été fait, étape par étape ; un clic y ramène.</translation>
+    </message>
+    <message>
+        <source>To the Panels and Back</source>
+        <translation>Vers les panneaux et retour</translation>
+    </message>
+    <message>
+        <source>Give the keys to the panels, or back to the tree.</source>
+        <translation>Donner le clavier aux panneaux, ou le rendre à l’arbre.</translation>
+    </message>
+    <message>
+        <source>Only the Tree</source>
+        <translation>L’arbre seul</translation>
+    </message>
+    <message>
+        <source>Hide everything but the tree; the same key brings it back.</source>
+        <translation>Tout masquer sauf l’arbre ; la même touche fait tout revenir.</translation>
+    </message>
+    <message>
+        <source>Full Screen</source>
+        <translation>Plein écran</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen.</source>
+        <translation>Occuper tout l’écran.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>About the tool in hand, and about everything else.</source>
+        <translation>L’outil en main, et tout le reste.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Édition</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenêtre</translation>
+    </message>
+</context>
+<context>
+    <name>BendTool</name>
+    <message>
+        <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
+        <translation>Tirer sur une branche pour la courber ; toucher pour épingler sa base, puis là où elle est tenue</translation>
+    </message>
+</context>
+<context>
+    <name>BrushTool</name>
+    <message>
+        <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
+        <translation>Faire glisser pour peindre un arbre ; partir d’une branche pour continuer à sa profondeur</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Bend</source>
+        <translation>Courbure</translation>
+    </message>
+    <message>
+        <source>Brush Stroke</source>
+        <translation>Coup de pinceau</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Coupe</translation>
+    </message>
+    <message>
+        <source>Change Parameters</source>
+        <translation>Changement de paramètres</translation>
+    </message>
+    <message>
+        <source>Travel in Time</source>
+        <translation>Voyage dans le temps</translation>
+    </message>
+    <message>
+        <source>Remove Width</source>
+        <translation>Retrait d’épaisseur</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Épaisseur</translation>
+    </message>
+</context>
+<context>
+    <name>Display</name>
+    <message>
+        <source>there is no display (DISPLAY is not set); xvfb-run provides a virtual one</source>
+        <translation>aucun affichage (DISPLAY n’est pas défini) ; xvfb-run en fournit un virtuel</translation>
+    </message>
+    <message>
+        <source>the display %1 does not answer</source>
+        <translation>l’affichage %1 ne répond pas</translation>
+    </message>
+</context>
+<context>
+    <name>Envelope</name>
+    <message>
+        <source>There is no lasso stroke.</source>
+        <translation>Il n’y a pas de tracé de lasso.</translation>
+    </message>
+    <message>
+        <source>The lasso's drawing plane is not valid.</source>
+        <translation>Le plan de dessin du lasso n’est pas valable.</translation>
+    </message>
+    <message>
+        <source>The lasso is too small to enclose anything.</source>
+        <translation>Le lasso est trop petit pour entourer quoi que ce soit.</translation>
+    </message>
+    <message>
+        <source>The lasso encloses no area.</source>
+        <translation>Le lasso n’entoure aucune surface.</translation>
+    </message>
+    <message>
+        <source>The lasso is too small for how far it is from the origin.</source>
+        <translation>Le lasso est trop petit pour sa distance à l’origine.</translation>
+    </message>
+</context>
+<context>
+    <name>Exporter</name>
+    <message>
+        <source>the meshes could not be written: %1</source>
+        <translation>les maillages n’ont pas pu être écrits : %1</translation>
+    </message>
+    <message>
+        <source>there is no export to “.%1”; there are %2</source>
+        <translation>il n’y a pas d’exportation vers « .%1 » ; il y a %2</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>L’exportation a été annulée.</translation>
+    </message>
+</context>
+<context>
+    <name>FbxRepair</name>
+    <message>
+        <source>this is no sound binary FBX file</source>
+        <translation>ce n’est pas un fichier FBX binaire correct</translation>
+    </message>
+</context>
+<context>
+    <name>GrowTool</name>
+    <message>
+        <source>Press and hold: the tree grows until you let go.</source>
+        <translation>Appuyer et maintenir : l’arbre pousse jusqu’au relâchement.</translation>
+    </message>
+</context>
+<context>
+    <name>JournalCheck</name>
+    <message>
+        <source>its steps do not join those around it</source>
+        <translation>ses étapes ne se raccordent pas à celles qui l’entourent</translation>
+    </message>
+    <message>
+        <source>its parameters do not join those around it</source>
+        <translation>ses paramètres ne se raccordent pas à ceux qui l’entourent</translation>
+    </message>
+    <message>
+        <source>its births are out of order</source>
+        <translation>ses naissances sont dans le désordre</translation>
+    </message>
+    <message>
+        <source>it changes buds that were not there</source>
+        <translation>elle change des bourgeons qui n’existaient pas</translation>
+    </message>
+    <message>
+        <source>it changes buds in a way that cannot be</source>
+        <translation>elle change des bourgeons d’une façon impossible</translation>
+    </message>
+    <message>
+        <source>it bends an internode that was not there</source>
+        <translation>elle courbe un entre-nœud qui n’existait pas</translation>
+    </message>
+    <message>
+        <source>it bends an internode in a way that cannot be</source>
+        <translation>elle courbe un entre-nœud d’une façon impossible</translation>
+    </message>
+    <message>
+        <source>it sets a width in a way that cannot be</source>
+        <translation>elle fixe une épaisseur d’une façon impossible</translation>
+    </message>
+    <message>
+        <source>it changes an envelope in a way that cannot be</source>
+        <translation>elle change une enveloppe d’une façon impossible</translation>
+    </message>
+    <message>
+        <source>it lets an internode die that did not</source>
+        <translation>elle fait mourir un entre-nœud qui n’est pas mort</translation>
+    </message>
+    <message>
+        <source>it bears an internode that is not there</source>
+        <translation>elle fait naître un entre-nœud qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>it bears an internode at another time</source>
+        <translation>elle fait naître un entre-nœud à un autre moment</translation>
+    </message>
+    <message>
+        <source>it bears an internode after what grows on it</source>
+        <translation>elle fait naître un entre-nœud après ce qui pousse sur lui</translation>
+    </message>
+    <message>
+        <source>before it, an internode would live on a dead one</source>
+        <translation>avant elle, un entre-nœud vivrait sur un entre-nœud mort</translation>
+    </message>
+    <message>
+        <source>before it, two internodes would continue the same axis</source>
+        <translation>avant elle, deux entre-nœuds prolongeraient le même axe</translation>
+    </message>
+    <message>
+        <source>it changes the buds of a dead internode</source>
+        <translation>elle change les bourgeons d’un entre-nœud mort</translation>
+    </message>
+    <message>
+        <source>internode %1 has no beginning or no end in the history</source>
+        <translation>l’entre-nœud %1 n’a pas de début ou pas de fin dans l’historique</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>étape %1 de l’historique</translation>
+    </message>
+    <message>
+        <source>the history</source>
+        <translation>l’historique</translation>
+    </message>
+</context>
+<context>
+    <name>JsonReader</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>la taille dépasse %1 Mo</translation>
+    </message>
+    <message>
+        <source>it holds too many values</source>
+        <translation>il y a trop de valeurs</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>not valid JSON: %1</source>
+        <translation>JSON non valable : %1</translation>
+    </message>
+    <message>
+        <source>a JSON object is expected</source>
+        <translation>un objet JSON est attendu</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>cela manque</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2 is expected</source>
+        <translation>un nombre entier de %1 à %2 est attendu</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2 is expected</source>
+        <translation>un nombre de %1 à %2 est attendu</translation>
+    </message>
+    <message>
+        <source>a string is expected</source>
+        <translation>une chaîne de caractères est attendue</translation>
+    </message>
+    <message>
+        <source>a whole number of at most 64 bits is expected, from 2^53 on as a string of digits</source>
+        <translation>un nombre entier d’au plus 64 bits est attendu, à partir de 2^53 sous forme de chaîne de chiffres</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>un objet est attendu</translation>
+    </message>
+    <message>
+        <source>an array is expected</source>
+        <translation>un tableau est attendu</translation>
+    </message>
+    <message>
+        <source>“%1” is not known here</source>
+        <translation>« %1 » est inconnu ici</translation>
+    </message>
+</context>
+<context>
+    <name>Lasso</name>
+    <message>
+        <source>The lasso's drawing plane is not valid.</source>
+        <translation>Le plan de dessin du lasso n’est pas valable.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>There is no envelope to regrow.</source>
+        <translation>Il n’y a pas d’enveloppe à régénérer.</translation>
+    </message>
+    <message>
+        <source>Regrow</source>
+        <translation>Régénération</translation>
+    </message>
+    <message>
+        <source>Remove Envelope</source>
+        <translation>Retrait de l’enveloppe</translation>
+    </message>
+</context>
+<context>
+    <name>LassoTool</name>
+    <message>
+        <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
+        <translation>Dessiner la silhouette d’un houppier ; l’arbre la remplit. Partir d’une branche pour dessiner à sa profondeur</translation>
+    </message>
+</context>
+<context>
+    <name>OffscreenRenderer</name>
+    <message>
+        <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
+        <translation>Impossible de dessiner une image : aucun affichage n’offre OpenGL 3.3 ; un affichage virtuel (Xvfb) convient.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels is too large; %3 along an edge is the most.</source>
+        <translation>Une image de %1 × %2 pixels est trop grande ; le maximum par côté est %3.</translation>
+    </message>
+</context>
+<context>
+    <name>Outputs</name>
+    <message>
+        <source>%1: the picture could not be packed</source>
+        <translation>%1 : l’image n’a pas pu être compressée</translation>
+    </message>
+</context>
+<context>
+    <name>Overlay</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>Parameters</name>
+    <message>
+        <source>Behind</source>
+        <translation>Derrière</translation>
+    </message>
+    <message>
+        <source>What stands behind the tree.</source>
+        <translation>Ce qui se trouve derrière l’arbre.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Ground below the tree, with the tree's shadow.</source>
+        <translation>Le sol sous l’arbre, avec l’ombre de l’arbre.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Grille</translation>
+    </message>
+    <message>
+        <source>Lines on the ground, a metre apart.</source>
+        <translation>Des lignes au sol, tous les mètres.</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Ombres</translation>
+    </message>
+    <message>
+        <source>Shadows of the sun.</source>
+        <translation>Les ombres du soleil.</translation>
+    </message>
+    <message>
+        <source>Show the sun</source>
+        <translation>Afficher le soleil</translation>
+    </message>
+    <message>
+        <source>Show the sun as a ball that you can drag about the tree.</source>
+        <translation>Afficher le soleil comme une boule que l’on peut faire glisser autour de l’arbre.</translation>
+    </message>
+    <message>
+        <source>Pin the sun</source>
+        <translation>Épingler le soleil</translation>
+    </message>
+    <message>
+        <source>The sun stays where it is on the screen when the tree is turned; otherwise it turns with the tree.</source>
+        <translation>Le soleil reste à sa place à l’écran quand on tourne l’arbre ; sinon, il tourne avec l’arbre.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
+        <translation>Où se trouve le soleil : 0° devant l’arbre, 90° à sa droite ; s’il est épinglé, par rapport au regard.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>How high the sun stands above the horizon.</source>
+        <translation>La hauteur du soleil au-dessus de l’horizon.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Opacité</translation>
+    </message>
+    <message>
+        <source>How much of the picture is seen.</source>
+        <translation>À quel point l’image est visible.</translation>
+    </message>
+    <message>
+        <source>How high the picture is.</source>
+        <translation>La hauteur de l’image.</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Vers la droite</translation>
+    </message>
+    <message>
+        <source>Where the picture's middle is beside the seedling.</source>
+        <translation>Où se trouve le milieu de l’image à côté de la plantule.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Vers le haut</translation>
+    </message>
+    <message>
+        <source>Where the picture's middle is above the seedling.</source>
+        <translation>Où se trouve le milieu de l’image au-dessus de la plantule.</translation>
+    </message>
+    <message>
+        <source>studio</source>
+        <translation>studio</translation>
+    </message>
+    <message>
+        <source>horizon</source>
+        <translation>horizon</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation>uni</translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <translation>dégradé</translation>
+    </message>
+    <message>
+        <source>Set-point angle</source>
+        <translation>Angle de consigne</translation>
+    </message>
+    <message>
+        <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
+        <translation>Où se tournent les pousses : 0° vers le haut, 90° à l’horizontale, et davantage les fait pleurer.</translation>
+    </message>
+    <message>
+        <source>Gravitropic set-point angle: orthotropic at 0°, plagiotropic near 90°, positively gravitropic beyond.</source>
+        <translation>Angle de consigne gravitropique : orthotrope à 0°, plagiotrope près de 90°, gravitropisme positif au-delà.</translation>
+    </message>
+    <message>
+        <source>Buds above and below</source>
+        <translation>Bourgeons haut et bas</translation>
+    </message>
+    <message>
+        <source>Vigour of the buds above and below a leaning branch.</source>
+        <translation>Vigueur des bourgeons au-dessus et au-dessous d’une branche inclinée.</translation>
+    </message>
+    <message>
+        <source>Vertical semi-axis of the gravimorphic ellipse.</source>
+        <translation>Demi-axe vertical de l’ellipse gravimorphique.</translation>
+    </message>
+    <message>
+        <source>Buds at the sides</source>
+        <translation>Bourgeons latéraux</translation>
+    </message>
+    <message>
+        <source>Vigour of the buds on the sides of a leaning branch.</source>
+        <translation>Vigueur des bourgeons sur les côtés d’une branche inclinée.</translation>
+    </message>
+    <message>
+        <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
+        <translation>Demi-axe parallèle au sol ; le plus grand correspond à l’amphitonie.</translation>
+    </message>
+    <message>
+        <source>Upper or lower buds</source>
+        <translation>Bourgeons haut ou bas</translation>
+    </message>
+    <message>
+        <source>Above 0 the buds on the upper side are stronger, as in fruit trees; below 0 those on the lower side.</source>
+        <translation>Au-dessus de 0, les bourgeons de la face supérieure sont plus forts, comme chez les arbres fruitiers ; en dessous de 0, ceux de la face inférieure.</translation>
+    </message>
+    <message>
+        <source>Displacement of the ellipse: epitony above 0, hypotony below.</source>
+        <translation>Décalage de l’ellipse : épitonie au-dessus de 0, hypotonie en dessous.</translation>
+    </message>
+    <message>
+        <source>Branching angle</source>
+        <translation>Angle d’insertion</translation>
+    </message>
+    <message>
+        <source>Between a branch and what branches off it.</source>
+        <translation>Entre une branche et ce qui s’en détache.</translation>
+    </message>
+    <message>
+        <source>Angle of insertion of a lateral bud on its axis.</source>
+        <translation>Angle d’insertion d’un bourgeon latéral sur son axe.</translation>
+    </message>
+    <message>
+        <source>Deflection</source>
+        <translation>Déviation</translation>
+    </message>
+    <message>
+        <source>How far an axis turns away from a branch that it bears: 0 keeps it straight, more makes it zigzag.</source>
+        <translation>À quel point un axe s’écarte d’une branche qu’il porte : 0 le garde droit, davantage le fait zigzaguer.</translation>
+    </message>
+    <message>
+        <source>The main axis yields to a lateral, as toward sympodial growth.</source>
+        <translation>L’axe principal cède devant un latéral, comme vers une croissance sympodiale.</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>Rectitude</translation>
+    </message>
+    <message>
+        <source>How much a shoot keeps the direction that it has.</source>
+        <translation>À quel point une pousse garde sa direction.</translation>
+    </message>
+    <message>
+        <source>Weight of the heading H of the axis.</source>
+        <translation>Poids de la direction H de l’axe.</translation>
+    </message>
+    <message>
+        <source>Tropism</source>
+        <translation>Tropisme</translation>
+    </message>
+    <message>
+        <source>How much a shoot turns toward the set-point angle.</source>
+        <translation>À quel point une pousse se tourne vers l’angle de consigne.</translation>
+    </message>
+    <message>
+        <source>Weight of gravitropism T.</source>
+        <translation>Poids du gravitropisme T.</translation>
+    </message>
+    <message>
+        <source>Free space</source>
+        <translation>Espace libre</translation>
+    </message>
+    <message>
+        <source>How much a shoot turns toward where there is room.</source>
+        <translation>À quel point une pousse se tourne vers là où il y a de la place.</translation>
+    </message>
+    <message>
+        <source>Weight of the environment E: the mean direction of the free space that a bud perceives.</source>
+        <translation>Poids de l’environnement E : la direction moyenne de l’espace libre que perçoit un bourgeon.</translation>
+    </message>
+    <message>
+        <source>Occupied radius</source>
+        <translation>Rayon occupé</translation>
+    </message>
+    <message>
+        <source>Space around each bud that nothing else grows into, in internodes. More makes an airier crown.</source>
+        <translation>Espace autour de chaque bourgeon où rien d’autre ne pousse, en entre-nœuds. Davantage donne un houppier plus aéré.</translation>
+    </message>
+    <message>
+        <source>Radius of the zone of occupancy.</source>
+        <translation>Rayon de la zone d’occupation.</translation>
+    </message>
+    <message>
+        <source>Sight</source>
+        <translation>Portée de vue</translation>
+    </message>
+    <message>
+        <source>How far beyond its own space a bud sees room to grow, in internodes.</source>
+        <translation>Jusqu’où, au-delà de son propre espace, un bourgeon voit de la place pour pousser, en entre-nœuds.</translation>
+    </message>
+    <message>
+        <source>Depth of the volume of perception, which reaches to r + d.</source>
+        <translation>Profondeur du volume de perception, qui s’étend jusqu’à r + d.</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Champ de vision</translation>
+    </message>
+    <message>
+        <source>How far to the sides a bud sees room to grow.</source>
+        <translation>Jusqu’où, sur les côtés, un bourgeon voit de la place pour pousser.</translation>
+    </message>
+    <message>
+        <source>Apex angle of the cone of perception.</source>
+        <translation>Angle au sommet du cône de perception.</translation>
+    </message>
+    <message>
+        <source>Apical dominance</source>
+        <translation>Dom. apicale</translation>
+    </message>
+    <message>
+        <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
+        <translation>Qui reçoit la vigueur : au-dessus de 0,5 l’axe principal, comme chez les conifères ; en dessous les branches, comme chez les arbustes.</translation>
+    </message>
+    <message>
+        <source>Excurrent forms above 0.5, decurrent ones below.</source>
+        <translation>Formes excurrentes au-dessus de 0,5, décurrentes en dessous.</translation>
+    </message>
+    <message>
+        <source>Light sensitivity</source>
+        <translation>Besoin de lumière</translation>
+    </message>
+    <message>
+        <source>How much more a bud in the light thrives than one in the shade.</source>
+        <translation>À quel point un bourgeon à la lumière prospère mieux qu’un bourgeon à l’ombre.</translation>
+    </message>
+    <message>
+        <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
+        <translation>Exposant de la réponse à la lumière : élevé pour les essences de lumière, bas pour les essences d’ombre.</translation>
+    </message>
+    <message>
+        <source>Shedding</source>
+        <translation>Élagage naturel</translation>
+    </message>
+    <message>
+        <source>Branches with less vigour than this die: 0 keeps them all.</source>
+        <translation>Les branches moins vigoureuses que cela meurent : 0 les garde toutes.</translation>
+    </message>
+    <message>
+        <source>Threshold of cladoptosis: vigour per internode, relative to that of the whole tree.</source>
+        <translation>Seuil de cladoptose : vigueur par entre-nœud, relative à celle de l’arbre entier.</translation>
+    </message>
+    <message>
+        <source>Shoot length</source>
+        <translation>Long. de pousse</translation>
+    </message>
+    <message>
+        <source>How many internodes the strongest shoot grows in one step.</source>
+        <translation>Nombre d’entre-nœuds que la pousse la plus forte produit en une étape.</translation>
+    </message>
+    <message>
+        <source>Metamers of the strongest shoot of a flush.</source>
+        <translation>Métamères de la pousse la plus forte d’une vague de croissance.</translation>
+    </message>
+    <message>
+        <source>Phyllotaxis</source>
+        <translation>Phyllotaxie</translation>
+    </message>
+    <message>
+        <source>Turn around the axis from one bud to the next: 137.5° is a spiral, 180° two rows, 90° crossed pairs.</source>
+        <translation>Rotation autour de l’axe d’un bourgeon au suivant : 137,5° donne une spirale, 180° deux rangs, 90° des paires croisées.</translation>
+    </message>
+    <message>
+        <source>Divergence angle: spiral, distichous, decussate.</source>
+        <translation>Angle de divergence : spiralé, distique, décussé.</translation>
+    </message>
+    <message>
+        <source>Follow the stroke</source>
+        <translation>Suivre le trait</translation>
+    </message>
+    <message>
+        <source>Shoots turn toward where the brush goes, instead of to the set-point angle.</source>
+        <translation>Les pousses se tournent vers là où va le pinceau, au lieu de l’angle de consigne.</translation>
+    </message>
+    <message>
+        <source>The set-point angle is inferred from the direction of the stroke.</source>
+        <translation>L’angle de consigne est déduit de la direction du trait.</translation>
+    </message>
+    <message>
+        <source>Upright trunk</source>
+        <translation>Tronc dressé</translation>
+    </message>
+    <message>
+        <source>The trunk grows straight up, whatever the branches do.</source>
+        <translation>Le tronc pousse tout droit vers le haut, quoi que fassent les branches.</translation>
+    </message>
+    <message>
+        <source>The axis of order 0 is orthotropic, as in most conifers.</source>
+        <translation>L’axe d’ordre 0 est orthotrope, comme chez la plupart des conifères.</translation>
+    </message>
+    <message>
+        <source>Internode</source>
+        <translation>Entre-nœud</translation>
+    </message>
+    <message>
+        <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
+        <translation>Longueur d’un entre-nœud. C’est la mesure de tout ce qui pousse : plus court, il donne des arbres plus fins.</translation>
+    </message>
+    <message>
+        <source>Length of a metamer.</source>
+        <translation>Longueur d’un métamère.</translation>
+    </message>
+    <message>
+        <source>Buds at a node</source>
+        <translation>Bourgeons par nœud</translation>
+    </message>
+    <message>
+        <source>One is alternate, two opposite, more a whorl, as in pines.</source>
+        <translation>Un : alterne ; deux : opposé ; davantage : un verticille, comme chez les pins.</translation>
+    </message>
+    <message>
+        <source>Alternate, opposite or verticillate.</source>
+        <translation>Alterne, opposé ou verticillé.</translation>
+    </message>
+    <message>
+        <source>Irregularity</source>
+        <translation>Irrégularité</translation>
+    </message>
+    <message>
+        <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
+        <translation>Dispersion des angles et des longueurs : 0 donne un schéma, 1 est aussi libre que la nature.</translation>
+    </message>
+    <message>
+        <source>Variance of the angles and of the metamers.</source>
+        <translation>Variance des angles et des métamères.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Ombre</translation>
+    </message>
+    <message>
+        <source>How much light one internode takes.</source>
+        <translation>Quantité de lumière que prend un entre-nœud.</translation>
+    </message>
+    <message>
+        <source>Intensity of the penumbra that a metamer casts.</source>
+        <translation>Intensité de la pénombre que projette un métamère.</translation>
+    </message>
+    <message>
+        <source>Shadow falloff</source>
+        <translation>Atténuation</translation>
+    </message>
+    <message>
+        <source>How fast a shadow fades on its way down.</source>
+        <translation>À quelle vitesse une ombre s’estompe en descendant.</translation>
+    </message>
+    <message>
+        <source>Base of its decay from layer to layer.</source>
+        <translation>Base de sa décroissance d’une couche à l’autre.</translation>
+    </message>
+    <message>
+        <source>Shadow depth</source>
+        <translation>Portée d’ombre</translation>
+    </message>
+    <message>
+        <source>How many layers below an internode its shadow reaches.</source>
+        <translation>Nombre de couches que l’ombre d’un entre-nœud atteint sous lui.</translation>
+    </message>
+    <message>
+        <source>Height of the pyramid of shadow, in voxels.</source>
+        <translation>Hauteur de la pyramide d’ombre, en voxels.</translation>
+    </message>
+    <message>
+        <source>Brush density</source>
+        <translation>Densité du pinceau</translation>
+    </message>
+    <message>
+        <source>How much room to grow the brush spreads, in points per cubic internode. More makes denser growth.</source>
+        <translation>Quantité de place pour pousser que répand le pinceau, en points par entre-nœud cube. Davantage rend la croissance plus dense.</translation>
+    </message>
+    <message>
+        <source>Density of the markers of free space.</source>
+        <translation>Densité des marqueurs d’espace libre.</translation>
+    </message>
+    <message>
+        <source>Brush memory</source>
+        <translation>Mémoire du pinceau</translation>
+    </message>
+    <message>
+        <source>Growth steps after which the room that the brush has spread is forgotten.</source>
+        <translation>Nombre d’étapes de croissance après lequel la place répandue par le pinceau est oubliée.</translation>
+    </message>
+    <message>
+        <source>Maximum age of a marker.</source>
+        <translation>Âge maximal d’un marqueur.</translation>
+    </message>
+    <message>
+        <source>Room at a bud</source>
+        <translation>Place au bourgeon</translation>
+    </message>
+    <message>
+        <source>When the tree grows on its own: the room to grow that each bud finds around itself in each step.</source>
+        <translation>Quand l’arbre pousse seul : la place que chaque bourgeon trouve autour de lui à chaque étape.</translation>
+    </message>
+    <message>
+        <source>Markers generated in each volume of perception.</source>
+        <translation>Marqueurs produits dans chaque volume de perception.</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Whether the tree has any.</source>
+        <translation>Si l’arbre en porte.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>The outline of a leaf.</source>
+        <translation>Le contour d’une feuille.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>From the stalk to the tip.</source>
+        <translation>Du pétiole à la pointe.</translation>
+    </message>
+    <message>
+        <source>Breadth</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Width by length.</source>
+        <translation>Rapport de la largeur à la longueur.</translation>
+    </message>
+    <message>
+        <source>Variation of size</source>
+        <translation>Écart de taille</translation>
+    </message>
+    <message>
+        <source>How much the sizes of leaves differ.</source>
+        <translation>À quel point les tailles des feuilles diffèrent.</translation>
+    </message>
+    <message>
+        <source>At a node</source>
+        <translation>Par nœud</translation>
+    </message>
+    <message>
+        <source>How many leaves grow together.</source>
+        <translation>Nombre de feuilles qui poussent ensemble.</translation>
+    </message>
+    <message>
+        <source>How far inward</source>
+        <translation>Vers l’intérieur</translation>
+    </message>
+    <message>
+        <source>Branches that carry more twigs than this are bare.</source>
+        <translation>Les branches qui portent plus de rameaux que cela sont nues.</translation>
+    </message>
+    <message>
+        <source>Only near the tips</source>
+        <translation>Seulement au bout</translation>
+    </message>
+    <message>
+        <source>Leaves grow so many internodes down from the tip of a shoot, and no further.</source>
+        <translation>Les feuilles poussent sur ce nombre d’entre-nœuds depuis le bout d’une pousse, pas plus loin.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>Between a shoot and the leaf's stalk.</source>
+        <translation>Entre une pousse et le pétiole de la feuille.</translation>
+    </message>
+    <message>
+        <source>Droop</source>
+        <translation>Retombée</translation>
+    </message>
+    <message>
+        <source>How far leaves hang down.</source>
+        <translation>À quel point les feuilles pendent.</translation>
+    </message>
+    <message>
+        <source>Toward the sky</source>
+        <translation>Vers le ciel</translation>
+    </message>
+    <message>
+        <source>How far leaves turn their faces up.</source>
+        <translation>À quel point les feuilles tournent leur face vers le haut.</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Teinte</translation>
+    </message>
+    <message>
+        <source>0° is red, 60° yellow, 120° green.</source>
+        <translation>0° est rouge, 60° jaune, 120° vert.</translation>
+    </message>
+    <message>
+        <source>Variation of hue</source>
+        <translation>Écart de teinte</translation>
+    </message>
+    <message>
+        <source>How much the colours of leaves differ.</source>
+        <translation>À quel point les couleurs des feuilles diffèrent.</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Saturation</translation>
+    </message>
+    <message>
+        <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
+        <translation>L’intensité de la couleur : faible, elle donne des fleurs et des feuilles argentées.</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Luminosité</translation>
+    </message>
+    <message>
+        <source>How light the leaves are.</source>
+        <translation>À quel point les feuilles sont claires.</translation>
+    </message>
+    <message>
+        <source>Yellowing</source>
+        <translation>Jaunissement</translation>
+    </message>
+    <message>
+        <source>How far the leaves of weak shoots turn toward yellow and red.</source>
+        <translation>À quel point les feuilles des pousses faibles virent au jaune et au rouge.</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>Exposant</translation>
+    </message>
+    <message>
+        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <translation>Comment les épaisseurs s’additionnent là où les branches se rejoignent : 2 est la règle de Léonard ; moins donne des troncs plus épais.</translation>
+    </message>
+    <message>
+        <source>Tips</source>
+        <translation>Extrémités</translation>
+    </message>
+    <message>
+        <source>Diameter of the thinnest twigs.</source>
+        <translation>Diamètre des rameaux les plus fins.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Diameter of the trunk at the ground; at 0 it follows from the exponent.</source>
+        <translation>Diamètre du tronc au sol ; à 0, il découle de l’exposant.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatique</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>Empattement</translation>
+    </message>
+    <message>
+        <source>How much the trunk spreads where it meets the ground.</source>
+        <translation>À quel point le tronc s’évase là où il rencontre le sol.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Type</translation>
+    </message>
+    <message>
+        <source>What the bark looks like.</source>
+        <translation>L’aspect de l’écorce.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <translation>Longueur de tronc après laquelle le motif de l’écorce se répète.</translation>
+    </message>
+    <message>
+        <source>Gravimorphism</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Branching</source>
+        <translation>Ramification</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Espace</translation>
+    </message>
+    <message>
+        <source>Vigour</source>
+        <translation>Vigueur</translation>
+    </message>
+    <message>
+        <source>Habit</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Shoot</source>
+        <translation>Pousse</translation>
+    </message>
+    <message>
+        <source>Shade</source>
+        <translation>Ombrage</translation>
+    </message>
+    <message>
+        <source>Room to grow</source>
+        <translation>Place disponible</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Aspect</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Écorce</translation>
+    </message>
+    <message>
+        <source>ovate</source>
+        <translation>ovée</translation>
+    </message>
+    <message>
+        <source>lanceolate</source>
+        <translation>lancéolée</translation>
+    </message>
+    <message>
+        <source>lobed</source>
+        <translation>lobée</translation>
+    </message>
+    <message>
+        <source>needles</source>
+        <translation>aiguilles</translation>
+    </message>
+    <message>
+        <source>furrowed</source>
+        <translation>sillonnée</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>lisse</translation>
+    </message>
+    <message>
+        <source>plated</source>
+        <translation>à plaques</translation>
+    </message>
+    <message>
+        <source>birch</source>
+        <translation>bouleau</translation>
+    </message>
+    <message>
+        <source>cordate</source>
+        <translation>cordée</translation>
+    </message>
+    <message>
+        <source>palmate</source>
+        <translation>palmée</translation>
+    </message>
+    <message>
+        <source>pinnate</source>
+        <translation>pennée</translation>
+    </message>
+    <message>
+        <source>willow</source>
+        <translation>saule</translation>
+    </message>
+    <message>
+        <source>fascicle</source>
+        <translation>faisceau</translation>
+    </message>
+    <message>
+        <source>frond</source>
+        <translation>fronde</translation>
+    </message>
+    <message>
+        <source>cherry</source>
+        <translation>cerisier</translation>
+    </message>
+    <message>
+        <source>mottled</source>
+        <translation>marbrée</translation>
+    </message>
+    <message>
+        <source>fibrous</source>
+        <translation>fibreuse</translation>
+    </message>
+    <message>
+        <source>ringed</source>
+        <translation>annelée</translation>
+    </message>
+</context>
+<context>
+    <name>ParametersJson</name>
+    <message>
+        <source>true or false is expected</source>
+        <translation>true ou false est attendu</translation>
+    </message>
+    <message>
+        <source>one of these is expected: %1</source>
+        <translation>l’une de ces valeurs est attendue : %1</translation>
+    </message>
+    <message>
+        <source>a whole number is expected</source>
+        <translation>un nombre entier est attendu</translation>
+    </message>
+    <message>
+        <source>a number is expected</source>
+        <translation>un nombre est attendu</translation>
+    </message>
+    <message>
+        <source>%1 is not within %2…%3</source>
+        <translation>%1 n’est pas compris dans %2…%3</translation>
+    </message>
+    <message>
+        <source>axisWeight, tropismWeight and spaceWeight must not all be 0</source>
+        <translation>axisWeight, tropismWeight et spaceWeight ne peuvent pas être tous à 0</translation>
+    </message>
+    <message>
+        <source>it must not be beyond 0.99 times ellipseVertical, which is %1</source>
+        <translation>la valeur ne peut pas dépasser 0,99 fois ellipseVertical, qui vaut %1</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>un objet est attendu</translation>
+    </message>
+    <message>
+        <source>there is no such parameter</source>
+        <translation>il n’y a pas de tel paramètre</translation>
+    </message>
+</context>
+<context>
+    <name>Program</name>
+    <message>
+        <source>%1; see espalier --help</source>
+        <translation>%1 ; voir espalier --help</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectFile</name>
+    <message>
+        <source>pairs of an internode and a diameter are expected</source>
+        <translation>des paires d’un entre-nœud et d’un diamètre sont attendues</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>un objet est attendu</translation>
+    </message>
+    <message>
+        <source>it does not describe an Espalier project</source>
+        <translation>cela ne décrit pas un projet Espalier</translation>
+    </message>
+    <message>
+        <source>Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads versions up to %4</source>
+        <translation>Espalier %1 l’a écrit dans la version %2 du format ; ceci est Espalier %3, qui lit les versions jusqu’à %4</translation>
+    </message>
+    <message>
+        <source>1 to %1 sets are expected</source>
+        <translation>de 1 à %1 jeux de paramètres sont attendus</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>entre-nœud %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>il se trouve à plus de %1 m</translation>
+    </message>
+    <message>
+        <source>the lassos</source>
+        <translation>les lassos</translation>
+    </message>
+    <message>
+        <source>their parts do not add up</source>
+        <translation>leurs parties ne concordent pas</translation>
+    </message>
+    <message>
+        <source>the history</source>
+        <translation>l’historique</translation>
+    </message>
+    <message>
+        <source>its parts do not add up</source>
+        <translation>ses parties ne concordent pas</translation>
+    </message>
+    <message>
+        <source>the tree or its history is too large for a project file</source>
+        <translation>l’arbre ou son historique est trop grand pour un fichier de projet</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 GB</source>
+        <translation>la taille dépasse %1 Go</translation>
+    </message>
+</context>
+<context>
+    <name>PruneTool</name>
+    <message>
+        <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
+        <translation>Toucher une branche pour l’ôter, ou tracer à travers les branches qui doivent tomber</translation>
+    </message>
+</context>
+<context>
+    <name>Recipe</name>
+    <message>
+        <source>there is no such bud</source>
+        <translation>il n’y a pas de tel bourgeon</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>un objet est attendu</translation>
+    </message>
+    <message>
+        <source>a number other than 0 is expected</source>
+        <translation>un nombre autre que 0 est attendu</translation>
+    </message>
+    <message>
+        <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
+        <translation>il n’y a pas d’opération « %1 » ; il y a setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow et removeLasso</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>cela manque</translation>
+    </message>
+    <message>
+        <source>a stroke has at least one sample</source>
+        <translation>un trait a au moins un échantillon</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 samples</source>
+        <translation>une recette a au plus %1 échantillons</translation>
+    </message>
+    <message>
+        <source>three numbers within ±%1 are expected</source>
+        <translation>trois nombres compris dans ±%1 sont attendus</translation>
+    </message>
+    <message>
+        <source>right and up must have length 1 and be at right angles</source>
+        <translation>right et up doivent être de longueur 1 et à angle droit</translation>
+    </message>
+    <message>
+        <source>a lasso has at least three points</source>
+        <translation>un lasso a au moins trois points</translation>
+    </message>
+    <message>
+        <source>two numbers within ±%1 are expected, right and up, in m</source>
+        <translation>deux nombres compris dans ±%1 sont attendus, vers la droite et vers le haut, en m</translation>
+    </message>
+    <message>
+        <source>1 to %1 internodes are expected</source>
+        <translation>de 1 à %1 entre-nœuds sont attendus</translation>
+    </message>
+    <message>
+        <source>a list of internodes' numbers is expected</source>
+        <translation>une liste de numéros d’entre-nœuds est attendue</translation>
+    </message>
+    <message>
+        <source>an array of five numbers is expected: time, x, y, z, radius</source>
+        <translation>un tableau de cinq nombres est attendu : temps, x, y, z, rayon</translation>
+    </message>
+    <message>
+        <source>the time is not within 0…%1 s</source>
+        <translation>le temps n’est pas compris dans 0…%1 s</translation>
+    </message>
+    <message>
+        <source>the time does not go forwards</source>
+        <translation>le temps n’avance pas</translation>
+    </message>
+    <message>
+        <source>a coordinate is not within ±%1 m</source>
+        <translation>une coordonnée n’est pas comprise dans ±%1 m</translation>
+    </message>
+    <message>
+        <source>the radius is not within 0…%1 m</source>
+        <translation>le rayon n’est pas compris dans 0…%1 m</translation>
+    </message>
+    <message>
+        <source>a bend has from 1 to %1 handles</source>
+        <translation>une courbure a de 1 à %1 poignées</translation>
+    </message>
+    <message>
+        <source>an array of three numbers within ±%1 is expected</source>
+        <translation>un tableau de trois nombres compris dans ±%1 est attendu</translation>
+    </message>
+    <message>
+        <source>there is no view “%1”; there are front, side, top and three-quarter</source>
+        <translation>il n’y a pas de vue « %1 » ; il y a front, side, top et three-quarter</translation>
+    </message>
+    <message>
+        <source>this is no recipe: one begins with “%1”: %2</source>
+        <translation>ce n’est pas une recette : une recette commence par « %1 » : %2</translation>
+    </message>
+    <message>
+        <source>the recipe is of version %1, this program reads versions up to %2</source>
+        <translation>la recette est de la version %1, ce programme lit les versions jusqu’à %2</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 operations</source>
+        <translation>une recette a au plus %1 opérations</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeTool</name>
+    <message>
+        <source>A recipe is playing; Escape hands the brush to you.</source>
+        <translation>Une recette se joue ; Échap rend le pinceau.</translation>
+    </message>
+</context>
+<context>
+    <name>SelectBudTool</name>
+    <message>
+        <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
+        <translation>Toucher un bourgeon, et lui seul pousse désormais ; toucher à côté de l’arbre pour que tous poussent à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>SunTool</name>
+    <message>
+        <source>%1° high</source>
+        <translation>%1° de haut</translation>
+    </message>
+    <message>
+        <source>Drag the sun about the tree.</source>
+        <translation>Faire glisser le soleil autour de l’arbre.</translation>
+    </message>
+</context>
+<context>
+    <name>WidthTool</name>
+    <message>
+        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <translation>Toucher une branche pour fixer son épaisseur ; tirer les bouts de la poignée pour la changer</translation>
+    </message>
+</context>
+<context>
+    <name>ZipArchive</name>
+    <message>
+        <source>the archive could not be packed: %1</source>
+        <translation>l’archive n’a pas pu être compressée : %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>le contenu est endommagé</translation>
+    </message>
+    <message>
+        <source>it is no project file, or a damaged one (%1)</source>
+        <translation>ce n’est pas un fichier de projet, ou il est endommagé (%1)</translation>
+    </message>
+    <message>
+        <source>it is no project file: it is empty</source>
+        <translation>ce n’est pas un fichier de projet : il est vide</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>cela manque</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, but %2 are expected</source>
+        <translation>il y a %1 octets, mais %2 sont attendus</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>la taille dépasse %1 octets</translation>
+    </message>
+</context>
+<context>
+    <name>espalier</name>
+    <message>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <translation>--size attend LARGEURxHAUTEUR jusqu’à %1 pixels chacune, pas « %2 »</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
+        <translation>%1 : le suffixe d’une sortie indique son format, et c’est l’un de .espalier .obj .fbx .glb .csv</translation>
+    </message>
+    <message>
+        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <translation>--camera vaut front, side, top ou three-quarter, pas « %1 »</translation>
+    </message>
+    <message>
+        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <translation>--threads attend un nombre de 1 à %1, pas « %2 »</translation>
+    </message>
+    <message>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <translation>--seed attend un nombre entier de 0 à 18446744073709551615, pas « %1 »</translation>
+    </message>
+    <message>
+        <source>%1 knows no option %2</source>
+        <translation>%1 ne connaît pas l’option %2</translation>
+    </message>
+    <message>
+        <source>%1 wants no value</source>
+        <translation>%1 n’attend pas de valeur</translation>
+    </message>
+    <message>
+        <source>%1 wants a value after it</source>
+        <translation>%1 attend une valeur à sa suite</translation>
+    </message>
+    <message>
+        <source>--transparent wants --png FILE</source>
+        <translation>--transparent attend --png FICHIER</translation>
+    </message>
+    <message>
+        <source>--ground-shadow wants --transparent</source>
+        <translation>--ground-shadow attend --transparent</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe</source>
+        <translation>replay attend au moins une recette</translation>
+    </message>
+    <message>
+        <source>%1 wants one project</source>
+        <translation>%1 attend un projet</translation>
+    </message>
+    <message>
+        <source>render wants --png FILE</source>
+        <translation>render attend --png FICHIER</translation>
+    </message>
+    <message>
+        <source>info wants one file</source>
+        <translation>info attend un fichier</translation>
+    </message>
+    <message>
+        <source>a window shows one file, so what is "%1"?</source>
+        <translation>une fenêtre montre un seul fichier ; qu’est donc « %1 » ?</translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and
+textures) or .csv (skeleton).
+Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation>Espalier : peindre des arbres et les voir naître.
+
+espalier [PROJET]
+    Ouvre la fenêtre.
+
+espalier --demo [RECETTE]
+    Ouvre la fenêtre et y peint un arbre ; ensuite il est à vous.
+
+espalier replay RECETTE... [-o SORTIE]... [--png FICHIER] [--size LxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FICHIER] [--threads N] [--seed N]
+    Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
+    De plusieurs recettes, chacune continue l’arbre de la précédente : la
+    première donne la graine, et chacune met d’abord ses paramètres en vigueur.
+
+espalier export PROJET [-o SORTIE]...
+    Écrit un projet dans d’autres formats.
+
+espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Prend une image. Il faut un affichage ; un affichage virtuel convient.
+    --transparent : l’arbre seul, avec un alpha non prémultiplié ;
+    --ground-shadow garde son ombre, en noir plus ou moins opaque.
+
+espalier info FICHIER
+    Dit en JSON ce que contient un projet.
+
+espalier --help, --version
+
+SORTIE se termine par .espalier (projet), .obj, .fbx, .glb (maillages avec
+feuilles et textures) ou .csv (squelette).
+Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
+une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
+</translation>
+    </message>
+    <message>
+        <source>its parent does not come before it</source>
+        <translation>son parent ne vient pas avant lui</translation>
+    </message>
+    <message>
+        <source>its rotation is not one</source>
+        <translation>sa rotation n’en est pas une</translation>
+    </message>
+    <message>
+        <source>its length is out of range</source>
+        <translation>sa longueur est hors limites</translation>
+    </message>
+    <message>
+        <source>its vigour is out of range</source>
+        <translation>sa vigueur est hors limites</translation>
+    </message>
+    <message>
+        <source>it grows from a bud that does not exist</source>
+        <translation>il pousse d’un bourgeon qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>it has a bud that does not exist</source>
+        <translation>il a un bourgeon qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>it is neither there nor away</source>
+        <translation>il n’est ni là ni parti</translation>
+    </message>
+    <message>
+        <source>its parameters are missing</source>
+        <translation>ses paramètres manquent</translation>
+    </message>
+    <message>
+        <source>it was born in the future</source>
+        <translation>il est né dans le futur</translation>
+    </message>
+    <message>
+        <source>it died before it was born</source>
+        <translation>il est mort avant d’être né</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ArchitecturePanel</name>
+    <message>
+        <source>Architecture</source>
+        <translation>Architecture</translation>
+    </message>
+    <message>
+        <source>More ›</source>
+        <translation>Plus ›</translation>
+    </message>
+    <message>
+        <source>The rest of what steers growth: shoots, shade, room to grow</source>
+        <translation>Le reste de ce qui guide la croissance : pousses, ombrage, place disponible</translation>
+    </message>
+    <message>
+        <source>‹ Less</source>
+        <translation>‹ Moins</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BackgroundPanel</name>
+    <message>
+        <source>Background</source>
+        <translation>Fond</translation>
+    </message>
+    <message>
+        <source>The colour, or that at the lower edge.</source>
+        <translation>La couleur, ou celle au bord inférieur.</translation>
+    </message>
+    <message>
+        <source>The colour at the upper edge.</source>
+        <translation>La couleur au bord supérieur.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Sol</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Soleil</translation>
+    </message>
+    <message>
+        <source>Picture to draw after</source>
+        <translation>Image modèle</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Choose a picture to show behind the tree, so that you can draw after it.</source>
+        <translation>Choisir une image à montrer derrière l’arbre, pour dessiner d’après elle.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Show no picture behind the tree.</source>
+        <translation>Ne montrer aucune image derrière l’arbre.</translation>
+    </message>
+    <message>
+        <source>Picture to Draw After</source>
+        <translation>Image modèle</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Images (%1)</translation>
+    </message>
+    <message>
+        <source>Lower colour</source>
+        <translation>Couleur du bas</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Upper colour</source>
+        <translation>Couleur du haut</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>Impossible de lire %1.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BendPopOut</name>
+    <message>
+        <source>Bending</source>
+        <translation>Courbure</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
+        <translation>&lt;b&gt;Courbure&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à la courbure : raide, elle fait une large courbe et s’étire plus tôt.</translation>
+    </message>
+    <message>
+        <source>Stretching</source>
+        <translation>Étirement</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
+        <translation>&lt;b&gt;Étirement&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement : elle garde sa longueur, ou suit la main plus loin.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BranchingDiagram</name>
+    <message>
+        <source>zigzag</source>
+        <translation>zigzag</translation>
+    </message>
+    <message>
+        <source>acute</source>
+        <translation>aigu</translation>
+    </message>
+    <message>
+        <source>spreading</source>
+        <translation>étalé</translation>
+    </message>
+    <message>
+        <source>reflexed</source>
+        <translation>réfléchi</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BrushPopOut</name>
+    <message>
+        <source>Pressure</source>
+        <translation>Pression</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
+        <translation>&lt;b&gt;Rayon du pinceau&lt;/b&gt; [ ]&lt;br&gt;Un grand pinceau fait pousser un houppier dans l’espace où il passe ; près de zéro, il trace une seule branche en suivant exactement le trait.</translation>
+    </message>
+    <message>
+        <source>A pen's pressure scales the brush.</source>
+        <translation>La pression d’un stylet modifie la taille du pinceau.</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <translation>Afficher les points d’espace libre que répand le pinceau et vers lesquels les pousses se dirigent.</translation>
+    </message>
+    <message>
+        <source>%L1 m</source>
+        <translation>%L1 m</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>draws a branch</source>
+        <translation>trace une branche</translation>
+    </message>
+    <message>
+        <source>grows a crown</source>
+        <translation>forme un houppier</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::DirectionDiagram</name>
+    <message>
+        <source>Weights of direction</source>
+        <translation>Poids des directions</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>équilibré</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>droit</translation>
+    </message>
+    <message>
+        <source>tropism</source>
+        <translation>tropisme</translation>
+    </message>
+    <message>
+        <source>free space</source>
+        <translation>espace libre</translation>
+    </message>
+    <message>
+        <source>H straight on</source>
+        <translation>H tout droit</translation>
+    </message>
+    <message>
+        <source>T tropism</source>
+        <translation>T tropisme</translation>
+    </message>
+    <message>
+        <source>E space</source>
+        <translation>E espace</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::DocumentFile</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::FileController</name>
+    <message>
+        <source>Binary glTF</source>
+        <translation>glTF binaire</translation>
+    </message>
+    <message>
+        <source>FBX</source>
+        <translation>FBX</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Skeleton as a table</source>
+        <translation>Squelette en tableau</translation>
+    </message>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Non enregistré. %1</translation>
+    </message>
+    <message>
+        <source>The tree cannot be kept safe from a crash: %1</source>
+        <translation>L’arbre ne peut pas être protégé d’un plantage : %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
+        <translation>Arbres et recettes (*.espalier *.json);;Arbres (*.espalier);;Recettes (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Enregistrement de %1</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Trees (*.espalier)</source>
+        <translation>Arbres (*.espalier)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Écriture de %1</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 est écrit</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 n’a pas été écrit.</translation>
+    </message>
+    <message>
+        <source>Not exported. %1</source>
+        <translation>Non exporté. %1</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 est enregistré</translation>
+    </message>
+    <message>
+        <source>Espalier</source>
+        <translation>Espalier</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 a des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>Un arbre jamais enregistré</translation>
+    </message>
+    <message>
+        <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
+        <translation>Espalier s’est arrêté de façon inattendue. %1 peut être récupéré tel qu’il était.</translation>
+    </message>
+    <message>
+        <source>Bring Back</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Aucun encore</translation>
+    </message>
+    <message>
+        <source>Forget Them</source>
+        <translation>Les oublier</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::GravimorphismDiagram</name>
+    <message>
+        <source>all alike</source>
+        <translation>tous égaux</translation>
+    </message>
+    <message>
+        <source>amphitony</source>
+        <translation>amphitonie</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>vertical</translation>
+    </message>
+    <message>
+        <source>epitony</source>
+        <translation>épitonie</translation>
+    </message>
+    <message>
+        <source>hypotony</source>
+        <translation>hypotonie</translation>
+    </message>
+    <message>
+        <source>side %1</source>
+        <translation>côté %1</translation>
+    </message>
+    <message>
+        <source>above %1 · below %2</source>
+        <translation>dessus %1 · dessous %2</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::GrowPopOut</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
+        <translation>En arrière : l’arbre décroît, à travers tout ce qui a été fait. En avant : il revient, et au-delà du repère il pousse.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Jouer</translation>
+    </message>
+    <message>
+        <source>Play what happened from here on, or all of it</source>
+        <translation>Jouer ce qui s’est passé à partir d’ici, ou tout</translation>
+    </message>
+    <message>
+        <source>Hold to grow</source>
+        <translation>Maintenir</translation>
+    </message>
+    <message>
+        <source>A tap grows one step; hold to grow on. One hold is one undo step.</source>
+        <translation>Un appui bref fait croître d’une étape ; un appui prolongé continue. Chaque appui forme une seule étape d’annulation.</translation>
+    </message>
+    <message>
+        <source>Steps to grow</source>
+        <translation>Nombre d’étapes</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>étapes</translation>
+    </message>
+    <message>
+        <source>Grow that many steps, as one undo step. Escape stops.</source>
+        <translation>Croître d’autant d’étapes, en une seule étape d’annulation. Échap arrête.</translation>
+    </message>
+    <message>
+        <source>step %L1</source>
+        <translation>étape %L1</translation>
+    </message>
+    <message>
+        <source>step %L1, %L2 edits and steps back</source>
+        <translation>étape %L1, %L2 modifications et étapes en arrière</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HelpPage</name>
+    <message>
+        <source>Page of the help</source>
+        <translation>Page de l’aide</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HelpPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation>Revenir à la page précédente</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>Fermer l’aide</translation>
+    </message>
+    <message>
+        <source>Close the help (Esc)</source>
+        <translation>Fermer l’aide (Échap)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Search in the help</source>
+        <translation>Rechercher dans l’aide</translation>
+    </message>
+    <message>
+        <source>Pages of the help</source>
+        <translation>Pages de l’aide</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Visite guidée</translation>
+    </message>
+    <message>
+        <source>Play this recipe</source>
+        <translation>Jouer cette recette</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Aucun résultat</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Seedling</source>
+        <translation>Plantule</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LassoPopOut</name>
+    <message>
+        <source>Regrow</source>
+        <translation>Régénérer</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>Arrêter ici</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Enveloppe</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you did to it since goes.</source>
+        <translation>&lt;b&gt;Régénérer&lt;/b&gt;&lt;br&gt;Ramener l’arbre là où il en était avant que son enveloppe soit dessinée, et lui faire remplir à nouveau l’enveloppe avec les paramètres en vigueur maintenant. Ce qui lui a été fait depuis disparaît.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Remove&lt;/b&gt;&lt;br&gt;Take the envelope away; the tree stays as it grew.</source>
+        <translation>&lt;b&gt;Retirer&lt;/b&gt;&lt;br&gt;Ôter l’enveloppe ; l’arbre reste tel qu’il a poussé.</translation>
+    </message>
+    <message>
+        <source>Keep what has grown. Escape takes it back instead.</source>
+        <translation>Garder ce qui a poussé. Échap l’annule au contraire.</translation>
+    </message>
+    <message>
+        <source>Show the envelope.</source>
+        <translation>Afficher l’enveloppe.</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the tree grows into.</source>
+        <translation>Afficher les points d’espace libre dans lesquels l’arbre pousse.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::MainWindow</name>
+    <message>
+        <source>The tree has no more room to grow in.</source>
+        <translation>L’arbre n’a plus de place pour pousser.</translation>
+    </message>
+    <message>
+        <source>%1[*] – Espalier</source>
+        <translation>%1[*] – Espalier</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Notice</name>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PerceptionDiagram</name>
+    <message>
+        <source>dense</source>
+        <translation>dense</translation>
+    </message>
+    <message>
+        <source>ordinary</source>
+        <translation>ordinaire</translation>
+    </message>
+    <message>
+        <source>airy</source>
+        <translation>aéré</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RadiusSlider</name>
+    <message>
+        <source>Brush radius</source>
+        <translation>Rayon du pinceau</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RotationStrip</name>
+    <message>
+        <source>Rotation strip</source>
+        <translation>Bande de rotation</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TopBar</name>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>Open Recent</source>
+        <translation>Fichiers récents</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 a des modifications non enregistrées.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Tour</name>
+    <message>
+        <source>Brush a tree</source>
+        <translation>Peindre un arbre</translation>
+    </message>
+    <message>
+        <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
+        <translation>Voici une plantule. &lt;b&gt;Appuyez dessus et tracez vers le haut, lentement&lt;/b&gt; ; relâchez quand ce qui pousse vous plaît.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
+        <translation>&lt;b&gt;Appuyez sur une branche et tracez vers l’extérieur, lentement&lt;/b&gt; ; relâchez quand ce qui pousse vous plaît.</translation>
+    </message>
+    <message>
+        <source>Large and small</source>
+        <translation>Grand et petit</translation>
+    </message>
+    <message>
+        <source>A large brush grows a crown, a tiny one draws a single branch. &lt;b&gt;Draw the slider, or press&amp;nbsp;[&amp;nbsp;and&amp;nbsp;]&lt;/b&gt;.</source>
+        <translation>Un grand pinceau fait pousser un houppier, un tout petit trace une seule branche. &lt;b&gt;Tirez le curseur, ou appuyez sur&amp;nbsp;[&amp;nbsp;et&amp;nbsp;]&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
+        <translation>Tailler, courber, dessiner au lasso : tout ce qu’il faut à un jardinier est ici. &lt;b&gt;Prenez Croître&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>Back in time</source>
+        <translation>Remonter le temps</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
+        <translation>&lt;b&gt;Tirez ce curseur vers la gauche&lt;/b&gt;, et l’arbre décroît ; vers la droite, il revient et continue de pousser.</translation>
+    </message>
+    <message>
+        <source>All around</source>
+        <translation>Tout autour</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
+        <translation>&lt;b&gt;Tracez le long de ce bord&lt;/b&gt;, et l’arbre tourne, même pendant que l’autre main peint. Le bouton droit de la souris le tourne aussi.</translation>
+    </message>
+    <message>
+        <source>When you wonder</source>
+        <translation>En cas de doute</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
+        <translation>&lt;b&gt;F1&lt;/b&gt; ou ce bouton parle de l’outil en main. &lt;b&gt;Ctrl+Z&lt;/b&gt; annule tout ce que vous avez fait : essayez donc.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TourCard</name>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Visite</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Tree</name>
+    <message>
+        <source>the columns of the tree have different lengths</source>
+        <translation>les colonnes de l’arbre ont des longueurs différentes</translation>
+    </message>
+    <message>
+        <source>the tree is empty or lacks its parameters</source>
+        <translation>l’arbre est vide ou ses paramètres manquent</translation>
+    </message>
+    <message>
+        <source>the seedling must stand at the base</source>
+        <translation>la plantule doit se trouver à la base</translation>
+    </message>
+    <message>
+        <source>it lives on a dead internode</source>
+        <translation>il vit sur un entre-nœud mort</translation>
+    </message>
+    <message>
+        <source>two internodes continue the same axis</source>
+        <translation>deux entre-nœuds prolongent le même axe</translation>
+    </message>
+    <message>
+        <source>internode %1: %2</source>
+        <translation>entre-nœud %1 : %2</translation>
+    </message>
+    <message>
+        <source>width %1 cannot be</source>
+        <translation>l’épaisseur %1 est impossible</translation>
+    </message>
+    <message>
+        <source>lasso %1 cannot be</source>
+        <translation>le lasso %1 est impossible</translation>
+    </message>
+    <message>
+        <source>the lassos in force are out of order</source>
+        <translation>les lassos en vigueur sont dans le désordre</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TropismDiagram</name>
+    <message>
+        <source>as the stroke</source>
+        <translation>selon le trait</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>dressé</translation>
+    </message>
+    <message>
+        <source>slanting</source>
+        <translation>oblique</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>horizontal</translation>
+    </message>
+    <message>
+        <source>weeping</source>
+        <translation>pleureur</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Viewport</name>
+    <message>
+        <source>Tree</source>
+        <translation>Arbre</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Workspace</name>
+    <message>
+        <source>Only one branch grows  ✕</source>
+        <translation>Une seule branche pousse  ✕</translation>
+    </message>
+    <message>
+        <source>Let all buds grow again</source>
+        <translation>Laisser à nouveau pousser tous les bourgeons</translation>
+    </message>
+    <message>
+        <source>a seedling</source>
+        <translation>une plantule</translation>
+    </message>
+    <message>
+        <source>%L1 internodes · %L2 leaves · step %L3</source>
+        <translation>%L1 entre-nœuds · %L2 feuilles · étape %L3</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,2534 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja_JP" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>New</source>
+        <translation>新規</translation>
+    </message>
+    <message>
+        <source>Start with a seedling.</source>
+        <translation>苗から始めます。</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>開く…</translation>
+    </message>
+    <message>
+        <source>Open a project or a recipe.</source>
+        <translation>プロジェクトかレシピを開きます。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save the project.</source>
+        <translation>プロジェクトを保存します。</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>別名で保存…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name.</source>
+        <translation>プロジェクトを別の名前で保存します。</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>書き出し…</translation>
+    </message>
+    <message>
+        <source>Write the tree for other programs: GLB, FBX, OBJ, or its skeleton as CSV.</source>
+        <translation>ほかのプログラム用に書き出します。GLB、FBX、OBJ、または骨格の CSV です。</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>終了</translation>
+    </message>
+    <message>
+        <source>Leave Espalier.</source>
+        <translation>Espalier を終了します。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Take back what you did last.</source>
+        <translation>直前の操作を元に戻します。</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>やり直す</translation>
+    </message>
+    <message>
+        <source>Do again what you took back.</source>
+        <translation>元に戻した操作をやり直します。</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>ブラシ</translation>
+    </message>
+    <message>
+        <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
+        <translation>木から外へドラッグすると、ブラシが通った空間に木が伸びます。</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>成長</translation>
+    </message>
+    <message>
+        <source>Press anywhere and hold: the tree grows on its own, competing for light and space.</source>
+        <translation>どこでも押し続けると、木が光と空間を競いながら自然に成長します。</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>剪定</translation>
+    </message>
+    <message>
+        <source>Tap a branch to take it off, or draw across all that shall fall.</source>
+        <translation>枝をタップして切り落とすか、落とす枝を横切る線を引きます。</translation>
+    </message>
+    <message>
+        <source>Bud</source>
+        <translation>芽</translation>
+    </message>
+    <message>
+        <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
+        <translation>芽をタップすると、その芽とそこから出る枝だけが成長します。</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>曲げ</translation>
+    </message>
+    <message>
+        <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
+        <translation>枝を引くと曲がります。タップすると、その場所をピンで留めます。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>太さ</translation>
+    </message>
+    <message>
+        <source>Tap a branch to hold its width, and draw the handle to change it.</source>
+        <translation>枝をタップすると太さを固定し、ハンドルをドラッグすると変えられます。</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>投げ縄</translation>
+    </message>
+    <message>
+        <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
+        <translation>樹冠の輪郭を描くと、木がそれを満たすまで成長します。</translation>
+    </message>
+    <message>
+        <source>Grow One Step</source>
+        <translation>1 ステップ成長</translation>
+    </message>
+    <message>
+        <source>Let the tree grow one step on its own.</source>
+        <translation>木を自然に 1 ステップ成長させます。</translation>
+    </message>
+    <message>
+        <source>Smaller Brush</source>
+        <translation>ブラシを小さく</translation>
+    </message>
+    <message>
+        <source>Make the brush smaller, while brushing too.</source>
+        <translation>ブラシを小さくします。描いている途中でも使えます。</translation>
+    </message>
+    <message>
+        <source>Larger Brush</source>
+        <translation>ブラシを大きく</translation>
+    </message>
+    <message>
+        <source>Make the brush larger, while brushing too.</source>
+        <translation>ブラシを大きくします。描いている途中でも使えます。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Take back the stroke or the growth under way.</source>
+        <translation>進行中のストロークや成長を取り消します。</translation>
+    </message>
+    <message>
+        <source>Frame All</source>
+        <translation>全体を表示</translation>
+    </message>
+    <message>
+        <source>Show the whole tree.</source>
+        <translation>木全体を表示します。</translation>
+    </message>
+    <message>
+        <source>From the Front</source>
+        <translation>正面から</translation>
+    </message>
+    <message>
+        <source>Look at the tree from the front.</source>
+        <translation>木を正面から見ます。</translation>
+    </message>
+    <message>
+        <source>From the Side</source>
+        <translation>側面から</translation>
+    </message>
+    <message>
+        <source>Look at the tree from the side.</source>
+        <translation>木を側面から見ます。</translation>
+    </message>
+    <message>
+        <source>From the Top</source>
+        <translation>上から</translation>
+    </message>
+    <message>
+        <source>Look down at the tree.</source>
+        <translation>木を真上から見下ろします。</translation>
+    </message>
+    <message>
+        <source>Three-Quarter</source>
+        <translation>斜めから</translation>
+    </message>
+    <message>
+        <source>Look at the tree from a corner.</source>
+        <translation>木を斜め方向から見ます。</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>マーカー</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads.</source>
+        <translation>ブラシが散らす空き空間の点を表示します。</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>葉</translation>
+    </message>
+    <message>
+        <source>Show the leaves.</source>
+        <translation>葉を表示します。</translation>
+    </message>
+    <message>
+        <source>Architecture</source>
+        <translation>樹形</translation>
+    </message>
+    <message>
+        <source>How the tree grows from now on.</source>
+        <translation>これから木がどう成長するかを決めます。</translation>
+    </message>
+    <message>
+        <source>What the leaves look like.</source>
+        <translation>葉の見た目を決めます。</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>枝</translation>
+    </message>
+    <message>
+        <source>How thick branches are, and their bark.</source>
+        <translation>枝の太さと樹皮を決めます。</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
+        <translation>木のまわりのもの。背景、地面、太陽、下絵です。</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>All that you did, step by step; a click goes there.</source>
+        <translation>これまでの操作の一覧です。クリックするとその時点に移ります。</translation>
+    </message>
+    <message>
+        <source>To the Panels and Back</source>
+        <translation>パネルと木の切り替え</translation>
+    </message>
+    <message>
+        <source>Give the keys to the panels, or back to the tree.</source>
+        <translation>キー操作の対象をパネルに移すか、木に戻します。</translation>
+    </message>
+    <message>
+        <source>Only the Tree</source>
+        <translation>木だけ表示</translation>
+    </message>
+    <message>
+        <source>Hide everything but the tree; the same key brings it back.</source>
+        <translation>木以外をすべて隠します。同じキーで元に戻ります。</translation>
+    </message>
+    <message>
+        <source>Full Screen</source>
+        <translation>全画面表示</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen.</source>
+        <translation>画面全体に表示します。</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
+    <message>
+        <source>About the tool in hand, and about everything else.</source>
+        <translation>手にしているツールの説明と、そのほかすべてのヘルプです。</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>編集</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>表示</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>ウィンドウ</translation>
+    </message>
+</context>
+<context>
+    <name>BendTool</name>
+    <message>
+        <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
+        <translation>枝を引いて曲げます。タップで根元を、続けて支える場所をピンで留めます</translation>
+    </message>
+</context>
+<context>
+    <name>BrushTool</name>
+    <message>
+        <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
+        <translation>ドラッグして木を描きます。枝から始めると、その奥行きで続きます</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Bend</source>
+        <translation>曲げ</translation>
+    </message>
+    <message>
+        <source>Brush Stroke</source>
+        <translation>ブラシストローク</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>成長</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>剪定</translation>
+    </message>
+    <message>
+        <source>Change Parameters</source>
+        <translation>パラメーターの変更</translation>
+    </message>
+    <message>
+        <source>Travel in Time</source>
+        <translation>時間の移動</translation>
+    </message>
+    <message>
+        <source>Remove Width</source>
+        <translation>太さの解除</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>太さ</translation>
+    </message>
+</context>
+<context>
+    <name>Display</name>
+    <message>
+        <source>there is no display (DISPLAY is not set); xvfb-run provides a virtual one</source>
+        <translation>ディスプレイがありません (DISPLAY が未設定です)。xvfb-run で仮想ディスプレイを用意できます</translation>
+    </message>
+    <message>
+        <source>the display %1 does not answer</source>
+        <translation>ディスプレイ %1 が応答しません</translation>
+    </message>
+</context>
+<context>
+    <name>Envelope</name>
+    <message>
+        <source>There is no lasso stroke.</source>
+        <translation>投げ縄のストロークがありません。</translation>
+    </message>
+    <message>
+        <source>The lasso's drawing plane is not valid.</source>
+        <translation>投げ縄の描画面が正しくありません。</translation>
+    </message>
+    <message>
+        <source>The lasso is too small to enclose anything.</source>
+        <translation>投げ縄が小さすぎて何も囲めません。</translation>
+    </message>
+    <message>
+        <source>The lasso encloses no area.</source>
+        <translation>投げ縄が何も囲んでいません。</translation>
+    </message>
+    <message>
+        <source>The lasso is too small for how far it is from the origin.</source>
+        <translation>原点からの距離に対して投げ縄が小さすぎます。</translation>
+    </message>
+</context>
+<context>
+    <name>Exporter</name>
+    <message>
+        <source>the meshes could not be written: %1</source>
+        <translation>メッシュを書き出せませんでした: %1</translation>
+    </message>
+    <message>
+        <source>there is no export to “.%1”; there are %2</source>
+        <translation>「.%1」には書き出せません。使える形式は %2 です</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>書き出しをキャンセルしました。</translation>
+    </message>
+</context>
+<context>
+    <name>FbxRepair</name>
+    <message>
+        <source>this is no sound binary FBX file</source>
+        <translation>正しいバイナリ FBX ファイルではありません</translation>
+    </message>
+</context>
+<context>
+    <name>GrowTool</name>
+    <message>
+        <source>Press and hold: the tree grows until you let go.</source>
+        <translation>押している間、木が成長します。</translation>
+    </message>
+</context>
+<context>
+    <name>JournalCheck</name>
+    <message>
+        <source>its steps do not join those around it</source>
+        <translation>ステップが前後とつながりません</translation>
+    </message>
+    <message>
+        <source>its parameters do not join those around it</source>
+        <translation>パラメーターが前後とつながりません</translation>
+    </message>
+    <message>
+        <source>its births are out of order</source>
+        <translation>節間の生まれる順序が正しくありません</translation>
+    </message>
+    <message>
+        <source>it changes buds that were not there</source>
+        <translation>存在しなかった芽が変えられています</translation>
+    </message>
+    <message>
+        <source>it changes buds in a way that cannot be</source>
+        <translation>芽がありえない状態に変えられています</translation>
+    </message>
+    <message>
+        <source>it bends an internode that was not there</source>
+        <translation>存在しなかった節間が曲げられています</translation>
+    </message>
+    <message>
+        <source>it bends an internode in a way that cannot be</source>
+        <translation>節間がありえない形に曲げられています</translation>
+    </message>
+    <message>
+        <source>it sets a width in a way that cannot be</source>
+        <translation>ありえない太さが設定されています</translation>
+    </message>
+    <message>
+        <source>it changes an envelope in a way that cannot be</source>
+        <translation>外形がありえない形に変えられています</translation>
+    </message>
+    <message>
+        <source>it lets an internode die that did not</source>
+        <translation>枯れていない節間が枯れたことになっています</translation>
+    </message>
+    <message>
+        <source>it bears an internode that is not there</source>
+        <translation>存在しない節間が生まれています</translation>
+    </message>
+    <message>
+        <source>it bears an internode at another time</source>
+        <translation>節間が別の時点で生まれています</translation>
+    </message>
+    <message>
+        <source>it bears an internode after what grows on it</source>
+        <translation>節間が、その上に育つものより後に生まれています</translation>
+    </message>
+    <message>
+        <source>before it, an internode would live on a dead one</source>
+        <translation>その前の時点で、枯れた節間の上に節間が生きています</translation>
+    </message>
+    <message>
+        <source>before it, two internodes would continue the same axis</source>
+        <translation>その前の時点で、2 つの節間が同じ軸を継いでいます</translation>
+    </message>
+    <message>
+        <source>it changes the buds of a dead internode</source>
+        <translation>枯れた節間の芽が変えられています</translation>
+    </message>
+    <message>
+        <source>internode %1 has no beginning or no end in the history</source>
+        <translation>節間 %1 の始まりか終わりが履歴にありません</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>履歴のステップ %1</translation>
+    </message>
+    <message>
+        <source>the history</source>
+        <translation>履歴</translation>
+    </message>
+</context>
+<context>
+    <name>JsonReader</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>%1 MB を超えています</translation>
+    </message>
+    <message>
+        <source>it holds too many values</source>
+        <translation>値が多すぎます</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>%1 行目</translation>
+    </message>
+    <message>
+        <source>not valid JSON: %1</source>
+        <translation>正しい JSON ではありません: %1</translation>
+    </message>
+    <message>
+        <source>a JSON object is expected</source>
+        <translation>JSON オブジェクトが必要です</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2 is expected</source>
+        <translation>%1 から %2 までの整数が必要です</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2 is expected</source>
+        <translation>%1 から %2 までの数値が必要です</translation>
+    </message>
+    <message>
+        <source>a string is expected</source>
+        <translation>文字列が必要です</translation>
+    </message>
+    <message>
+        <source>a whole number of at most 64 bits is expected, from 2^53 on as a string of digits</source>
+        <translation>64 ビット以内の整数が必要です。2^53 以上は数字の文字列で書きます</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>オブジェクトが必要です</translation>
+    </message>
+    <message>
+        <source>an array is expected</source>
+        <translation>配列が必要です</translation>
+    </message>
+    <message>
+        <source>“%1” is not known here</source>
+        <translation>「%1」はここでは使えません</translation>
+    </message>
+</context>
+<context>
+    <name>Lasso</name>
+    <message>
+        <source>The lasso's drawing plane is not valid.</source>
+        <translation>投げ縄の描画面が正しくありません。</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>投げ縄</translation>
+    </message>
+    <message>
+        <source>There is no envelope to regrow.</source>
+        <translation>再成長させる外形がありません。</translation>
+    </message>
+    <message>
+        <source>Regrow</source>
+        <translation>再成長</translation>
+    </message>
+    <message>
+        <source>Remove Envelope</source>
+        <translation>外形の削除</translation>
+    </message>
+</context>
+<context>
+    <name>LassoTool</name>
+    <message>
+        <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
+        <translation>樹冠の輪郭を描くと、木がそれを満たします。枝から始めると、その奥行きに描きます</translation>
+    </message>
+</context>
+<context>
+    <name>OffscreenRenderer</name>
+    <message>
+        <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
+        <translation>OpenGL 3.3 を使えるディスプレイがないため、画像を描けません。仮想ディスプレイ (Xvfb) でもかまいません。</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels is too large; %3 along an edge is the most.</source>
+        <translation>%1 × %2 ピクセルの画像は大きすぎます。1 辺は %3 までです。</translation>
+    </message>
+</context>
+<context>
+    <name>Outputs</name>
+    <message>
+        <source>%1: the picture could not be packed</source>
+        <translation>%1: 画像を圧縮できませんでした</translation>
+    </message>
+</context>
+<context>
+    <name>Overlay</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>Parameters</name>
+    <message>
+        <source>Behind</source>
+        <translation>背後</translation>
+    </message>
+    <message>
+        <source>What stands behind the tree.</source>
+        <translation>木の後ろに見えるものです。</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Ground below the tree, with the tree's shadow.</source>
+        <translation>木の下の地面です。木の影が落ちます。</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>グリッド</translation>
+    </message>
+    <message>
+        <source>Lines on the ground, a metre apart.</source>
+        <translation>地面に 1 m 間隔で引いた線です。</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>影</translation>
+    </message>
+    <message>
+        <source>Shadows of the sun.</source>
+        <translation>太陽による影です。</translation>
+    </message>
+    <message>
+        <source>Show the sun</source>
+        <translation>太陽を表示</translation>
+    </message>
+    <message>
+        <source>Show the sun as a ball that you can drag about the tree.</source>
+        <translation>太陽を球で表示します。木のまわりをドラッグして動かせます。</translation>
+    </message>
+    <message>
+        <source>Pin the sun</source>
+        <translation>太陽を固定</translation>
+    </message>
+    <message>
+        <source>The sun stays where it is on the screen when the tree is turned; otherwise it turns with the tree.</source>
+        <translation>木を回しても太陽は画面上の位置にとどまります。オフでは木と一緒に回ります。</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
+        <translation>太陽の方向です。0° は木の手前、90° は右。固定した太陽では、見ている向きが基準です。</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>How high the sun stands above the horizon.</source>
+        <translation>地平線からの太陽の高さです。</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>How much of the picture is seen.</source>
+        <translation>下絵がどれだけ濃く見えるかです。</translation>
+    </message>
+    <message>
+        <source>How high the picture is.</source>
+        <translation>下絵の高さです。</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>右へ</translation>
+    </message>
+    <message>
+        <source>Where the picture's middle is beside the seedling.</source>
+        <translation>苗から見た下絵の中心の左右位置です。</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上へ</translation>
+    </message>
+    <message>
+        <source>Where the picture's middle is above the seedling.</source>
+        <translation>苗から見た下絵の中心の高さです。</translation>
+    </message>
+    <message>
+        <source>studio</source>
+        <translation>スタジオ</translation>
+    </message>
+    <message>
+        <source>horizon</source>
+        <translation>地平線</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation>無地</translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <translation>グラデーション</translation>
+    </message>
+    <message>
+        <source>Set-point angle</source>
+        <translation>設定角</translation>
+    </message>
+    <message>
+        <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
+        <translation>シュートの向かう角度です。0° は上、90° は水平、それ以上では枝垂れます。</translation>
+    </message>
+    <message>
+        <source>Gravitropic set-point angle: orthotropic at 0°, plagiotropic near 90°, positively gravitropic beyond.</source>
+        <translation>重力屈性の設定角。0° で直立性、90° 付近で斜生性、それを超えると正の重力屈性。</translation>
+    </message>
+    <message>
+        <source>Buds above and below</source>
+        <translation>上下の芽</translation>
+    </message>
+    <message>
+        <source>Vigour of the buds above and below a leaning branch.</source>
+        <translation>傾いた枝の上側と下側の芽の勢いです。</translation>
+    </message>
+    <message>
+        <source>Vertical semi-axis of the gravimorphic ellipse.</source>
+        <translation>重力形態形成の楕円の垂直半軸。</translation>
+    </message>
+    <message>
+        <source>Buds at the sides</source>
+        <translation>横の芽</translation>
+    </message>
+    <message>
+        <source>Vigour of the buds on the sides of a leaning branch.</source>
+        <translation>傾いた枝の横側の芽の勢いです。</translation>
+    </message>
+    <message>
+        <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
+        <translation>地面に平行な半軸。こちらが大きいと側方優勢 (アンフィトニー)。</translation>
+    </message>
+    <message>
+        <source>Upper or lower buds</source>
+        <translation>上下の芽の差</translation>
+    </message>
+    <message>
+        <source>Above 0 the buds on the upper side are stronger, as in fruit trees; below 0 those on the lower side.</source>
+        <translation>0 より上では果樹のように上側の芽が、0 より下では下側の芽が強くなります。</translation>
+    </message>
+    <message>
+        <source>Displacement of the ellipse: epitony above 0, hypotony below.</source>
+        <translation>楕円のずれ。0 より上で上側優勢 (エピトニー)、下で下側優勢 (ヒポトニー)。</translation>
+    </message>
+    <message>
+        <source>Branching angle</source>
+        <translation>分枝角</translation>
+    </message>
+    <message>
+        <source>Between a branch and what branches off it.</source>
+        <translation>枝と、そこから分かれる枝との間の角度です。</translation>
+    </message>
+    <message>
+        <source>Angle of insertion of a lateral bud on its axis.</source>
+        <translation>軸に対する側芽の着生角度。</translation>
+    </message>
+    <message>
+        <source>Deflection</source>
+        <translation>屈折</translation>
+    </message>
+    <message>
+        <source>How far an axis turns away from a branch that it bears: 0 keeps it straight, more makes it zigzag.</source>
+        <translation>枝を出すとき、軸が反対側へどれだけ向きを変えるかです。0 ではまっすぐ、大きいほどジグザグになります。</translation>
+    </message>
+    <message>
+        <source>The main axis yields to a lateral, as toward sympodial growth.</source>
+        <translation>主軸が側枝に譲る。仮軸分枝に近づく。</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>直進性</translation>
+    </message>
+    <message>
+        <source>How much a shoot keeps the direction that it has.</source>
+        <translation>シュートが今の向きをどれだけ保つかです。</translation>
+    </message>
+    <message>
+        <source>Weight of the heading H of the axis.</source>
+        <translation>軸の進行方向 H の重み。</translation>
+    </message>
+    <message>
+        <source>Tropism</source>
+        <translation>屈性</translation>
+    </message>
+    <message>
+        <source>How much a shoot turns toward the set-point angle.</source>
+        <translation>シュートがどれだけ設定角へ向かうかです。</translation>
+    </message>
+    <message>
+        <source>Weight of gravitropism T.</source>
+        <translation>重力屈性 T の重み。</translation>
+    </message>
+    <message>
+        <source>Free space</source>
+        <translation>空き空間</translation>
+    </message>
+    <message>
+        <source>How much a shoot turns toward where there is room.</source>
+        <translation>シュートがどれだけ空きのある方へ向かうかです。</translation>
+    </message>
+    <message>
+        <source>Weight of the environment E: the mean direction of the free space that a bud perceives.</source>
+        <translation>環境 E の重み。芽が知覚する空き空間の平均方向。</translation>
+    </message>
+    <message>
+        <source>Occupied radius</source>
+        <translation>占有半径</translation>
+    </message>
+    <message>
+        <source>Space around each bud that nothing else grows into, in internodes. More makes an airier crown.</source>
+        <translation>芽のまわりの、ほかの枝が入り込まない空間です (節間単位)。大きいほど樹冠が透きます。</translation>
+    </message>
+    <message>
+        <source>Radius of the zone of occupancy.</source>
+        <translation>占有領域の半径。</translation>
+    </message>
+    <message>
+        <source>Sight</source>
+        <translation>見通し</translation>
+    </message>
+    <message>
+        <source>How far beyond its own space a bud sees room to grow, in internodes.</source>
+        <translation>芽が自分の空間の先にある余地をどこまで見るかです (節間単位)。</translation>
+    </message>
+    <message>
+        <source>Depth of the volume of perception, which reaches to r + d.</source>
+        <translation>知覚領域の奥行き。領域は r + d まで届く。</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>視野角</translation>
+    </message>
+    <message>
+        <source>How far to the sides a bud sees room to grow.</source>
+        <translation>芽が余地を横方向にどこまで見るかです。</translation>
+    </message>
+    <message>
+        <source>Apex angle of the cone of perception.</source>
+        <translation>知覚円錐の頂角。</translation>
+    </message>
+    <message>
+        <source>Apical dominance</source>
+        <translation>頂芽優勢</translation>
+    </message>
+    <message>
+        <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
+        <translation>勢いの配分です。0.5 より上では針葉樹のように主軸に、下では低木のように枝に向かいます。</translation>
+    </message>
+    <message>
+        <source>Excurrent forms above 0.5, decurrent ones below.</source>
+        <translation>0.5 より上は主幹型、下は分散型の樹形。</translation>
+    </message>
+    <message>
+        <source>Light sensitivity</source>
+        <translation>光への感度</translation>
+    </message>
+    <message>
+        <source>How much more a bud in the light thrives than one in the shade.</source>
+        <translation>光の当たる芽が日陰の芽よりどれだけよく育つかです。</translation>
+    </message>
+    <message>
+        <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
+        <translation>光への応答の指数。陽樹では高く、陰樹では低い。</translation>
+    </message>
+    <message>
+        <source>Shedding</source>
+        <translation>落枝</translation>
+    </message>
+    <message>
+        <source>Branches with less vigour than this die: 0 keeps them all.</source>
+        <translation>勢いがこれより弱い枝は枯れます。0 ではすべて残ります。</translation>
+    </message>
+    <message>
+        <source>Threshold of cladoptosis: vigour per internode, relative to that of the whole tree.</source>
+        <translation>落枝のしきい値。木全体に対する、節間あたりの樹勢。</translation>
+    </message>
+    <message>
+        <source>Shoot length</source>
+        <translation>シュート長</translation>
+    </message>
+    <message>
+        <source>How many internodes the strongest shoot grows in one step.</source>
+        <translation>最も強いシュートが 1 ステップで伸ばす節間の数です。</translation>
+    </message>
+    <message>
+        <source>Metamers of the strongest shoot of a flush.</source>
+        <translation>1 回の伸長期に最も強いシュートがつくるメタマーの数。</translation>
+    </message>
+    <message>
+        <source>Phyllotaxis</source>
+        <translation>葉序</translation>
+    </message>
+    <message>
+        <source>Turn around the axis from one bud to the next: 137.5° is a spiral, 180° two rows, 90° crossed pairs.</source>
+        <translation>芽から次の芽まで軸のまわりを回る角度です。137.5° はらせん、180° は二列、90° は十字対生です。</translation>
+    </message>
+    <message>
+        <source>Divergence angle: spiral, distichous, decussate.</source>
+        <translation>開度。らせん、二列、十字対生。</translation>
+    </message>
+    <message>
+        <source>Follow the stroke</source>
+        <translation>ストロークに従う</translation>
+    </message>
+    <message>
+        <source>Shoots turn toward where the brush goes, instead of to the set-point angle.</source>
+        <translation>シュートが設定角ではなく、ブラシの進む方へ向かいます。</translation>
+    </message>
+    <message>
+        <source>The set-point angle is inferred from the direction of the stroke.</source>
+        <translation>設定角をストロークの方向から求める。</translation>
+    </message>
+    <message>
+        <source>Upright trunk</source>
+        <translation>幹を直立</translation>
+    </message>
+    <message>
+        <source>The trunk grows straight up, whatever the branches do.</source>
+        <translation>枝の向きにかかわらず、幹がまっすぐ上に伸びます。</translation>
+    </message>
+    <message>
+        <source>The axis of order 0 is orthotropic, as in most conifers.</source>
+        <translation>0 次の軸が直立性になる。多くの針葉樹と同じ。</translation>
+    </message>
+    <message>
+        <source>Internode</source>
+        <translation>節間</translation>
+    </message>
+    <message>
+        <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
+        <translation>節間 1 つの長さです。成長するものすべての物差しで、小さいほど細やかな木になります。</translation>
+    </message>
+    <message>
+        <source>Length of a metamer.</source>
+        <translation>メタマーの長さ。</translation>
+    </message>
+    <message>
+        <source>Buds at a node</source>
+        <translation>節ごとの芽</translation>
+    </message>
+    <message>
+        <source>One is alternate, two opposite, more a whorl, as in pines.</source>
+        <translation>1 は互生、2 は対生、それ以上はマツのような輪生です。</translation>
+    </message>
+    <message>
+        <source>Alternate, opposite or verticillate.</source>
+        <translation>互生、対生、輪生。</translation>
+    </message>
+    <message>
+        <source>Irregularity</source>
+        <translation>不規則さ</translation>
+    </message>
+    <message>
+        <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
+        <translation>角度と長さのばらつきです。0 は模式図のよう、1 は自然のままです。</translation>
+    </message>
+    <message>
+        <source>Variance of the angles and of the metamers.</source>
+        <translation>角度とメタマーの分散。</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>影の濃さ</translation>
+    </message>
+    <message>
+        <source>How much light one internode takes.</source>
+        <translation>1 つの節間がどれだけ光をさえぎるかです。</translation>
+    </message>
+    <message>
+        <source>Intensity of the penumbra that a metamer casts.</source>
+        <translation>メタマーが落とす半影の強さ。</translation>
+    </message>
+    <message>
+        <source>Shadow falloff</source>
+        <translation>影の減衰</translation>
+    </message>
+    <message>
+        <source>How fast a shadow fades on its way down.</source>
+        <translation>影が下へ向かってどれだけ早く薄れるかです。</translation>
+    </message>
+    <message>
+        <source>Base of its decay from layer to layer.</source>
+        <translation>層ごとの減衰の底。</translation>
+    </message>
+    <message>
+        <source>Shadow depth</source>
+        <translation>影の深さ</translation>
+    </message>
+    <message>
+        <source>How many layers below an internode its shadow reaches.</source>
+        <translation>節間の影が何層下まで届くかです。</translation>
+    </message>
+    <message>
+        <source>Height of the pyramid of shadow, in voxels.</source>
+        <translation>影のピラミッドの高さ (ボクセル単位)。</translation>
+    </message>
+    <message>
+        <source>Brush density</source>
+        <translation>ブラシの密度</translation>
+    </message>
+    <message>
+        <source>How much room to grow the brush spreads, in points per cubic internode. More makes denser growth.</source>
+        <translation>ブラシが広げる成長の余地です (節間の 3 乗あたりの点数)。大きいほど密に育ちます。</translation>
+    </message>
+    <message>
+        <source>Density of the markers of free space.</source>
+        <translation>空き空間のマーカーの密度。</translation>
+    </message>
+    <message>
+        <source>Brush memory</source>
+        <translation>ブラシの記憶</translation>
+    </message>
+    <message>
+        <source>Growth steps after which the room that the brush has spread is forgotten.</source>
+        <translation>ブラシが広げた余地が忘れられるまでの成長ステップ数です。</translation>
+    </message>
+    <message>
+        <source>Maximum age of a marker.</source>
+        <translation>マーカーの最大齢。</translation>
+    </message>
+    <message>
+        <source>Room at a bud</source>
+        <translation>芽の周囲の余地</translation>
+    </message>
+    <message>
+        <source>When the tree grows on its own: the room to grow that each bud finds around itself in each step.</source>
+        <translation>木が自然に成長するとき、各ステップで芽が自分のまわりに見つける余地です。</translation>
+    </message>
+    <message>
+        <source>Markers generated in each volume of perception.</source>
+        <translation>各知覚領域に生成するマーカーの数。</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>葉</translation>
+    </message>
+    <message>
+        <source>Whether the tree has any.</source>
+        <translation>木に葉をつけるかどうかです。</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>葉形</translation>
+    </message>
+    <message>
+        <source>The outline of a leaf.</source>
+        <translation>葉の輪郭です。</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>From the stalk to the tip.</source>
+        <translation>葉柄から先端までの長さです。</translation>
+    </message>
+    <message>
+        <source>Breadth</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Width by length.</source>
+        <translation>長さに対する幅の比です。</translation>
+    </message>
+    <message>
+        <source>Variation of size</source>
+        <translation>大きさのばらつき</translation>
+    </message>
+    <message>
+        <source>How much the sizes of leaves differ.</source>
+        <translation>葉の大きさのばらつきです。</translation>
+    </message>
+    <message>
+        <source>At a node</source>
+        <translation>節ごとの数</translation>
+    </message>
+    <message>
+        <source>How many leaves grow together.</source>
+        <translation>まとまってつく葉の枚数です。</translation>
+    </message>
+    <message>
+        <source>How far inward</source>
+        <translation>内側まで</translation>
+    </message>
+    <message>
+        <source>Branches that carry more twigs than this are bare.</source>
+        <translation>これより多くの小枝をつけた枝には葉がつきません。</translation>
+    </message>
+    <message>
+        <source>Only near the tips</source>
+        <translation>枝先のみ</translation>
+    </message>
+    <message>
+        <source>Leaves grow so many internodes down from the tip of a shoot, and no further.</source>
+        <translation>葉はシュートの先からこの数の節間までにつき、それより下にはつきません。</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Between a shoot and the leaf's stalk.</source>
+        <translation>シュートと葉柄の間の角度です。</translation>
+    </message>
+    <message>
+        <source>Droop</source>
+        <translation>垂れ</translation>
+    </message>
+    <message>
+        <source>How far leaves hang down.</source>
+        <translation>葉がどれだけ垂れるかです。</translation>
+    </message>
+    <message>
+        <source>Toward the sky</source>
+        <translation>葉の上向き</translation>
+    </message>
+    <message>
+        <source>How far leaves turn their faces up.</source>
+        <translation>葉がどれだけ表を上に向けるかです。</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>色相</translation>
+    </message>
+    <message>
+        <source>0° is red, 60° yellow, 120° green.</source>
+        <translation>0° は赤、60° は黄、120° は緑です。</translation>
+    </message>
+    <message>
+        <source>Variation of hue</source>
+        <translation>色相のばらつき</translation>
+    </message>
+    <message>
+        <source>How much the colours of leaves differ.</source>
+        <translation>葉の色のばらつきです。</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>彩度</translation>
+    </message>
+    <message>
+        <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
+        <translation>色の鮮やかさです。低くすると花や銀色の葉になります。</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>明るさ</translation>
+    </message>
+    <message>
+        <source>How light the leaves are.</source>
+        <translation>葉の明るさです。</translation>
+    </message>
+    <message>
+        <source>Yellowing</source>
+        <translation>黄葉</translation>
+    </message>
+    <message>
+        <source>How far the leaves of weak shoots turn toward yellow and red.</source>
+        <translation>弱いシュートの葉がどれだけ黄や赤に近づくかです。</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>指数</translation>
+    </message>
+    <message>
+        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <translation>枝の合流点で太さをどう足し合わせるかです。2 はレオナルドの法則で、小さいほど幹が太くなります。</translation>
+    </message>
+    <message>
+        <source>Tips</source>
+        <translation>枝先</translation>
+    </message>
+    <message>
+        <source>Diameter of the thinnest twigs.</source>
+        <translation>最も細い小枝の直径です。</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>根元</translation>
+    </message>
+    <message>
+        <source>Diameter of the trunk at the ground; at 0 it follows from the exponent.</source>
+        <translation>地際での幹の直径です。0 では指数から決まります。</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自動</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>根張り</translation>
+    </message>
+    <message>
+        <source>How much the trunk spreads where it meets the ground.</source>
+        <translation>幹が地際でどれだけ広がるかです。</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種類</translation>
+    </message>
+    <message>
+        <source>What the bark looks like.</source>
+        <translation>樹皮の見た目です。</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>スケール</translation>
+    </message>
+    <message>
+        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <translation>樹皮の模様が繰り返すまでの幹の長さです。</translation>
+    </message>
+    <message>
+        <source>Gravimorphism</source>
+        <translation>重力形態形成</translation>
+    </message>
+    <message>
+        <source>Branching</source>
+        <translation>分枝</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空間</translation>
+    </message>
+    <message>
+        <source>Vigour</source>
+        <translation>樹勢</translation>
+    </message>
+    <message>
+        <source>Habit</source>
+        <translation>習性</translation>
+    </message>
+    <message>
+        <source>Shoot</source>
+        <translation>シュート</translation>
+    </message>
+    <message>
+        <source>Shade</source>
+        <translation>日陰</translation>
+    </message>
+    <message>
+        <source>Room to grow</source>
+        <translation>成長の余地</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>形</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>付き方</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>太さ</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>樹皮</translation>
+    </message>
+    <message>
+        <source>ovate</source>
+        <translation>卵形</translation>
+    </message>
+    <message>
+        <source>lanceolate</source>
+        <translation>披針形</translation>
+    </message>
+    <message>
+        <source>lobed</source>
+        <translation>浅裂</translation>
+    </message>
+    <message>
+        <source>needles</source>
+        <translation>針葉</translation>
+    </message>
+    <message>
+        <source>furrowed</source>
+        <translation>縦溝</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>plated</source>
+        <translation>亀甲状</translation>
+    </message>
+    <message>
+        <source>birch</source>
+        <translation>シラカバ</translation>
+    </message>
+    <message>
+        <source>cordate</source>
+        <translation>心形</translation>
+    </message>
+    <message>
+        <source>palmate</source>
+        <translation>掌状</translation>
+    </message>
+    <message>
+        <source>pinnate</source>
+        <translation>羽状</translation>
+    </message>
+    <message>
+        <source>willow</source>
+        <translation>ヤナギ葉</translation>
+    </message>
+    <message>
+        <source>fascicle</source>
+        <translation>針葉束</translation>
+    </message>
+    <message>
+        <source>frond</source>
+        <translation>ヤシ葉</translation>
+    </message>
+    <message>
+        <source>cherry</source>
+        <translation>サクラ</translation>
+    </message>
+    <message>
+        <source>mottled</source>
+        <translation>まだら</translation>
+    </message>
+    <message>
+        <source>fibrous</source>
+        <translation>繊維状</translation>
+    </message>
+    <message>
+        <source>ringed</source>
+        <translation>環状</translation>
+    </message>
+</context>
+<context>
+    <name>ParametersJson</name>
+    <message>
+        <source>true or false is expected</source>
+        <translation>true か false が必要です</translation>
+    </message>
+    <message>
+        <source>one of these is expected: %1</source>
+        <translation>次のいずれかが必要です: %1</translation>
+    </message>
+    <message>
+        <source>a whole number is expected</source>
+        <translation>整数が必要です</translation>
+    </message>
+    <message>
+        <source>a number is expected</source>
+        <translation>数値が必要です</translation>
+    </message>
+    <message>
+        <source>%1 is not within %2…%3</source>
+        <translation>%1 は %2…%3 の範囲外です</translation>
+    </message>
+    <message>
+        <source>axisWeight, tropismWeight and spaceWeight must not all be 0</source>
+        <translation>axisWeight、tropismWeight、spaceWeight をすべて 0 にはできません</translation>
+    </message>
+    <message>
+        <source>it must not be beyond 0.99 times ellipseVertical, which is %1</source>
+        <translation>ellipseVertical の 0.99 倍、つまり %1 を超えられません</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>オブジェクトが必要です</translation>
+    </message>
+    <message>
+        <source>there is no such parameter</source>
+        <translation>そのようなパラメーターはありません</translation>
+    </message>
+</context>
+<context>
+    <name>Program</name>
+    <message>
+        <source>%1; see espalier --help</source>
+        <translation>%1。espalier --help をご覧ください</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectFile</name>
+    <message>
+        <source>pairs of an internode and a diameter are expected</source>
+        <translation>節間と直径の組が必要です</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>オブジェクトが必要です</translation>
+    </message>
+    <message>
+        <source>it does not describe an Espalier project</source>
+        <translation>Espalier のプロジェクトではありません</translation>
+    </message>
+    <message>
+        <source>Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads versions up to %4</source>
+        <translation>Espalier %1 が形式バージョン %2 で書いたファイルです。この Espalier %3 が読めるのはバージョン %4 までです</translation>
+    </message>
+    <message>
+        <source>1 to %1 sets are expected</source>
+        <translation>1 から %1 組までが必要です</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>節間 %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>%1 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>the lassos</source>
+        <translation>投げ縄</translation>
+    </message>
+    <message>
+        <source>their parts do not add up</source>
+        <translation>各部分のつじつまが合いません</translation>
+    </message>
+    <message>
+        <source>the history</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>its parts do not add up</source>
+        <translation>各部分のつじつまが合いません</translation>
+    </message>
+    <message>
+        <source>the tree or its history is too large for a project file</source>
+        <translation>木またはその履歴が大きすぎて、プロジェクトファイルに収まりません</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 GB</source>
+        <translation>%1 GB を超えています</translation>
+    </message>
+</context>
+<context>
+    <name>PruneTool</name>
+    <message>
+        <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
+        <translation>枝をタップして切り落とすか、落とす枝を横切る線を引きます</translation>
+    </message>
+</context>
+<context>
+    <name>Recipe</name>
+    <message>
+        <source>there is no such bud</source>
+        <translation>そのような芽はありません</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>オブジェクトが必要です</translation>
+    </message>
+    <message>
+        <source>a number other than 0 is expected</source>
+        <translation>0 以外の数値が必要です</translation>
+    </message>
+    <message>
+        <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
+        <translation>「%1」という操作はありません。使えるのは setParameters、brushStroke、grow、prune、travel、undo、redo、bend、setWidth、lasso、regrow、removeLasso です</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>a stroke has at least one sample</source>
+        <translation>ストロークには 1 つ以上のサンプルが必要です</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 samples</source>
+        <translation>レシピのサンプルは %1 個までです</translation>
+    </message>
+    <message>
+        <source>three numbers within ±%1 are expected</source>
+        <translation>±%1 以内の 3 つの数値が必要です</translation>
+    </message>
+    <message>
+        <source>right and up must have length 1 and be at right angles</source>
+        <translation>right と up は長さ 1 で、互いに直交する必要があります</translation>
+    </message>
+    <message>
+        <source>a lasso has at least three points</source>
+        <translation>投げ縄には 3 点以上が必要です</translation>
+    </message>
+    <message>
+        <source>two numbers within ±%1 are expected, right and up, in m</source>
+        <translation>±%1 以内の 2 つの数値 (右と上、m 単位) が必要です</translation>
+    </message>
+    <message>
+        <source>1 to %1 internodes are expected</source>
+        <translation>1 から %1 個までの節間が必要です</translation>
+    </message>
+    <message>
+        <source>a list of internodes' numbers is expected</source>
+        <translation>節間の番号のリストが必要です</translation>
+    </message>
+    <message>
+        <source>an array of five numbers is expected: time, x, y, z, radius</source>
+        <translation>5 つの数値の配列が必要です: 時間、x、y、z、半径</translation>
+    </message>
+    <message>
+        <source>the time is not within 0…%1 s</source>
+        <translation>時間が 0…%1 秒の範囲外です</translation>
+    </message>
+    <message>
+        <source>the time does not go forwards</source>
+        <translation>時間が前に進んでいません</translation>
+    </message>
+    <message>
+        <source>a coordinate is not within ±%1 m</source>
+        <translation>座標が ±%1 m の範囲外です</translation>
+    </message>
+    <message>
+        <source>the radius is not within 0…%1 m</source>
+        <translation>半径が 0…%1 m の範囲外です</translation>
+    </message>
+    <message>
+        <source>a bend has from 1 to %1 handles</source>
+        <translation>曲げのハンドルは 1 から %1 個までです</translation>
+    </message>
+    <message>
+        <source>an array of three numbers within ±%1 is expected</source>
+        <translation>±%1 以内の 3 つの数値の配列が必要です</translation>
+    </message>
+    <message>
+        <source>there is no view “%1”; there are front, side, top and three-quarter</source>
+        <translation>「%1」という視点はありません。使えるのは front、side、top、three-quarter です</translation>
+    </message>
+    <message>
+        <source>this is no recipe: one begins with “%1”: %2</source>
+        <translation>レシピではありません。レシピは「%1」: %2 で始まります</translation>
+    </message>
+    <message>
+        <source>the recipe is of version %1, this program reads versions up to %2</source>
+        <translation>レシピはバージョン %1 ですが、このプログラムが読めるのはバージョン %2 までです</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 operations</source>
+        <translation>レシピの操作は %1 個までです</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeTool</name>
+    <message>
+        <source>A recipe is playing; Escape hands the brush to you.</source>
+        <translation>レシピを再生中です。Esc を押すとブラシを受け取れます。</translation>
+    </message>
+</context>
+<context>
+    <name>SelectBudTool</name>
+    <message>
+        <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
+        <translation>芽をタップすると、その芽だけが成長します。木の外をタップすると、すべての芽に戻ります</translation>
+    </message>
+</context>
+<context>
+    <name>SunTool</name>
+    <message>
+        <source>%1° high</source>
+        <translation>高さ %1°</translation>
+    </message>
+    <message>
+        <source>Drag the sun about the tree.</source>
+        <translation>太陽を木のまわりでドラッグします。</translation>
+    </message>
+</context>
+<context>
+    <name>WidthTool</name>
+    <message>
+        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <translation>枝をタップして太さを固定し、ハンドルの端をドラッグして変えます</translation>
+    </message>
+</context>
+<context>
+    <name>ZipArchive</name>
+    <message>
+        <source>the archive could not be packed: %1</source>
+        <translation>アーカイブを作成できませんでした: %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>壊れています</translation>
+    </message>
+    <message>
+        <source>it is no project file, or a damaged one (%1)</source>
+        <translation>プロジェクトファイルではないか、壊れています (%1)</translation>
+    </message>
+    <message>
+        <source>it is no project file: it is empty</source>
+        <translation>プロジェクトファイルではありません。中身が空です</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, but %2 are expected</source>
+        <translation>%1 バイトですが、%2 バイトのはずです</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>%1 バイトを超えています</translation>
+    </message>
+</context>
+<context>
+    <name>espalier</name>
+    <message>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです ("%2" は使えません)</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
+        <translation>%1: 出力の形式は拡張子で決まります。使えるのは .espalier .obj .fbx .glb .csv です</translation>
+    </message>
+    <message>
+        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <translation>--camera は front、side、top、three-quarter のいずれかです ("%1" は使えません)</translation>
+    </message>
+    <message>
+        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <translation>--threads は 1 から %1 までの数値です ("%2" は使えません)</translation>
+    </message>
+    <message>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <translation>--seed は 0 から 18446744073709551615 までの整数です ("%1" は使えません)</translation>
+    </message>
+    <message>
+        <source>%1 knows no option %2</source>
+        <translation>%1 に %2 というオプションはありません</translation>
+    </message>
+    <message>
+        <source>%1 wants no value</source>
+        <translation>%1 に値は付けられません</translation>
+    </message>
+    <message>
+        <source>%1 wants a value after it</source>
+        <translation>%1 の後に値が必要です</translation>
+    </message>
+    <message>
+        <source>--transparent wants --png FILE</source>
+        <translation>--transparent には --png FILE が必要です</translation>
+    </message>
+    <message>
+        <source>--ground-shadow wants --transparent</source>
+        <translation>--ground-shadow には --transparent が必要です</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe</source>
+        <translation>replay には 1 つ以上のレシピが必要です</translation>
+    </message>
+    <message>
+        <source>%1 wants one project</source>
+        <translation>%1 にはプロジェクトを 1 つ指定します</translation>
+    </message>
+    <message>
+        <source>render wants --png FILE</source>
+        <translation>render には --png FILE が必要です</translation>
+    </message>
+    <message>
+        <source>info wants one file</source>
+        <translation>info にはファイルを 1 つ指定します</translation>
+    </message>
+    <message>
+        <source>a window shows one file, so what is "%1"?</source>
+        <translation>1 つのウィンドウで開けるファイルは 1 つです。"%1" は余分です</translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and
+textures) or .csv (skeleton).
+Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation>Espalier: ブラシで木を描きます。
+
+espalier [PROJECT]
+    ウィンドウを開きます。
+
+espalier --demo [RECIPE]
+    ウィンドウを開いて木を 1 本描きます。その木は自由に使えます。
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N]
+    ウィンドウなしでレシピを実行し、結果を書き出します。
+    レシピが複数あるときは、それぞれが前の木の続きになります。シードは
+    最初のレシピのものを使い、パラメーターは各レシピの最初に切り替わります。
+
+espalier export PROJECT [-o OUT]...
+    プロジェクトをほかの形式で書き出します。
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    画像を保存します。ディスプレイが必要ですが、仮想のものでかまいません。
+    --transparent: 木だけを、ストレートアルファで保存します。
+    --ground-shadow を付けると、影が半透明の黒で残ります。
+
+espalier info FILE
+    プロジェクトの内容を JSON で表示します。
+
+espalier --help, --version
+
+OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉とテクスチャを
+含むメッシュ)、.csv (骨格) のいずれかです。
+終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
+正しくないときは 3、出力を書き込めないときは 4 です。
+</translation>
+    </message>
+    <message>
+        <source>its parent does not come before it</source>
+        <translation>親がそれより前にありません</translation>
+    </message>
+    <message>
+        <source>its rotation is not one</source>
+        <translation>回転の値が正しくありません</translation>
+    </message>
+    <message>
+        <source>its length is out of range</source>
+        <translation>長さが範囲外です</translation>
+    </message>
+    <message>
+        <source>its vigour is out of range</source>
+        <translation>樹勢が範囲外です</translation>
+    </message>
+    <message>
+        <source>it grows from a bud that does not exist</source>
+        <translation>存在しない芽から伸びています</translation>
+    </message>
+    <message>
+        <source>it has a bud that does not exist</source>
+        <translation>存在しない芽があります</translation>
+    </message>
+    <message>
+        <source>it is neither there nor away</source>
+        <translation>有無がはっきりしません</translation>
+    </message>
+    <message>
+        <source>its parameters are missing</source>
+        <translation>パラメーターがありません</translation>
+    </message>
+    <message>
+        <source>it was born in the future</source>
+        <translation>未来に生まれています</translation>
+    </message>
+    <message>
+        <source>it died before it was born</source>
+        <translation>生まれる前に枯れています</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ArchitecturePanel</name>
+    <message>
+        <source>Architecture</source>
+        <translation>樹形</translation>
+    </message>
+    <message>
+        <source>More ›</source>
+        <translation>詳細 ›</translation>
+    </message>
+    <message>
+        <source>The rest of what steers growth: shoots, shade, room to grow</source>
+        <translation>成長を左右する残りの項目: シュート、日陰、成長の余地</translation>
+    </message>
+    <message>
+        <source>‹ Less</source>
+        <translation>‹ 簡易</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BackgroundPanel</name>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>The colour, or that at the lower edge.</source>
+        <translation>背景の色、または下端の色です。</translation>
+    </message>
+    <message>
+        <source>The colour at the upper edge.</source>
+        <translation>上端の色です。</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>太陽</translation>
+    </message>
+    <message>
+        <source>Picture to draw after</source>
+        <translation>下絵</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選択…</translation>
+    </message>
+    <message>
+        <source>Choose a picture to show behind the tree, so that you can draw after it.</source>
+        <translation>木の後ろに表示する下絵を選びます。なぞって描けます。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Show no picture behind the tree.</source>
+        <translation>木の後ろに下絵を表示しません。</translation>
+    </message>
+    <message>
+        <source>Picture to Draw After</source>
+        <translation>下絵</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>Lower colour</source>
+        <translation>下の色</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>色</translation>
+    </message>
+    <message>
+        <source>Upper colour</source>
+        <translation>上の色</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>%1 を読み込めません。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BendPopOut</name>
+    <message>
+        <source>Bending</source>
+        <translation>曲げにくさ</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
+        <translation>&lt;b&gt;曲げにくさ&lt;/b&gt;&lt;br&gt;枝がどれだけ曲げに逆らうかです。硬い枝はゆるやかな弧を描き、そのぶん早く引き伸ばされます。</translation>
+    </message>
+    <message>
+        <source>Stretching</source>
+        <translation>伸びにくさ</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
+        <translation>&lt;b&gt;伸びにくさ&lt;/b&gt;&lt;br&gt;枝がどれだけ伸びに逆らうかです。長さを保つか、手に遠くまでついてくるかが決まります。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BranchingDiagram</name>
+    <message>
+        <source>zigzag</source>
+        <translation>ジグザグ</translation>
+    </message>
+    <message>
+        <source>acute</source>
+        <translation>鋭角</translation>
+    </message>
+    <message>
+        <source>spreading</source>
+        <translation>開出</translation>
+    </message>
+    <message>
+        <source>reflexed</source>
+        <translation>反曲</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BrushPopOut</name>
+    <message>
+        <source>Pressure</source>
+        <translation>筆圧</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>マーカー</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
+        <translation>&lt;b&gt;ブラシの半径&lt;/b&gt; [ ]&lt;br&gt;大きいブラシは通った空間に樹冠を育て、ゼロに近いとストロークどおりに 1 本の枝を描きます。</translation>
+    </message>
+    <message>
+        <source>A pen's pressure scales the brush.</source>
+        <translation>筆圧でブラシの大きさを変えます。</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <translation>ブラシが散らし、シュートが目指す空き空間の点を表示します。</translation>
+    </message>
+    <message>
+        <source>%L1 m</source>
+        <translation>%L1 m</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>draws a branch</source>
+        <translation>枝を描きます</translation>
+    </message>
+    <message>
+        <source>grows a crown</source>
+        <translation>樹冠を育てます</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::DirectionDiagram</name>
+    <message>
+        <source>Weights of direction</source>
+        <translation>方向の重み</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>均衡</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>直進</translation>
+    </message>
+    <message>
+        <source>tropism</source>
+        <translation>屈性</translation>
+    </message>
+    <message>
+        <source>free space</source>
+        <translation>空き空間</translation>
+    </message>
+    <message>
+        <source>H straight on</source>
+        <translation>H 直進</translation>
+    </message>
+    <message>
+        <source>T tropism</source>
+        <translation>T 屈性</translation>
+    </message>
+    <message>
+        <source>E space</source>
+        <translation>E 空間</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::DocumentFile</name>
+    <message>
+        <source>Untitled</source>
+        <translation>無題</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::FileController</name>
+    <message>
+        <source>Binary glTF</source>
+        <translation>バイナリ glTF</translation>
+    </message>
+    <message>
+        <source>FBX</source>
+        <translation>FBX</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Skeleton as a table</source>
+        <translation>骨格の表</translation>
+    </message>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>保存できませんでした。%1</translation>
+    </message>
+    <message>
+        <source>The tree cannot be kept safe from a crash: %1</source>
+        <translation>クラッシュに備えた控えを保存できません: %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
+        <translation>木とレシピ (*.espalier *.json);;木 (*.espalier);;レシピ (*.json);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 を保存中</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Trees (*.espalier)</source>
+        <translation>木 (*.espalier)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>書き出し</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 を書き出し中</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 を書き出しました</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 は書き出されませんでした。</translation>
+    </message>
+    <message>
+        <source>Not exported. %1</source>
+        <translation>書き出せませんでした。%1</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 を保存しました</translation>
+    </message>
+    <message>
+        <source>Espalier</source>
+        <translation>Espalier</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 には保存していない変更があります。</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>未保存の木</translation>
+    </message>
+    <message>
+        <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
+        <translation>Espalier が予期せず終了しました。%1 を元の状態に復元できます。</translation>
+    </message>
+    <message>
+        <source>Bring Back</source>
+        <translation>復元</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>破棄</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>Forget Them</source>
+        <translation>一覧を消去</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::GravimorphismDiagram</name>
+    <message>
+        <source>all alike</source>
+        <translation>均等</translation>
+    </message>
+    <message>
+        <source>amphitony</source>
+        <translation>側方優勢</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>上下優勢</translation>
+    </message>
+    <message>
+        <source>epitony</source>
+        <translation>上側優勢</translation>
+    </message>
+    <message>
+        <source>hypotony</source>
+        <translation>下側優勢</translation>
+    </message>
+    <message>
+        <source>side %1</source>
+        <translation>横 %1</translation>
+    </message>
+    <message>
+        <source>above %1 · below %2</source>
+        <translation>上 %1 · 下 %2</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::GrowPopOut</name>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
+        <translation>左へ: すべての操作をさかのぼり、木の成長が巻き戻ります。右へ: 元に戻り、目印を越えると成長します。</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>再生</translation>
+    </message>
+    <message>
+        <source>Play what happened from here on, or all of it</source>
+        <translation>ここから先の、または全体の経過を再生します</translation>
+    </message>
+    <message>
+        <source>Hold to grow</source>
+        <translation>押して成長</translation>
+    </message>
+    <message>
+        <source>A tap grows one step; hold to grow on. One hold is one undo step.</source>
+        <translation>タップで 1 ステップ成長し、押し続けると成長し続けます。1 回の長押しが、元に戻すときの 1 回分です。</translation>
+    </message>
+    <message>
+        <source>Steps to grow</source>
+        <translation>成長ステップ数</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>ステップ</translation>
+    </message>
+    <message>
+        <source>Grow that many steps, as one undo step. Escape stops.</source>
+        <translation>この数だけ成長します。元に戻すときは 1 回分です。Esc で止まります。</translation>
+    </message>
+    <message>
+        <source>step %L1</source>
+        <translation>ステップ %L1</translation>
+    </message>
+    <message>
+        <source>step %L1, %L2 edits and steps back</source>
+        <translation>ステップ %L1、%L2 手ぶん前</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HelpPage</name>
+    <message>
+        <source>Page of the help</source>
+        <translation>ヘルプのページ</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HelpPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>戻る</translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation>前のページに戻る</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目次</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>ヘルプを閉じる</translation>
+    </message>
+    <message>
+        <source>Close the help (Esc)</source>
+        <translation>ヘルプを閉じる (Esc)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Search in the help</source>
+        <translation>ヘルプを検索</translation>
+    </message>
+    <message>
+        <source>Pages of the help</source>
+        <translation>ヘルプのページ一覧</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>ヘルプ</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>案内を見る</translation>
+    </message>
+    <message>
+        <source>Play this recipe</source>
+        <translation>このレシピを再生</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>見つかりません</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>履歴</translation>
+    </message>
+    <message>
+        <source>Seedling</source>
+        <translation>苗</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LassoPopOut</name>
+    <message>
+        <source>Regrow</source>
+        <translation>再成長</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>削除</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>ここで停止</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>外形</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>マーカー</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you did to it since goes.</source>
+        <translation>&lt;b&gt;再成長&lt;/b&gt;&lt;br&gt;外形を描く前の状態まで木を戻し、今のパラメーターで外形をもう一度満たします。その後に加えた操作は失われます。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Remove&lt;/b&gt;&lt;br&gt;Take the envelope away; the tree stays as it grew.</source>
+        <translation>&lt;b&gt;削除&lt;/b&gt;&lt;br&gt;外形を取り除きます。木は育ったまま残ります。</translation>
+    </message>
+    <message>
+        <source>Keep what has grown. Escape takes it back instead.</source>
+        <translation>ここまで育ったものを残します。Esc では取り消します。</translation>
+    </message>
+    <message>
+        <source>Show the envelope.</source>
+        <translation>外形を表示します。</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the tree grows into.</source>
+        <translation>木が伸びていく空き空間の点を表示します。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::MainWindow</name>
+    <message>
+        <source>The tree has no more room to grow in.</source>
+        <translation>木にはもう成長の余地がありません。</translation>
+    </message>
+    <message>
+        <source>%1[*] – Espalier</source>
+        <translation>%1[*] – Espalier</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Notice</name>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PerceptionDiagram</name>
+    <message>
+        <source>dense</source>
+        <translation>密</translation>
+    </message>
+    <message>
+        <source>ordinary</source>
+        <translation>標準</translation>
+    </message>
+    <message>
+        <source>airy</source>
+        <translation>疎</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RadiusSlider</name>
+    <message>
+        <source>Brush radius</source>
+        <translation>ブラシの半径</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RotationStrip</name>
+    <message>
+        <source>Rotation strip</source>
+        <translation>回転バー</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TopBar</name>
+    <message>
+        <source>Menu</source>
+        <translation>メニュー</translation>
+    </message>
+    <message>
+        <source>Open Recent</source>
+        <translation>最近使ったファイル</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>%1 には保存していない変更があります。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Tour</name>
+    <message>
+        <source>Brush a tree</source>
+        <translation>木を描く</translation>
+    </message>
+    <message>
+        <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
+        <translation>ここに苗があります。&lt;b&gt;苗の上で押し、上へゆっくりドラッグ&lt;/b&gt;します。気に入ったところで離してください。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
+        <translation>&lt;b&gt;枝の上で押し、外へゆっくりドラッグ&lt;/b&gt;します。気に入ったところで離してください。</translation>
+    </message>
+    <message>
+        <source>Large and small</source>
+        <translation>大きく、小さく</translation>
+    </message>
+    <message>
+        <source>A large brush grows a crown, a tiny one draws a single branch. &lt;b&gt;Draw the slider, or press&amp;nbsp;[&amp;nbsp;and&amp;nbsp;]&lt;/b&gt;.</source>
+        <translation>大きいブラシは樹冠を育て、ごく小さいブラシは 1 本の枝を描きます。&lt;b&gt;スライダーをドラッグするか、[&amp;nbsp;と&amp;nbsp;]&amp;nbsp;を押して&lt;/b&gt;みてください。</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
+        <translation>剪定、曲げ、投げ縄など、庭師の道具がそろっています。&lt;b&gt;「成長」を選んで&lt;/b&gt;ください。</translation>
+    </message>
+    <message>
+        <source>Back in time</source>
+        <translation>時間をさかのぼる</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
+        <translation>&lt;b&gt;このスライダーを左へドラッグ&lt;/b&gt;すると木の成長が巻き戻り、右へドラッグすると元に戻って、さらに成長します。</translation>
+    </message>
+    <message>
+        <source>All around</source>
+        <translation>ぐるりと見る</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
+        <translation>&lt;b&gt;この端に沿ってドラッグ&lt;/b&gt;すると木が回ります。もう一方の手で描いている間も使えます。マウスの右ボタンでも回せます。</translation>
+    </message>
+    <message>
+        <source>When you wonder</source>
+        <translation>迷ったときは</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
+        <translation>&lt;b&gt;F1&lt;/b&gt; かこのボタンで、手にしているツールの説明が開きます。&lt;b&gt;Ctrl+Z&lt;/b&gt; で何でも元に戻せるので、気軽に試してください。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TourCard</name>
+    <message>
+        <source>Skip</source>
+        <translation>スキップ</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>ツアー</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>次へ</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Tree</name>
+    <message>
+        <source>the columns of the tree have different lengths</source>
+        <translation>木のデータ列の長さがそろっていません</translation>
+    </message>
+    <message>
+        <source>the tree is empty or lacks its parameters</source>
+        <translation>木が空か、パラメーターがありません</translation>
+    </message>
+    <message>
+        <source>the seedling must stand at the base</source>
+        <translation>苗は根元になければなりません</translation>
+    </message>
+    <message>
+        <source>it lives on a dead internode</source>
+        <translation>枯れた節間の上に生きています</translation>
+    </message>
+    <message>
+        <source>two internodes continue the same axis</source>
+        <translation>2 つの節間が同じ軸を継いでいます</translation>
+    </message>
+    <message>
+        <source>internode %1: %2</source>
+        <translation>節間 %1: %2</translation>
+    </message>
+    <message>
+        <source>width %1 cannot be</source>
+        <translation>太さ %1 の内容が正しくありません</translation>
+    </message>
+    <message>
+        <source>lasso %1 cannot be</source>
+        <translation>投げ縄 %1 の内容が正しくありません</translation>
+    </message>
+    <message>
+        <source>the lassos in force are out of order</source>
+        <translation>有効な投げ縄の順序が正しくありません</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TropismDiagram</name>
+    <message>
+        <source>as the stroke</source>
+        <translation>ストローク通り</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>直立</translation>
+    </message>
+    <message>
+        <source>slanting</source>
+        <translation>斜め</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>weeping</source>
+        <translation>枝垂れ</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Viewport</name>
+    <message>
+        <source>Tree</source>
+        <translation>木</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Workspace</name>
+    <message>
+        <source>Only one branch grows  ✕</source>
+        <translation>1 本の枝だけ成長  ✕</translation>
+    </message>
+    <message>
+        <source>Let all buds grow again</source>
+        <translation>すべての芽を再び成長させます</translation>
+    </message>
+    <message>
+        <source>a seedling</source>
+        <translation>苗</translation>
+    </message>
+    <message>
+        <source>%L1 internodes · %L2 leaves · step %L3</source>
+        <translation>節間 %L1 · 葉 %L2 · ステップ %L3</translation>
+    </message>
+</context>
+</TS>

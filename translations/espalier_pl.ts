@@ -1,0 +1,2534 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="pl_PL" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>New</source>
+        <translation>Nowy</translation>
+    </message>
+    <message>
+        <source>Start with a seedling.</source>
+        <translation>Zaczyna od siewki.</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Otwórz…</translation>
+    </message>
+    <message>
+        <source>Open a project or a recipe.</source>
+        <translation>Otwiera projekt lub przepis.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Zapisz</translation>
+    </message>
+    <message>
+        <source>Save the project.</source>
+        <translation>Zapisuje projekt.</translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation>Zapisz jako…</translation>
+    </message>
+    <message>
+        <source>Save the project under another name.</source>
+        <translation>Zapisuje projekt pod inną nazwą.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Eksportuj…</translation>
+    </message>
+    <message>
+        <source>Write the tree for other programs: GLB, FBX, OBJ, or its skeleton as CSV.</source>
+        <translation>Zapisuje drzewo dla innych programów: GLB, FBX, OBJ albo jego szkielet jako CSV.</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Zakończ</translation>
+    </message>
+    <message>
+        <source>Leave Espalier.</source>
+        <translation>Kończy pracę z programem Espalier.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Cofnij</translation>
+    </message>
+    <message>
+        <source>Take back what you did last.</source>
+        <translation>Cofa ostatnią czynność.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Ponów</translation>
+    </message>
+    <message>
+        <source>Do again what you took back.</source>
+        <translation>Wykonuje ponownie to, co cofnięto.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pędzel</translation>
+    </message>
+    <message>
+        <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
+        <translation>Przeciągnąć od drzewa na zewnątrz: wrasta ono w przestrzeń, którą przechodzi pędzel.</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wzrost</translation>
+    </message>
+    <message>
+        <source>Press anywhere and hold: the tree grows on its own, competing for light and space.</source>
+        <translation>Nacisnąć w dowolnym miejscu i przytrzymać: drzewo rośnie samo, walcząc o światło i miejsce.</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Cięcie</translation>
+    </message>
+    <message>
+        <source>Tap a branch to take it off, or draw across all that shall fall.</source>
+        <translation>Stuknąć gałąź, aby ją odciąć, albo przeciągnąć przez wszystkie, które mają spaść.</translation>
+    </message>
+    <message>
+        <source>Bud</source>
+        <translation>Pąk</translation>
+    </message>
+    <message>
+        <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
+        <translation>Stuknąć pąk: odtąd rośnie tylko on i to, co z niego powstanie.</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Gięcie</translation>
+    </message>
+    <message>
+        <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
+        <translation>Pociągnąć gałąź, aby ją wygiąć; stuknąć, aby przypiąć ją w tym miejscu.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Grubość</translation>
+    </message>
+    <message>
+        <source>Tap a branch to hold its width, and draw the handle to change it.</source>
+        <translation>Stuknąć gałąź, aby ustalić jej grubość, a potem przeciągnąć uchwyt, aby ją zmienić.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
+        <translation>Narysować obrys korony: drzewo rośnie, aż go wypełni.</translation>
+    </message>
+    <message>
+        <source>Grow One Step</source>
+        <translation>Krok wzrostu</translation>
+    </message>
+    <message>
+        <source>Let the tree grow one step on its own.</source>
+        <translation>Drzewo samo rośnie o jeden krok.</translation>
+    </message>
+    <message>
+        <source>Smaller Brush</source>
+        <translation>Mniejszy pędzel</translation>
+    </message>
+    <message>
+        <source>Make the brush smaller, while brushing too.</source>
+        <translation>Zmniejsza pędzel, także podczas malowania.</translation>
+    </message>
+    <message>
+        <source>Larger Brush</source>
+        <translation>Większy pędzel</translation>
+    </message>
+    <message>
+        <source>Make the brush larger, while brushing too.</source>
+        <translation>Powiększa pędzel, także podczas malowania.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Take back the stroke or the growth under way.</source>
+        <translation>Cofa trwające pociągnięcie lub wzrost.</translation>
+    </message>
+    <message>
+        <source>Frame All</source>
+        <translation>Pokaż całość</translation>
+    </message>
+    <message>
+        <source>Show the whole tree.</source>
+        <translation>Pokazuje całe drzewo.</translation>
+    </message>
+    <message>
+        <source>From the Front</source>
+        <translation>Z przodu</translation>
+    </message>
+    <message>
+        <source>Look at the tree from the front.</source>
+        <translation>Widok drzewa z przodu.</translation>
+    </message>
+    <message>
+        <source>From the Side</source>
+        <translation>Z boku</translation>
+    </message>
+    <message>
+        <source>Look at the tree from the side.</source>
+        <translation>Widok drzewa z boku.</translation>
+    </message>
+    <message>
+        <source>From the Top</source>
+        <translation>Z góry</translation>
+    </message>
+    <message>
+        <source>Look down at the tree.</source>
+        <translation>Widok drzewa z góry.</translation>
+    </message>
+    <message>
+        <source>Three-Quarter</source>
+        <translation>Z ukosa</translation>
+    </message>
+    <message>
+        <source>Look at the tree from a corner.</source>
+        <translation>Widok drzewa z ukosa.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Znaczniki</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads.</source>
+        <translation>Pokazuje punkty wolnego miejsca, które rozsiewa pędzel.</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Liście</translation>
+    </message>
+    <message>
+        <source>Show the leaves.</source>
+        <translation>Pokazuje liście.</translation>
+    </message>
+    <message>
+        <source>Architecture</source>
+        <translation>Architektura</translation>
+    </message>
+    <message>
+        <source>How the tree grows from now on.</source>
+        <translation>Jak drzewo rośnie od tej chwili.</translation>
+    </message>
+    <message>
+        <source>What the leaves look like.</source>
+        <translation>Wygląd liści.</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Gałęzie</translation>
+    </message>
+    <message>
+        <source>How thick branches are, and their bark.</source>
+        <translation>Grubość gałęzi i ich kora.</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Tło</translation>
+    </message>
+    <message>
+        <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
+        <translation>Otoczenie drzewa: tło, podłoże, słońce, obraz do odrysowania.</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historia</translation>
+    </message>
+    <message>
+        <source>All that you did, step by step; a click goes there.</source>
+        <translation>Wszystko, co zrobiono, krok po kroku; kliknięcie przenosi w dane miejsce.</translation>
+    </message>
+    <message>
+        <source>To the Panels and Back</source>
+        <translation>Do paneli i z powrotem</translation>
+    </message>
+    <message>
+        <source>Give the keys to the panels, or back to the tree.</source>
+        <translation>Przekazuje klawisze panelom albo z powrotem drzewu.</translation>
+    </message>
+    <message>
+        <source>Only the Tree</source>
+        <translation>Tylko drzewo</translation>
+    </message>
+    <message>
+        <source>Hide everything but the tree; the same key brings it back.</source>
+        <translation>Ukrywa wszystko poza drzewem; ten sam klawisz to przywraca.</translation>
+    </message>
+    <message>
+        <source>Full Screen</source>
+        <translation>Pełny ekran</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen.</source>
+        <translation>Wypełnia cały ekran.</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Pomoc</translation>
+    </message>
+    <message>
+        <source>About the tool in hand, and about everything else.</source>
+        <translation>O wybranym narzędziu i o wszystkim innym.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Pliki</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Edycja</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Narzędzia</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Widok</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Okno</translation>
+    </message>
+</context>
+<context>
+    <name>BendTool</name>
+    <message>
+        <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
+        <translation>Pociągnąć gałąź, aby ją wygiąć; stuknięcie przypina jej podstawę, a kolejne miejsca, w których jest trzymana</translation>
+    </message>
+</context>
+<context>
+    <name>BrushTool</name>
+    <message>
+        <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
+        <translation>Przeciągnąć, aby namalować drzewo; początek na gałęzi oznacza malowanie na jej głębokości</translation>
+    </message>
+</context>
+<context>
+    <name>Commands</name>
+    <message>
+        <source>Bend</source>
+        <translation>Gięcie</translation>
+    </message>
+    <message>
+        <source>Brush Stroke</source>
+        <translation>Pociągnięcie</translation>
+    </message>
+    <message>
+        <source>Grow</source>
+        <translation>Wzrost</translation>
+    </message>
+    <message>
+        <source>Prune</source>
+        <translation>Cięcie</translation>
+    </message>
+    <message>
+        <source>Change Parameters</source>
+        <translation>Zmiana parametrów</translation>
+    </message>
+    <message>
+        <source>Travel in Time</source>
+        <translation>Podróż w czasie</translation>
+    </message>
+    <message>
+        <source>Remove Width</source>
+        <translation>Usunięcie grubości</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Grubość</translation>
+    </message>
+</context>
+<context>
+    <name>Display</name>
+    <message>
+        <source>there is no display (DISPLAY is not set); xvfb-run provides a virtual one</source>
+        <translation>brak ekranu (zmienna DISPLAY nie jest ustawiona); wirtualny zapewnia xvfb-run</translation>
+    </message>
+    <message>
+        <source>the display %1 does not answer</source>
+        <translation>ekran %1 nie odpowiada</translation>
+    </message>
+</context>
+<context>
+    <name>Envelope</name>
+    <message>
+        <source>There is no lasso stroke.</source>
+        <translation>Nie ma obrysu lassa.</translation>
+    </message>
+    <message>
+        <source>The lasso's drawing plane is not valid.</source>
+        <translation>Płaszczyzna rysowania lassa jest nieprawidłowa.</translation>
+    </message>
+    <message>
+        <source>The lasso is too small to enclose anything.</source>
+        <translation>Lasso jest za małe, by cokolwiek objąć.</translation>
+    </message>
+    <message>
+        <source>The lasso encloses no area.</source>
+        <translation>Lasso nie obejmuje żadnego obszaru.</translation>
+    </message>
+    <message>
+        <source>The lasso is too small for how far it is from the origin.</source>
+        <translation>Lasso jest za małe jak na swoją odległość od początku układu.</translation>
+    </message>
+</context>
+<context>
+    <name>Exporter</name>
+    <message>
+        <source>the meshes could not be written: %1</source>
+        <translation>nie udało się zapisać siatek: %1</translation>
+    </message>
+    <message>
+        <source>there is no export to “.%1”; there are %2</source>
+        <translation>nie ma eksportu do „.%1”; możliwe są %2</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>Eksport anulowano.</translation>
+    </message>
+</context>
+<context>
+    <name>FbxRepair</name>
+    <message>
+        <source>this is no sound binary FBX file</source>
+        <translation>to nie jest poprawny binarny plik FBX</translation>
+    </message>
+</context>
+<context>
+    <name>GrowTool</name>
+    <message>
+        <source>Press and hold: the tree grows until you let go.</source>
+        <translation>Nacisnąć i przytrzymać: drzewo rośnie aż do puszczenia.</translation>
+    </message>
+</context>
+<context>
+    <name>JournalCheck</name>
+    <message>
+        <source>its steps do not join those around it</source>
+        <translation>jego kroki nie pasują do sąsiednich</translation>
+    </message>
+    <message>
+        <source>its parameters do not join those around it</source>
+        <translation>jego parametry nie pasują do sąsiednich</translation>
+    </message>
+    <message>
+        <source>its births are out of order</source>
+        <translation>jego nowe międzywęźla są w złej kolejności</translation>
+    </message>
+    <message>
+        <source>it changes buds that were not there</source>
+        <translation>zmienia pąki, których nie było</translation>
+    </message>
+    <message>
+        <source>it changes buds in a way that cannot be</source>
+        <translation>zmienia pąki w niemożliwy sposób</translation>
+    </message>
+    <message>
+        <source>it bends an internode that was not there</source>
+        <translation>wygina międzywęźle, którego nie było</translation>
+    </message>
+    <message>
+        <source>it bends an internode in a way that cannot be</source>
+        <translation>wygina międzywęźle w niemożliwy sposób</translation>
+    </message>
+    <message>
+        <source>it sets a width in a way that cannot be</source>
+        <translation>ustala grubość w niemożliwy sposób</translation>
+    </message>
+    <message>
+        <source>it changes an envelope in a way that cannot be</source>
+        <translation>zmienia obwiednię w niemożliwy sposób</translation>
+    </message>
+    <message>
+        <source>it lets an internode die that did not</source>
+        <translation>uśmierca międzywęźle, które nie obumarło</translation>
+    </message>
+    <message>
+        <source>it bears an internode that is not there</source>
+        <translation>tworzy międzywęźle, którego nie ma</translation>
+    </message>
+    <message>
+        <source>it bears an internode at another time</source>
+        <translation>tworzy międzywęźle w innym czasie</translation>
+    </message>
+    <message>
+        <source>it bears an internode after what grows on it</source>
+        <translation>tworzy międzywęźle później niż to, co na nim rośnie</translation>
+    </message>
+    <message>
+        <source>before it, an internode would live on a dead one</source>
+        <translation>przed nim międzywęźle żyłoby na martwym</translation>
+    </message>
+    <message>
+        <source>before it, two internodes would continue the same axis</source>
+        <translation>przed nim dwa międzywęźla przedłużałyby tę samą oś</translation>
+    </message>
+    <message>
+        <source>it changes the buds of a dead internode</source>
+        <translation>zmienia pąki martwego międzywęźla</translation>
+    </message>
+    <message>
+        <source>internode %1 has no beginning or no end in the history</source>
+        <translation>międzywęźle %1 nie ma w historii początku lub końca</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>krok %1 historii</translation>
+    </message>
+    <message>
+        <source>the history</source>
+        <translation>historia</translation>
+    </message>
+</context>
+<context>
+    <name>JsonReader</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>rozmiar przekracza %1 MB</translation>
+    </message>
+    <message>
+        <source>it holds too many values</source>
+        <translation>zawiera zbyt wiele wartości</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>wiersz %1</translation>
+    </message>
+    <message>
+        <source>not valid JSON: %1</source>
+        <translation>nieprawidłowy JSON: %1</translation>
+    </message>
+    <message>
+        <source>a JSON object is expected</source>
+        <translation>oczekiwano obiektu JSON</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>brak tego elementu</translation>
+    </message>
+    <message>
+        <source>a whole number from %1 to %2 is expected</source>
+        <translation>oczekiwano liczby całkowitej od %1 do %2</translation>
+    </message>
+    <message>
+        <source>a number from %1 to %2 is expected</source>
+        <translation>oczekiwano liczby od %1 do %2</translation>
+    </message>
+    <message>
+        <source>a string is expected</source>
+        <translation>oczekiwano tekstu</translation>
+    </message>
+    <message>
+        <source>a whole number of at most 64 bits is expected, from 2^53 on as a string of digits</source>
+        <translation>oczekiwano liczby całkowitej do 64 bitów, od 2^53 zapisanej jako ciąg cyfr</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>oczekiwano obiektu</translation>
+    </message>
+    <message>
+        <source>an array is expected</source>
+        <translation>oczekiwano tablicy</translation>
+    </message>
+    <message>
+        <source>“%1” is not known here</source>
+        <translation>nazwa „%1” nie jest tu znana</translation>
+    </message>
+</context>
+<context>
+    <name>Lasso</name>
+    <message>
+        <source>The lasso's drawing plane is not valid.</source>
+        <translation>Płaszczyzna rysowania lassa jest nieprawidłowa.</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>There is no envelope to regrow.</source>
+        <translation>Nie ma obwiedni, którą drzewo mogłoby wypełnić od nowa.</translation>
+    </message>
+    <message>
+        <source>Regrow</source>
+        <translation>Wzrost od nowa</translation>
+    </message>
+    <message>
+        <source>Remove Envelope</source>
+        <translation>Usunięcie obwiedni</translation>
+    </message>
+</context>
+<context>
+    <name>LassoTool</name>
+    <message>
+        <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
+        <translation>Narysować obrys korony; drzewo go wypełni. Początek na gałęzi oznacza rysowanie na jej głębokości</translation>
+    </message>
+</context>
+<context>
+    <name>OffscreenRenderer</name>
+    <message>
+        <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
+        <translation>Nie można narysować obrazu: brak ekranu z obsługą OpenGL 3.3; wystarczy wirtualny (Xvfb).</translation>
+    </message>
+    <message>
+        <source>A picture of %1 × %2 pixels is too large; %3 along an edge is the most.</source>
+        <translation>Obraz o wymiarach %1 × %2 pikseli jest za duży; bok może mieć najwyżej %3.</translation>
+    </message>
+</context>
+<context>
+    <name>Outputs</name>
+    <message>
+        <source>%1: the picture could not be packed</source>
+        <translation>%1: nie udało się spakować obrazu</translation>
+    </message>
+</context>
+<context>
+    <name>Overlay</name>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+</context>
+<context>
+    <name>Parameters</name>
+    <message>
+        <source>Behind</source>
+        <translation>W tle</translation>
+    </message>
+    <message>
+        <source>What stands behind the tree.</source>
+        <translation>Co widać za drzewem.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Podłoże</translation>
+    </message>
+    <message>
+        <source>Ground below the tree, with the tree's shadow.</source>
+        <translation>Podłoże pod drzewem, z jego cieniem.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Siatka</translation>
+    </message>
+    <message>
+        <source>Lines on the ground, a metre apart.</source>
+        <translation>Linie na podłożu co metr.</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Cienie</translation>
+    </message>
+    <message>
+        <source>Shadows of the sun.</source>
+        <translation>Cienie rzucane w słońcu.</translation>
+    </message>
+    <message>
+        <source>Show the sun</source>
+        <translation>Pokaż słońce</translation>
+    </message>
+    <message>
+        <source>Show the sun as a ball that you can drag about the tree.</source>
+        <translation>Pokazuje słońce jako kulę, którą można przeciągać wokół drzewa.</translation>
+    </message>
+    <message>
+        <source>Pin the sun</source>
+        <translation>Przypnij słońce</translation>
+    </message>
+    <message>
+        <source>The sun stays where it is on the screen when the tree is turned; otherwise it turns with the tree.</source>
+        <translation>Przy obracaniu drzewa słońce pozostaje na ekranie tam, gdzie jest; w przeciwnym razie obraca się z drzewem.</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Kierunek</translation>
+    </message>
+    <message>
+        <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
+        <translation>Gdzie stoi słońce: 0° przed drzewem, 90° po jego prawej; przypięte słońce: względem patrzącego.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Wysokość</translation>
+    </message>
+    <message>
+        <source>How high the sun stands above the horizon.</source>
+        <translation>Jak wysoko słońce stoi nad horyzontem.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Krycie</translation>
+    </message>
+    <message>
+        <source>How much of the picture is seen.</source>
+        <translation>Jak wyraźnie widać obraz.</translation>
+    </message>
+    <message>
+        <source>How high the picture is.</source>
+        <translation>Jak wysoki jest obraz.</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>W prawo</translation>
+    </message>
+    <message>
+        <source>Where the picture's middle is beside the seedling.</source>
+        <translation>Położenie środka obrazu obok siewki.</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>W górę</translation>
+    </message>
+    <message>
+        <source>Where the picture's middle is above the seedling.</source>
+        <translation>Położenie środka obrazu nad siewką.</translation>
+    </message>
+    <message>
+        <source>studio</source>
+        <translation>studio</translation>
+    </message>
+    <message>
+        <source>horizon</source>
+        <translation>horyzont</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <translation>jednolite</translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <translation>gradient</translation>
+    </message>
+    <message>
+        <source>Set-point angle</source>
+        <translation>Kąt docelowy</translation>
+    </message>
+    <message>
+        <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
+        <translation>Dokąd zwracają się pędy: 0° to w górę, 90° poziomo, a przy większym kącie pędy zwisają.</translation>
+    </message>
+    <message>
+        <source>Gravitropic set-point angle: orthotropic at 0°, plagiotropic near 90°, positively gravitropic beyond.</source>
+        <translation>Grawitropiczny kąt docelowy: ortotropowy przy 0°, plagiotropowy blisko 90°, dalej dodatnio grawitropiczny.</translation>
+    </message>
+    <message>
+        <source>Buds above and below</source>
+        <translation>Pąki górne i dolne</translation>
+    </message>
+    <message>
+        <source>Vigour of the buds above and below a leaning branch.</source>
+        <translation>Wigor pąków nad pochyloną gałęzią i pod nią.</translation>
+    </message>
+    <message>
+        <source>Vertical semi-axis of the gravimorphic ellipse.</source>
+        <translation>Pionowa półoś elipsy grawimorfizmu.</translation>
+    </message>
+    <message>
+        <source>Buds at the sides</source>
+        <translation>Pąki boczne</translation>
+    </message>
+    <message>
+        <source>Vigour of the buds on the sides of a leaning branch.</source>
+        <translation>Wigor pąków po bokach pochylonej gałęzi.</translation>
+    </message>
+    <message>
+        <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
+        <translation>Półoś równoległa do ziemi; gdy jest większa, to amfitonia.</translation>
+    </message>
+    <message>
+        <source>Upper or lower buds</source>
+        <translation>Górne lub dolne pąki</translation>
+    </message>
+    <message>
+        <source>Above 0 the buds on the upper side are stronger, as in fruit trees; below 0 those on the lower side.</source>
+        <translation>Powyżej 0 silniejsze są pąki na górnej stronie, jak u drzew owocowych; poniżej 0 te na dolnej.</translation>
+    </message>
+    <message>
+        <source>Displacement of the ellipse: epitony above 0, hypotony below.</source>
+        <translation>Przesunięcie elipsy: powyżej 0 epitonia, poniżej hipotonia.</translation>
+    </message>
+    <message>
+        <source>Branching angle</source>
+        <translation>Kąt rozgałęzienia</translation>
+    </message>
+    <message>
+        <source>Between a branch and what branches off it.</source>
+        <translation>Między gałęzią a tym, co od niej odchodzi.</translation>
+    </message>
+    <message>
+        <source>Angle of insertion of a lateral bud on its axis.</source>
+        <translation>Kąt osadzenia pąka bocznego na osi.</translation>
+    </message>
+    <message>
+        <source>Deflection</source>
+        <translation>Odchylenie</translation>
+    </message>
+    <message>
+        <source>How far an axis turns away from a branch that it bears: 0 keeps it straight, more makes it zigzag.</source>
+        <translation>O ile oś odchyla się od gałęzi, którą wydaje: przy 0 pozostaje prosta, więcej daje zygzak.</translation>
+    </message>
+    <message>
+        <source>The main axis yields to a lateral, as toward sympodial growth.</source>
+        <translation>Oś główna ustępuje bocznej, jak przy wzroście sympodialnym.</translation>
+    </message>
+    <message>
+        <source>Straightness</source>
+        <translation>Prostość</translation>
+    </message>
+    <message>
+        <source>How much a shoot keeps the direction that it has.</source>
+        <translation>Jak mocno pęd trzyma się swojego kierunku.</translation>
+    </message>
+    <message>
+        <source>Weight of the heading H of the axis.</source>
+        <translation>Waga kierunku osi H.</translation>
+    </message>
+    <message>
+        <source>Tropism</source>
+        <translation>Tropizm</translation>
+    </message>
+    <message>
+        <source>How much a shoot turns toward the set-point angle.</source>
+        <translation>Jak mocno pęd zwraca się ku kątowi docelowemu.</translation>
+    </message>
+    <message>
+        <source>Weight of gravitropism T.</source>
+        <translation>Waga grawitropizmu T.</translation>
+    </message>
+    <message>
+        <source>Free space</source>
+        <translation>Wolne miejsce</translation>
+    </message>
+    <message>
+        <source>How much a shoot turns toward where there is room.</source>
+        <translation>Jak mocno pęd zwraca się tam, gdzie jest miejsce.</translation>
+    </message>
+    <message>
+        <source>Weight of the environment E: the mean direction of the free space that a bud perceives.</source>
+        <translation>Waga otoczenia E: średni kierunek wolnej przestrzeni, którą postrzega pąk.</translation>
+    </message>
+    <message>
+        <source>Occupied radius</source>
+        <translation>Promień zajęty</translation>
+    </message>
+    <message>
+        <source>Space around each bud that nothing else grows into, in internodes. More makes an airier crown.</source>
+        <translation>Przestrzeń wokół każdego pąka, w którą nic innego nie wrasta, w międzywęźlach. Więcej daje bardziej ażurową koronę.</translation>
+    </message>
+    <message>
+        <source>Radius of the zone of occupancy.</source>
+        <translation>Promień strefy zajętej.</translation>
+    </message>
+    <message>
+        <source>Sight</source>
+        <translation>Wzrok</translation>
+    </message>
+    <message>
+        <source>How far beyond its own space a bud sees room to grow, in internodes.</source>
+        <translation>Jak daleko poza własną przestrzenią pąk widzi miejsce do wzrostu, w międzywęźlach.</translation>
+    </message>
+    <message>
+        <source>Depth of the volume of perception, which reaches to r + d.</source>
+        <translation>Głębokość obszaru percepcji, który sięga do r + d.</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Pole widzenia</translation>
+    </message>
+    <message>
+        <source>How far to the sides a bud sees room to grow.</source>
+        <translation>Jak daleko na boki pąk widzi miejsce do wzrostu.</translation>
+    </message>
+    <message>
+        <source>Apex angle of the cone of perception.</source>
+        <translation>Kąt wierzchołkowy stożka percepcji.</translation>
+    </message>
+    <message>
+        <source>Apical dominance</source>
+        <translation>Dom. apikalna</translation>
+    </message>
+    <message>
+        <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
+        <translation>Kto dostaje wigor: powyżej 0,5 oś główna, jak u drzew iglastych; poniżej gałęzie, jak u krzewów.</translation>
+    </message>
+    <message>
+        <source>Excurrent forms above 0.5, decurrent ones below.</source>
+        <translation>Powyżej 0,5 formy z przewodnikiem, poniżej bez niego.</translation>
+    </message>
+    <message>
+        <source>Light sensitivity</source>
+        <translation>Czułość na światło</translation>
+    </message>
+    <message>
+        <source>How much more a bud in the light thrives than one in the shade.</source>
+        <translation>O ile lepiej rozwija się pąk w świetle niż pąk w cieniu.</translation>
+    </message>
+    <message>
+        <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
+        <translation>Wykładnik reakcji na światło: wysoki u drzew światłożądnych, niski u cienioznośnych.</translation>
+    </message>
+    <message>
+        <source>Shedding</source>
+        <translation>Zrzucanie</translation>
+    </message>
+    <message>
+        <source>Branches with less vigour than this die: 0 keeps them all.</source>
+        <translation>Gałęzie o mniejszym wigorze obumierają: 0 zachowuje wszystkie.</translation>
+    </message>
+    <message>
+        <source>Threshold of cladoptosis: vigour per internode, relative to that of the whole tree.</source>
+        <translation>Próg kladoptozy: wigor na międzywęźle względem wigoru całego drzewa.</translation>
+    </message>
+    <message>
+        <source>Shoot length</source>
+        <translation>Długość pędu</translation>
+    </message>
+    <message>
+        <source>How many internodes the strongest shoot grows in one step.</source>
+        <translation>O ile międzywęźli wydłuża się najsilniejszy pęd w jednym kroku.</translation>
+    </message>
+    <message>
+        <source>Metamers of the strongest shoot of a flush.</source>
+        <translation>Metamery najsilniejszego pędu w przyroście.</translation>
+    </message>
+    <message>
+        <source>Phyllotaxis</source>
+        <translation>Filotaksja</translation>
+    </message>
+    <message>
+        <source>Turn around the axis from one bud to the next: 137.5° is a spiral, 180° two rows, 90° crossed pairs.</source>
+        <translation>Obrót wokół osi od pąka do pąka: 137,5° to spirala, 180° dwa rzędy, 90° pary na krzyż.</translation>
+    </message>
+    <message>
+        <source>Divergence angle: spiral, distichous, decussate.</source>
+        <translation>Kąt dywergencji: ulistnienie spiralne, dwurzędowe, nakrzyżległe.</translation>
+    </message>
+    <message>
+        <source>Follow the stroke</source>
+        <translation>Za pociągnięciem</translation>
+    </message>
+    <message>
+        <source>Shoots turn toward where the brush goes, instead of to the set-point angle.</source>
+        <translation>Pędy zwracają się tam, dokąd zmierza pędzel, zamiast ku kątowi docelowemu.</translation>
+    </message>
+    <message>
+        <source>The set-point angle is inferred from the direction of the stroke.</source>
+        <translation>Kąt docelowy wynika z kierunku pociągnięcia.</translation>
+    </message>
+    <message>
+        <source>Upright trunk</source>
+        <translation>Pionowy pień</translation>
+    </message>
+    <message>
+        <source>The trunk grows straight up, whatever the branches do.</source>
+        <translation>Pień rośnie prosto w górę, cokolwiek robią gałęzie.</translation>
+    </message>
+    <message>
+        <source>The axis of order 0 is orthotropic, as in most conifers.</source>
+        <translation>Oś rzędu 0 jest ortotropowa, jak u większości drzew iglastych.</translation>
+    </message>
+    <message>
+        <source>Internode</source>
+        <translation>Międzywęźle</translation>
+    </message>
+    <message>
+        <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
+        <translation>Długość jednego międzywęźla. To miara wszystkiego, co rośnie: krótsze daje drobniejsze drzewa.</translation>
+    </message>
+    <message>
+        <source>Length of a metamer.</source>
+        <translation>Długość metameru.</translation>
+    </message>
+    <message>
+        <source>Buds at a node</source>
+        <translation>Pąki w węźle</translation>
+    </message>
+    <message>
+        <source>One is alternate, two opposite, more a whorl, as in pines.</source>
+        <translation>Jeden to układ skrętoległy, dwa naprzeciwległy, więcej okółek, jak u sosen.</translation>
+    </message>
+    <message>
+        <source>Alternate, opposite or verticillate.</source>
+        <translation>Skrętolegle, naprzeciwlegle lub okółkowo.</translation>
+    </message>
+    <message>
+        <source>Irregularity</source>
+        <translation>Nieregularność</translation>
+    </message>
+    <message>
+        <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
+        <translation>Rozrzut kątów i długości: 0 to schemat, 1 to dzikość natury.</translation>
+    </message>
+    <message>
+        <source>Variance of the angles and of the metamers.</source>
+        <translation>Wariancja kątów i metamerów.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Cień</translation>
+    </message>
+    <message>
+        <source>How much light one internode takes.</source>
+        <translation>Ile światła zabiera jedno międzywęźle.</translation>
+    </message>
+    <message>
+        <source>Intensity of the penumbra that a metamer casts.</source>
+        <translation>Natężenie półcienia rzucanego przez metamer.</translation>
+    </message>
+    <message>
+        <source>Shadow falloff</source>
+        <translation>Zanik cienia</translation>
+    </message>
+    <message>
+        <source>How fast a shadow fades on its way down.</source>
+        <translation>Jak szybko cień słabnie ku dołowi.</translation>
+    </message>
+    <message>
+        <source>Base of its decay from layer to layer.</source>
+        <translation>Podstawa zaniku z warstwy na warstwę.</translation>
+    </message>
+    <message>
+        <source>Shadow depth</source>
+        <translation>Zasięg cienia</translation>
+    </message>
+    <message>
+        <source>How many layers below an internode its shadow reaches.</source>
+        <translation>Ile warstw pod międzywęźlem sięga jego cień.</translation>
+    </message>
+    <message>
+        <source>Height of the pyramid of shadow, in voxels.</source>
+        <translation>Wysokość piramidy cienia w wokselach.</translation>
+    </message>
+    <message>
+        <source>Brush density</source>
+        <translation>Gęstość pędzla</translation>
+    </message>
+    <message>
+        <source>How much room to grow the brush spreads, in points per cubic internode. More makes denser growth.</source>
+        <translation>Ile miejsca do wzrostu rozsiewa pędzel, w punktach na sześcienne międzywęźle. Więcej daje gęstszy wzrost.</translation>
+    </message>
+    <message>
+        <source>Density of the markers of free space.</source>
+        <translation>Gęstość znaczników wolnej przestrzeni.</translation>
+    </message>
+    <message>
+        <source>Brush memory</source>
+        <translation>Pamięć pędzla</translation>
+    </message>
+    <message>
+        <source>Growth steps after which the room that the brush has spread is forgotten.</source>
+        <translation>Liczba kroków wzrostu, po których miejsce rozsiane przez pędzel zostaje zapomniane.</translation>
+    </message>
+    <message>
+        <source>Maximum age of a marker.</source>
+        <translation>Największy wiek znacznika.</translation>
+    </message>
+    <message>
+        <source>Room at a bud</source>
+        <translation>Miejsce przy pąku</translation>
+    </message>
+    <message>
+        <source>When the tree grows on its own: the room to grow that each bud finds around itself in each step.</source>
+        <translation>Gdy drzewo rośnie samo: miejsce do wzrostu, które każdy pąk znajduje wokół siebie w każdym kroku.</translation>
+    </message>
+    <message>
+        <source>Markers generated in each volume of perception.</source>
+        <translation>Znaczniki tworzone w każdym obszarze percepcji.</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Liście</translation>
+    </message>
+    <message>
+        <source>Whether the tree has any.</source>
+        <translation>Czy drzewo w ogóle ma liście.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Kształt</translation>
+    </message>
+    <message>
+        <source>The outline of a leaf.</source>
+        <translation>Zarys liścia.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Długość</translation>
+    </message>
+    <message>
+        <source>From the stalk to the tip.</source>
+        <translation>Od ogonka do wierzchołka.</translation>
+    </message>
+    <message>
+        <source>Breadth</source>
+        <translation>Szerokość</translation>
+    </message>
+    <message>
+        <source>Width by length.</source>
+        <translation>Szerokość względem długości.</translation>
+    </message>
+    <message>
+        <source>Variation of size</source>
+        <translation>Zmienność rozmiaru</translation>
+    </message>
+    <message>
+        <source>How much the sizes of leaves differ.</source>
+        <translation>Jak bardzo różnią się rozmiary liści.</translation>
+    </message>
+    <message>
+        <source>At a node</source>
+        <translation>W węźle</translation>
+    </message>
+    <message>
+        <source>How many leaves grow together.</source>
+        <translation>Ile liści wyrasta razem.</translation>
+    </message>
+    <message>
+        <source>How far inward</source>
+        <translation>Jak głęboko</translation>
+    </message>
+    <message>
+        <source>Branches that carry more twigs than this are bare.</source>
+        <translation>Gałęzie, które niosą więcej gałązek, są nagie.</translation>
+    </message>
+    <message>
+        <source>Only near the tips</source>
+        <translation>Tylko przy końcach</translation>
+    </message>
+    <message>
+        <source>Leaves grow so many internodes down from the tip of a shoot, and no further.</source>
+        <translation>Liście rosną tyle międzywęźli w dół od wierzchołka pędu i nie dalej.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Kąt</translation>
+    </message>
+    <message>
+        <source>Between a shoot and the leaf's stalk.</source>
+        <translation>Między pędem a ogonkiem liścia.</translation>
+    </message>
+    <message>
+        <source>Droop</source>
+        <translation>Zwisanie</translation>
+    </message>
+    <message>
+        <source>How far leaves hang down.</source>
+        <translation>Jak mocno liście zwisają.</translation>
+    </message>
+    <message>
+        <source>Toward the sky</source>
+        <translation>Ku niebu</translation>
+    </message>
+    <message>
+        <source>How far leaves turn their faces up.</source>
+        <translation>Jak mocno liście zwracają się ku górze.</translation>
+    </message>
+    <message>
+        <source>Hue</source>
+        <translation>Barwa</translation>
+    </message>
+    <message>
+        <source>0° is red, 60° yellow, 120° green.</source>
+        <translation>0° to czerwień, 60° żółć, 120° zieleń.</translation>
+    </message>
+    <message>
+        <source>Variation of hue</source>
+        <translation>Zmienność barwy</translation>
+    </message>
+    <message>
+        <source>How much the colours of leaves differ.</source>
+        <translation>Jak bardzo różnią się kolory liści.</translation>
+    </message>
+    <message>
+        <source>Saturation</source>
+        <translation>Nasycenie</translation>
+    </message>
+    <message>
+        <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
+        <translation>Jak mocny jest kolor: słaby daje kwiaty i srebrne liście.</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Jasność</translation>
+    </message>
+    <message>
+        <source>How light the leaves are.</source>
+        <translation>Jak jasne są liście.</translation>
+    </message>
+    <message>
+        <source>Yellowing</source>
+        <translation>Żółknięcie</translation>
+    </message>
+    <message>
+        <source>How far the leaves of weak shoots turn toward yellow and red.</source>
+        <translation>Jak mocno liście słabych pędów przechodzą w żółć i czerwień.</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>Wykładnik</translation>
+    </message>
+    <message>
+        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <translation>Jak sumują się grubości w miejscu rozgałęzienia: 2 to reguła Leonarda; mniej daje grubsze pnie.</translation>
+    </message>
+    <message>
+        <source>Tips</source>
+        <translation>Końce</translation>
+    </message>
+    <message>
+        <source>Diameter of the thinnest twigs.</source>
+        <translation>Średnica najcieńszych gałązek.</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Podstawa</translation>
+    </message>
+    <message>
+        <source>Diameter of the trunk at the ground; at 0 it follows from the exponent.</source>
+        <translation>Średnica pnia przy ziemi; przy 0 wynika z wykładnika.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>Nabieg</translation>
+    </message>
+    <message>
+        <source>How much the trunk spreads where it meets the ground.</source>
+        <translation>Jak mocno pień rozszerza się przy ziemi.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>What the bark looks like.</source>
+        <translation>Wygląd kory.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <translation>Długość pnia, po której wzór kory się powtarza.</translation>
+    </message>
+    <message>
+        <source>Gravimorphism</source>
+        <translation>Grawimorfizm</translation>
+    </message>
+    <message>
+        <source>Branching</source>
+        <translation>Rozgałęzianie</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Przestrzeń</translation>
+    </message>
+    <message>
+        <source>Vigour</source>
+        <translation>Wigor</translation>
+    </message>
+    <message>
+        <source>Habit</source>
+        <translation>Pokrój</translation>
+    </message>
+    <message>
+        <source>Shoot</source>
+        <translation>Pęd</translation>
+    </message>
+    <message>
+        <source>Shade</source>
+        <translation>Zacienienie</translation>
+    </message>
+    <message>
+        <source>Room to grow</source>
+        <translation>Miejsce wzrostu</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Forma</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Położenie</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Kolor</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Grubość</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Kora</translation>
+    </message>
+    <message>
+        <source>ovate</source>
+        <translation>jajowaty</translation>
+    </message>
+    <message>
+        <source>lanceolate</source>
+        <translation>lancetowaty</translation>
+    </message>
+    <message>
+        <source>lobed</source>
+        <translation>klapowany</translation>
+    </message>
+    <message>
+        <source>needles</source>
+        <translation>igły</translation>
+    </message>
+    <message>
+        <source>furrowed</source>
+        <translation>bruzdowana</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>gładka</translation>
+    </message>
+    <message>
+        <source>plated</source>
+        <translation>tafelkowa</translation>
+    </message>
+    <message>
+        <source>birch</source>
+        <translation>brzozowa</translation>
+    </message>
+    <message>
+        <source>cordate</source>
+        <translation>sercowaty</translation>
+    </message>
+    <message>
+        <source>palmate</source>
+        <translation>dłoniasty</translation>
+    </message>
+    <message>
+        <source>pinnate</source>
+        <translation>pierzasty</translation>
+    </message>
+    <message>
+        <source>willow</source>
+        <translation>wierzbowy</translation>
+    </message>
+    <message>
+        <source>fascicle</source>
+        <translation>pęczek</translation>
+    </message>
+    <message>
+        <source>frond</source>
+        <translation>palmowy</translation>
+    </message>
+    <message>
+        <source>cherry</source>
+        <translation>wiśniowa</translation>
+    </message>
+    <message>
+        <source>mottled</source>
+        <translation>łaciata</translation>
+    </message>
+    <message>
+        <source>fibrous</source>
+        <translation>włóknista</translation>
+    </message>
+    <message>
+        <source>ringed</source>
+        <translation>pierścieniowa</translation>
+    </message>
+</context>
+<context>
+    <name>ParametersJson</name>
+    <message>
+        <source>true or false is expected</source>
+        <translation>oczekiwano wartości true lub false</translation>
+    </message>
+    <message>
+        <source>one of these is expected: %1</source>
+        <translation>oczekiwano jednej z wartości: %1</translation>
+    </message>
+    <message>
+        <source>a whole number is expected</source>
+        <translation>oczekiwano liczby całkowitej</translation>
+    </message>
+    <message>
+        <source>a number is expected</source>
+        <translation>oczekiwano liczby</translation>
+    </message>
+    <message>
+        <source>%1 is not within %2…%3</source>
+        <translation>%1 nie mieści się w zakresie %2…%3</translation>
+    </message>
+    <message>
+        <source>axisWeight, tropismWeight and spaceWeight must not all be 0</source>
+        <translation>axisWeight, tropismWeight i spaceWeight nie mogą wszystkie być równe 0</translation>
+    </message>
+    <message>
+        <source>it must not be beyond 0.99 times ellipseVertical, which is %1</source>
+        <translation>wartość nie może wykraczać poza 0,99 wartości ellipseVertical, czyli %1</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>oczekiwano obiektu</translation>
+    </message>
+    <message>
+        <source>there is no such parameter</source>
+        <translation>nie ma takiego parametru</translation>
+    </message>
+</context>
+<context>
+    <name>Program</name>
+    <message>
+        <source>%1; see espalier --help</source>
+        <translation>%1; patrz espalier --help</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectFile</name>
+    <message>
+        <source>pairs of an internode and a diameter are expected</source>
+        <translation>oczekiwano par: międzywęźle i średnica</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>oczekiwano obiektu</translation>
+    </message>
+    <message>
+        <source>it does not describe an Espalier project</source>
+        <translation>to nie jest opis projektu programu Espalier</translation>
+    </message>
+    <message>
+        <source>Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads versions up to %4</source>
+        <translation>zapisano w programie Espalier %1, w wersji %2 formatu; to jest Espalier %3, który odczytuje wersje do %4</translation>
+    </message>
+    <message>
+        <source>1 to %1 sets are expected</source>
+        <translation>oczekiwano od 1 do %1 zestawów</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>międzywęźle %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>leży dalej niż %1 m od początku układu</translation>
+    </message>
+    <message>
+        <source>the lassos</source>
+        <translation>obrysy lassa</translation>
+    </message>
+    <message>
+        <source>their parts do not add up</source>
+        <translation>ich części nie zgadzają się ze sobą</translation>
+    </message>
+    <message>
+        <source>the history</source>
+        <translation>historia</translation>
+    </message>
+    <message>
+        <source>its parts do not add up</source>
+        <translation>jej części nie zgadzają się ze sobą</translation>
+    </message>
+    <message>
+        <source>the tree or its history is too large for a project file</source>
+        <translation>drzewo lub jego historia jest za duże na plik projektu</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 GB</source>
+        <translation>rozmiar przekracza %1 GB</translation>
+    </message>
+</context>
+<context>
+    <name>PruneTool</name>
+    <message>
+        <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
+        <translation>Stuknąć gałąź, aby ją odciąć, albo przeciągnąć przez gałęzie, które mają spaść</translation>
+    </message>
+</context>
+<context>
+    <name>Recipe</name>
+    <message>
+        <source>there is no such bud</source>
+        <translation>nie ma takiego pąka</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>oczekiwano obiektu</translation>
+    </message>
+    <message>
+        <source>a number other than 0 is expected</source>
+        <translation>oczekiwano liczby innej niż 0</translation>
+    </message>
+    <message>
+        <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
+        <translation>nie ma operacji „%1”; są setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow i removeLasso</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>brak tego elementu</translation>
+    </message>
+    <message>
+        <source>a stroke has at least one sample</source>
+        <translation>pociągnięcie ma co najmniej jedną próbkę</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 samples</source>
+        <translation>przepis ma najwyżej %1 próbek</translation>
+    </message>
+    <message>
+        <source>three numbers within ±%1 are expected</source>
+        <translation>oczekiwano trzech liczb w zakresie ±%1</translation>
+    </message>
+    <message>
+        <source>right and up must have length 1 and be at right angles</source>
+        <translation>right i up muszą mieć długość 1 i być prostopadłe</translation>
+    </message>
+    <message>
+        <source>a lasso has at least three points</source>
+        <translation>lasso ma co najmniej trzy punkty</translation>
+    </message>
+    <message>
+        <source>two numbers within ±%1 are expected, right and up, in m</source>
+        <translation>oczekiwano dwóch liczb w zakresie ±%1, w prawo i w górę, w m</translation>
+    </message>
+    <message>
+        <source>1 to %1 internodes are expected</source>
+        <translation>oczekiwano od 1 do %1 międzywęźli</translation>
+    </message>
+    <message>
+        <source>a list of internodes' numbers is expected</source>
+        <translation>oczekiwano listy numerów międzywęźli</translation>
+    </message>
+    <message>
+        <source>an array of five numbers is expected: time, x, y, z, radius</source>
+        <translation>oczekiwano tablicy pięciu liczb: czas, x, y, z, promień</translation>
+    </message>
+    <message>
+        <source>the time is not within 0…%1 s</source>
+        <translation>czas nie mieści się w zakresie 0…%1 s</translation>
+    </message>
+    <message>
+        <source>the time does not go forwards</source>
+        <translation>czas nie biegnie do przodu</translation>
+    </message>
+    <message>
+        <source>a coordinate is not within ±%1 m</source>
+        <translation>współrzędna nie mieści się w zakresie ±%1 m</translation>
+    </message>
+    <message>
+        <source>the radius is not within 0…%1 m</source>
+        <translation>promień nie mieści się w zakresie 0…%1 m</translation>
+    </message>
+    <message>
+        <source>a bend has from 1 to %1 handles</source>
+        <translation>wygięcie ma od 1 do %1 uchwytów</translation>
+    </message>
+    <message>
+        <source>an array of three numbers within ±%1 is expected</source>
+        <translation>oczekiwano tablicy trzech liczb w zakresie ±%1</translation>
+    </message>
+    <message>
+        <source>there is no view “%1”; there are front, side, top and three-quarter</source>
+        <translation>nie ma widoku „%1”; są front, side, top i three-quarter</translation>
+    </message>
+    <message>
+        <source>this is no recipe: one begins with “%1”: %2</source>
+        <translation>to nie jest przepis: przepis zaczyna się od „%1”: %2</translation>
+    </message>
+    <message>
+        <source>the recipe is of version %1, this program reads versions up to %2</source>
+        <translation>przepis jest w wersji %1, ten program odczytuje wersje do %2</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 operations</source>
+        <translation>przepis ma najwyżej %1 operacji</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeTool</name>
+    <message>
+        <source>A recipe is playing; Escape hands the brush to you.</source>
+        <translation>Przepis jest odtwarzany; Esc oddaje pędzel.</translation>
+    </message>
+</context>
+<context>
+    <name>SelectBudTool</name>
+    <message>
+        <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
+        <translation>Stuknąć pąk, a odtąd będzie rósł tylko on; stuknąć obok drzewa, aby znów rosły wszystkie</translation>
+    </message>
+</context>
+<context>
+    <name>SunTool</name>
+    <message>
+        <source>%1° high</source>
+        <translation>wysokość %1°</translation>
+    </message>
+    <message>
+        <source>Drag the sun about the tree.</source>
+        <translation>Przeciągnąć słońce wokół drzewa.</translation>
+    </message>
+</context>
+<context>
+    <name>WidthTool</name>
+    <message>
+        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <translation>Stuknąć gałąź, aby ustalić jej grubość; przeciągnąć końce uchwytu, aby ją zmienić</translation>
+    </message>
+</context>
+<context>
+    <name>ZipArchive</name>
+    <message>
+        <source>the archive could not be packed: %1</source>
+        <translation>nie udało się spakować archiwum: %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>dane są uszkodzone</translation>
+    </message>
+    <message>
+        <source>it is no project file, or a damaged one (%1)</source>
+        <translation>to nie jest plik projektu albo jest uszkodzony (%1)</translation>
+    </message>
+    <message>
+        <source>it is no project file: it is empty</source>
+        <translation>to nie jest plik projektu: jest pusty</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>brak tego elementu</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, but %2 are expected</source>
+        <translation>liczba bajtów to %1, a oczekiwano %2</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>rozmiar w bajtach przekracza %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier</name>
+    <message>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <translation>--size wymaga SZEROKOŚĆxWYSOKOŚĆ, najwyżej po %1 pikseli, a nie „%2”</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
+        <translation>%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .obj .fbx .glb .csv</translation>
+    </message>
+    <message>
+        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <translation>--camera to front, side, top lub three-quarter, a nie „%1”</translation>
+    </message>
+    <message>
+        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <translation>--threads wymaga liczby od 1 do %1, a nie „%2”</translation>
+    </message>
+    <message>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <translation>--seed wymaga liczby całkowitej od 0 do 18446744073709551615, a nie „%1”</translation>
+    </message>
+    <message>
+        <source>%1 knows no option %2</source>
+        <translation>%1 nie zna opcji %2</translation>
+    </message>
+    <message>
+        <source>%1 wants no value</source>
+        <translation>%1 nie przyjmuje wartości</translation>
+    </message>
+    <message>
+        <source>%1 wants a value after it</source>
+        <translation>po %1 musi następować wartość</translation>
+    </message>
+    <message>
+        <source>--transparent wants --png FILE</source>
+        <translation>--transparent wymaga --png PLIK</translation>
+    </message>
+    <message>
+        <source>--ground-shadow wants --transparent</source>
+        <translation>--ground-shadow wymaga --transparent</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe</source>
+        <translation>replay wymaga co najmniej jednego przepisu</translation>
+    </message>
+    <message>
+        <source>%1 wants one project</source>
+        <translation>%1 wymaga jednego projektu</translation>
+    </message>
+    <message>
+        <source>render wants --png FILE</source>
+        <translation>render wymaga --png PLIK</translation>
+    </message>
+    <message>
+        <source>info wants one file</source>
+        <translation>info wymaga jednego pliku</translation>
+    </message>
+    <message>
+        <source>a window shows one file, so what is "%1"?</source>
+        <translation>okno pokazuje jeden plik, czym więc jest „%1”?</translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and
+textures) or .csv (skeleton).
+Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation>Espalier: malowanie drzew.
+
+espalier [PROJEKT]
+    Otwiera okno.
+
+espalier --demo [PRZEPIS]
+    Otwiera okno i maluje w nim drzewo, po czym je oddaje.
+
+espalier replay PRZEPIS... [-o WYNIK]... [--png PLIK] [--size SxW]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats PLIK] [--threads N] [--seed N]
+    Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
+    Przy kilku przepisach każdy prowadzi dalej drzewo poprzedniego: pierwszy
+    podaje ziarno, a każdy na początku wprowadza swoje parametry.
+
+espalier export PROJEKT [-o WYNIK]...
+    Zapisuje projekt w innych formatach.
+
+espalier render PROJEKT --png PLIK [--size SxW] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Tworzy obraz. Wymaga ekranu; wystarczy wirtualny.
+    --transparent: samo drzewo, z prostym kanałem alfa; --ground-shadow
+    zachowuje jego cień jako czerń o pewnym kryciu.
+
+espalier info PLIK
+    Podaje jako JSON, co jest w projekcie.
+
+espalier --help, --version
+
+WYNIK kończy się na .espalier (projekt), .obj, .fbx, .glb (siatki z liśćmi
+i teksturami) lub .csv (szkielet).
+Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
+da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
+</translation>
+    </message>
+    <message>
+        <source>its parent does not come before it</source>
+        <translation>jego rodzic go nie poprzedza</translation>
+    </message>
+    <message>
+        <source>its rotation is not one</source>
+        <translation>jego obrót nie jest obrotem</translation>
+    </message>
+    <message>
+        <source>its length is out of range</source>
+        <translation>jego długość jest poza zakresem</translation>
+    </message>
+    <message>
+        <source>its vigour is out of range</source>
+        <translation>jego wigor jest poza zakresem</translation>
+    </message>
+    <message>
+        <source>it grows from a bud that does not exist</source>
+        <translation>wyrasta z pąka, który nie istnieje</translation>
+    </message>
+    <message>
+        <source>it has a bud that does not exist</source>
+        <translation>ma pąk, który nie istnieje</translation>
+    </message>
+    <message>
+        <source>it is neither there nor away</source>
+        <translation>nie jest ani obecne, ani nieobecne</translation>
+    </message>
+    <message>
+        <source>its parameters are missing</source>
+        <translation>brak jego parametrów</translation>
+    </message>
+    <message>
+        <source>it was born in the future</source>
+        <translation>powstało w przyszłości</translation>
+    </message>
+    <message>
+        <source>it died before it was born</source>
+        <translation>obumarło, zanim powstało</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ArchitecturePanel</name>
+    <message>
+        <source>Architecture</source>
+        <translation>Architektura</translation>
+    </message>
+    <message>
+        <source>More ›</source>
+        <translation>Więcej ›</translation>
+    </message>
+    <message>
+        <source>The rest of what steers growth: shoots, shade, room to grow</source>
+        <translation>Reszta tego, co steruje wzrostem: pędy, zacienienie, miejsce wzrostu</translation>
+    </message>
+    <message>
+        <source>‹ Less</source>
+        <translation>‹ Mniej</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BackgroundPanel</name>
+    <message>
+        <source>Background</source>
+        <translation>Tło</translation>
+    </message>
+    <message>
+        <source>The colour, or that at the lower edge.</source>
+        <translation>Kolor, także ten przy dolnej krawędzi.</translation>
+    </message>
+    <message>
+        <source>The colour at the upper edge.</source>
+        <translation>Kolor przy górnej krawędzi.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Podłoże</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Słońce</translation>
+    </message>
+    <message>
+        <source>Picture to draw after</source>
+        <translation>Obraz do odrysowania</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wybierz…</translation>
+    </message>
+    <message>
+        <source>Choose a picture to show behind the tree, so that you can draw after it.</source>
+        <translation>Wybiera obraz widoczny za drzewem, aby można było go odrysować.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Show no picture behind the tree.</source>
+        <translation>Nie pokazuje za drzewem żadnego obrazu.</translation>
+    </message>
+    <message>
+        <source>Picture to Draw After</source>
+        <translation>Obraz do odrysowania</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Obrazy (%1)</translation>
+    </message>
+    <message>
+        <source>Lower colour</source>
+        <translation>Dolny kolor</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Kolor</translation>
+    </message>
+    <message>
+        <source>Upper colour</source>
+        <translation>Górny kolor</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read.</source>
+        <translation>Nie można odczytać %1.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BendPopOut</name>
+    <message>
+        <source>Bending</source>
+        <translation>Zginanie</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
+        <translation>&lt;b&gt;Zginanie&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się zginaniu: sztywna wygina się szerokim łukiem i prędzej się rozciąga.</translation>
+    </message>
+    <message>
+        <source>Stretching</source>
+        <translation>Rozciąganie</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
+        <translation>&lt;b&gt;Rozciąganie&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się rozciąganiu: zachowuje długość albo dalej podąża za ręką.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BranchingDiagram</name>
+    <message>
+        <source>zigzag</source>
+        <translation>zygzak</translation>
+    </message>
+    <message>
+        <source>acute</source>
+        <translation>ostry</translation>
+    </message>
+    <message>
+        <source>spreading</source>
+        <translation>odstający</translation>
+    </message>
+    <message>
+        <source>reflexed</source>
+        <translation>odgięty</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BrushPopOut</name>
+    <message>
+        <source>Pressure</source>
+        <translation>Nacisk</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Znaczniki</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
+        <translation>&lt;b&gt;Promień pędzla&lt;/b&gt; [ ]&lt;br&gt;Duży pędzel hoduje koronę w przestrzeni, którą przechodzi; przy promieniu bliskim zera rysuje pojedynczą gałąź dokładnie wzdłuż pociągnięcia.</translation>
+    </message>
+    <message>
+        <source>A pen's pressure scales the brush.</source>
+        <translation>Nacisk pióra zmienia rozmiar pędzla.</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <translation>Pokazuje punkty wolnego miejsca, które rozsiewa pędzel i ku którym rosną pędy.</translation>
+    </message>
+    <message>
+        <source>%L1 m</source>
+        <translation>%L1 m</translation>
+    </message>
+    <message>
+        <source>%L1 cm</source>
+        <translation>%L1 cm</translation>
+    </message>
+    <message>
+        <source>draws a branch</source>
+        <translation>rysuje gałąź</translation>
+    </message>
+    <message>
+        <source>grows a crown</source>
+        <translation>hoduje koronę</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::DirectionDiagram</name>
+    <message>
+        <source>Weights of direction</source>
+        <translation>Wagi kierunku</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>równowaga</translation>
+    </message>
+    <message>
+        <source>straight</source>
+        <translation>prosto</translation>
+    </message>
+    <message>
+        <source>tropism</source>
+        <translation>tropizm</translation>
+    </message>
+    <message>
+        <source>free space</source>
+        <translation>wolne miejsce</translation>
+    </message>
+    <message>
+        <source>H straight on</source>
+        <translation>H prosto</translation>
+    </message>
+    <message>
+        <source>T tropism</source>
+        <translation>T tropizm</translation>
+    </message>
+    <message>
+        <source>E space</source>
+        <translation>E miejsce</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::DocumentFile</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Bez nazwy</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::FileController</name>
+    <message>
+        <source>Binary glTF</source>
+        <translation>Binarny glTF</translation>
+    </message>
+    <message>
+        <source>FBX</source>
+        <translation>FBX</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Skeleton as a table</source>
+        <translation>Szkielet jako tabela</translation>
+    </message>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Nie zapisano. %1</translation>
+    </message>
+    <message>
+        <source>The tree cannot be kept safe from a crash: %1</source>
+        <translation>Nie można zabezpieczyć drzewa na wypadek awarii: %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otwieranie</translation>
+    </message>
+    <message>
+        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
+        <translation>Drzewa i przepisy (*.espalier *.json);;Drzewa (*.espalier);;Przepisy (*.json);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Zapisywanie %1</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Zapisywanie</translation>
+    </message>
+    <message>
+        <source>Trees (*.espalier)</source>
+        <translation>Drzewa (*.espalier)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksport</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Eksportowanie %1</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>Wyeksportowano %1</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>Nie zapisano pliku %1.</translation>
+    </message>
+    <message>
+        <source>Not exported. %1</source>
+        <translation>Nie wyeksportowano. %1</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Zapisano %1</translation>
+    </message>
+    <message>
+        <source>Espalier</source>
+        <translation>Espalier</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>„%1” ma niezapisane zmiany.</translation>
+    </message>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation>drzewo, którego nigdy nie zapisano</translation>
+    </message>
+    <message>
+        <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
+        <translation>Espalier niespodziewanie zakończył pracę. Można przywrócić poprzedni stan: %1.</translation>
+    </message>
+    <message>
+        <source>Bring Back</source>
+        <translation>Przywróć</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Odrzuć</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Jeszcze brak</translation>
+    </message>
+    <message>
+        <source>Forget Them</source>
+        <translation>Wyczyść listę</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::GravimorphismDiagram</name>
+    <message>
+        <source>all alike</source>
+        <translation>po równo</translation>
+    </message>
+    <message>
+        <source>amphitony</source>
+        <translation>amfitonia</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <translation>pionowo</translation>
+    </message>
+    <message>
+        <source>epitony</source>
+        <translation>epitonia</translation>
+    </message>
+    <message>
+        <source>hypotony</source>
+        <translation>hipotonia</translation>
+    </message>
+    <message>
+        <source>side %1</source>
+        <translation>bok %1</translation>
+    </message>
+    <message>
+        <source>above %1 · below %2</source>
+        <translation>góra %1 · dół %2</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::GrowPopOut</name>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
+        <translation>W tył: drzewo rośnie wstecz, przez wszystko, co zrobiono. W przód: wraca, a za kreską rośnie dalej.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Odtwórz</translation>
+    </message>
+    <message>
+        <source>Play what happened from here on, or all of it</source>
+        <translation>Odtwarza to, co działo się od tej chwili, albo całość</translation>
+    </message>
+    <message>
+        <source>Hold to grow</source>
+        <translation>Wzrost (trzymać)</translation>
+    </message>
+    <message>
+        <source>A tap grows one step; hold to grow on. One hold is one undo step.</source>
+        <translation>Stuknięcie daje jeden krok wzrostu; przytrzymanie przedłuża wzrost. Jedno przytrzymanie to jeden krok cofania.</translation>
+    </message>
+    <message>
+        <source>Steps to grow</source>
+        <translation>Liczba kroków wzrostu</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>kroków</translation>
+    </message>
+    <message>
+        <source>Grow that many steps, as one undo step. Escape stops.</source>
+        <translation>Tyle kroków wzrostu jako jeden krok cofania. Esc zatrzymuje.</translation>
+    </message>
+    <message>
+        <source>step %L1</source>
+        <translation>krok %L1</translation>
+    </message>
+    <message>
+        <source>step %L1, %L2 edits and steps back</source>
+        <translation>krok %L1, zmian i kroków wstecz: %L2</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HelpPage</name>
+    <message>
+        <source>Page of the help</source>
+        <translation>Strona pomocy</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HelpPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>Wstecz</translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation>Powrót do poprzedniej strony</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Spis treści</translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation>Zamknij pomoc</translation>
+    </message>
+    <message>
+        <source>Close the help (Esc)</source>
+        <translation>Zamknij pomoc (Esc)</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Szukaj</translation>
+    </message>
+    <message>
+        <source>Search in the help</source>
+        <translation>Szukaj w pomocy</translation>
+    </message>
+    <message>
+        <source>Pages of the help</source>
+        <translation>Strony pomocy</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Pomoc</translation>
+    </message>
+    <message>
+        <source>Show me around</source>
+        <translation>Oprowadź mnie</translation>
+    </message>
+    <message>
+        <source>Play this recipe</source>
+        <translation>Odtwórz ten przepis</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Nic nie znaleziono</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>Historia</translation>
+    </message>
+    <message>
+        <source>Seedling</source>
+        <translation>Siewka</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LassoPopOut</name>
+    <message>
+        <source>Regrow</source>
+        <translation>Od nowa</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>Wystarczy</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Obwiednia</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Znaczniki</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you did to it since goes.</source>
+        <translation>&lt;b&gt;Od nowa&lt;/b&gt;&lt;br&gt;Przenosi drzewo do chwili sprzed narysowania obwiedni i pozwala mu wypełnić ją ponownie z obecnymi parametrami. To, co zrobiono z nim później, przepada.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Remove&lt;/b&gt;&lt;br&gt;Take the envelope away; the tree stays as it grew.</source>
+        <translation>&lt;b&gt;Usuń&lt;/b&gt;&lt;br&gt;Usuwa obwiednię; drzewo zostaje takie, jakie wyrosło.</translation>
+    </message>
+    <message>
+        <source>Keep what has grown. Escape takes it back instead.</source>
+        <translation>Zachowuje to, co wyrosło. Esc natomiast to cofa.</translation>
+    </message>
+    <message>
+        <source>Show the envelope.</source>
+        <translation>Pokazuje obwiednię.</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the tree grows into.</source>
+        <translation>Pokazuje punkty wolnego miejsca, w które wrasta drzewo.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::MainWindow</name>
+    <message>
+        <source>The tree has no more room to grow in.</source>
+        <translation>Drzewo nie ma już miejsca, w którym mogłoby rosnąć.</translation>
+    </message>
+    <message>
+        <source>%1[*] – Espalier</source>
+        <translation>%1[*] – Espalier</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Notice</name>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PerceptionDiagram</name>
+    <message>
+        <source>dense</source>
+        <translation>gęsta</translation>
+    </message>
+    <message>
+        <source>ordinary</source>
+        <translation>zwykła</translation>
+    </message>
+    <message>
+        <source>airy</source>
+        <translation>ażurowa</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RadiusSlider</name>
+    <message>
+        <source>Brush radius</source>
+        <translation>Promień pędzla</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::RotationStrip</name>
+    <message>
+        <source>Rotation strip</source>
+        <translation>Pasek obrotu</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TopBar</name>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>Open Recent</source>
+        <translation>Otwórz ostatnie</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation>„%1” ma niezapisane zmiany.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Tour</name>
+    <message>
+        <source>Brush a tree</source>
+        <translation>Malowanie drzewa</translation>
+    </message>
+    <message>
+        <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
+        <translation>Oto siewka. &lt;b&gt;Nacisnąć ją i powoli ciągnąć w górę&lt;/b&gt;; puścić, gdy to, co rośnie, się podoba.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
+        <translation>&lt;b&gt;Nacisnąć gałąź i powoli ciągnąć na zewnątrz&lt;/b&gt;; puścić, gdy to, co rośnie, się podoba.</translation>
+    </message>
+    <message>
+        <source>Large and small</source>
+        <translation>Duży i mały</translation>
+    </message>
+    <message>
+        <source>A large brush grows a crown, a tiny one draws a single branch. &lt;b&gt;Draw the slider, or press&amp;nbsp;[&amp;nbsp;and&amp;nbsp;]&lt;/b&gt;.</source>
+        <translation>Duży pędzel hoduje koronę, mały rysuje pojedynczą gałąź. &lt;b&gt;Przeciągnąć suwak lub naciskać&amp;nbsp;[&amp;nbsp;i&amp;nbsp;]&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Narzędzia</translation>
+    </message>
+    <message>
+        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
+        <translation>Cięcie, gięcie, rysowanie lassem: jest tu wszystko, czego potrzebuje ogrodnik. &lt;b&gt;Wybrać Wzrost&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>Back in time</source>
+        <translation>Wstecz w czasie</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
+        <translation>&lt;b&gt;Przeciągnąć ten suwak w lewo&lt;/b&gt;, a drzewo urośnie wstecz; w prawo, a wróci i będzie rosło dalej.</translation>
+    </message>
+    <message>
+        <source>All around</source>
+        <translation>Dookoła</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Draw along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
+        <translation>&lt;b&gt;Przeciągnąć wzdłuż tej krawędzi&lt;/b&gt;, a drzewo się obróci, nawet gdy druga ręka maluje. Prawy przycisk myszy też je obraca.</translation>
+    </message>
+    <message>
+        <source>When you wonder</source>
+        <translation>W razie pytań</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
+        <translation>&lt;b&gt;F1&lt;/b&gt; lub ten przycisk opowiada o wybranym narzędziu. &lt;b&gt;Ctrl+Z&lt;/b&gt; cofa każdą czynność, więc warto próbować.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TourCard</name>
+    <message>
+        <source>Skip</source>
+        <translation>Pomiń</translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation>Wprowadzenie</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Gotowe</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Tree</name>
+    <message>
+        <source>the columns of the tree have different lengths</source>
+        <translation>kolumny drzewa mają różne długości</translation>
+    </message>
+    <message>
+        <source>the tree is empty or lacks its parameters</source>
+        <translation>drzewo jest puste lub nie ma parametrów</translation>
+    </message>
+    <message>
+        <source>the seedling must stand at the base</source>
+        <translation>siewka musi stać u podstawy</translation>
+    </message>
+    <message>
+        <source>it lives on a dead internode</source>
+        <translation>żyje na martwym międzywęźlu</translation>
+    </message>
+    <message>
+        <source>two internodes continue the same axis</source>
+        <translation>dwa międzywęźla przedłużają tę samą oś</translation>
+    </message>
+    <message>
+        <source>internode %1: %2</source>
+        <translation>międzywęźle %1: %2</translation>
+    </message>
+    <message>
+        <source>width %1 cannot be</source>
+        <translation>grubość %1 jest niemożliwa</translation>
+    </message>
+    <message>
+        <source>lasso %1 cannot be</source>
+        <translation>lasso %1 jest niemożliwe</translation>
+    </message>
+    <message>
+        <source>the lassos in force are out of order</source>
+        <translation>obowiązujące obrysy lassa są w złej kolejności</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::TropismDiagram</name>
+    <message>
+        <source>as the stroke</source>
+        <translation>za pociągnięciem</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>pionowo</translation>
+    </message>
+    <message>
+        <source>slanting</source>
+        <translation>ukośnie</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>poziomo</translation>
+    </message>
+    <message>
+        <source>weeping</source>
+        <translation>zwisająco</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Viewport</name>
+    <message>
+        <source>Tree</source>
+        <translation>Drzewo</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Workspace</name>
+    <message>
+        <source>Only one branch grows  ✕</source>
+        <translation>Rośnie tylko jedna gałąź  ✕</translation>
+    </message>
+    <message>
+        <source>Let all buds grow again</source>
+        <translation>Znów rosną wszystkie pąki</translation>
+    </message>
+    <message>
+        <source>a seedling</source>
+        <translation>siewka</translation>
+    </message>
+    <message>
+        <source>%L1 internodes · %L2 leaves · step %L3</source>
+        <translation>międzywęźla: %L1 · liście: %L2 · krok %L3</translation>
+    </message>
+</context>
+</TS>
