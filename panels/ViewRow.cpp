@@ -21,9 +21,7 @@ constexpr int kRowHeight = 42; ///< px, as of a ParameterRow
 QLabel* makeLabel(const QString& text, QWidget* parent)
 {
     auto* label = new QLabel(text, parent);
-    QPalette dim = label->palette();
-    dim.setColor(QPalette::WindowText, theme::kDimText);
-    label->setPalette(dim);
+    theme::setTone(*label, theme::Tone::Dim);
     return label;
 }
 

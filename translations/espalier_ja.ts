@@ -299,6 +299,22 @@
         <source>Window</source>
         <translation>ウィンドウ</translation>
     </message>
+    <message>
+        <source>Library</source>
+        <translation>ライブラリ</translation>
+    </message>
+    <message>
+        <source>Species to start from, and the trees that you keep.</source>
+        <translation>始めるための樹種と、保存した木。</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>設定…</translation>
+    </message>
+    <message>
+        <source>How Espalier looks, and how it takes your hand.</source>
+        <translation>Espalier の見た目と、手の受け取り方。</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -367,7 +383,7 @@
         <translation>投げ縄のストロークがありません。</translation>
     </message>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>投げ縄の描画面が正しくありません。</translation>
     </message>
     <message>
@@ -553,7 +569,7 @@
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>投げ縄の描画面が正しくありません。</translation>
     </message>
     <message>
@@ -578,6 +594,53 @@
     <message>
         <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
         <translation>樹冠の輪郭を描くと、木がそれを満たします。枝から始めると、その奥行きに描きます</translation>
+    </message>
+</context>
+<context>
+    <name>Library</name>
+    <message>
+        <source>A tree needs a name.</source>
+        <translation>木には名前が必要です。</translation>
+    </message>
+    <message>
+        <source>A name cannot begin with a full stop.</source>
+        <translation>名前をピリオドで始めることはできません。</translation>
+    </message>
+    <message>
+        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <translation>名前に / \ : * ? &quot; &lt; &gt; | は使えません。</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>この名前は長すぎます。</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>フォルダー %1 を作成できません。</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>木</translation>
+    </message>
+    <message>
+        <source>There is a tree named %1 already.</source>
+        <translation>%1 という名前の木はすでにあります。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be renamed: %2</source>
+        <translation>%1 の名前を変更できません: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be copied: %2</source>
+        <translation>%1 をコピーできません: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more.</source>
+        <translation>%1 はもうありません。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to the trash: %2</source>
+        <translation>%1 をゴミ箱に移動できません: %2</translation>
     </message>
 </context>
 <context>
@@ -620,7 +683,7 @@
         <translation>地面</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree's shadow.</source>
+        <source>Ground below the tree, with the tree&apos;s shadow.</source>
         <translation>木の下の地面です。木の影が落ちます。</translation>
     </message>
     <message>
@@ -688,7 +751,7 @@
         <translation>右へ</translation>
     </message>
     <message>
-        <source>Where the picture's middle is beside the seedling.</source>
+        <source>Where the picture&apos;s middle is beside the seedling.</source>
         <translation>苗から見た下絵の中心の左右位置です。</translation>
     </message>
     <message>
@@ -696,7 +759,7 @@
         <translation>上へ</translation>
     </message>
     <message>
-        <source>Where the picture's middle is above the seedling.</source>
+        <source>Where the picture&apos;s middle is above the seedling.</source>
         <translation>苗から見た下絵の中心の高さです。</translation>
     </message>
     <message>
@@ -1120,7 +1183,7 @@
         <translation>角度</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf's stalk.</source>
+        <source>Between a shoot and the leaf&apos;s stalk.</source>
         <translation>シュートと葉柄の間の角度です。</translation>
     </message>
     <message>
@@ -1184,7 +1247,7 @@
         <translation>指数</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
         <translation>枝の合流点で太さをどう足し合わせるかです。2 はレオナルドの法則で、小さいほど幹が太くなります。</translation>
     </message>
     <message>
@@ -1228,7 +1291,7 @@
         <translation>スケール</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
         <translation>樹皮の模様が繰り返すまでの幹の長さです。</translation>
     </message>
     <message>
@@ -1515,7 +1578,7 @@
         <translation>1 から %1 個までの節間が必要です</translation>
     </message>
     <message>
-        <source>a list of internodes' numbers is expected</source>
+        <source>a list of internodes&apos; numbers is expected</source>
         <translation>節間の番号のリストが必要です</translation>
     </message>
     <message>
@@ -1629,24 +1692,24 @@
 <context>
     <name>espalier</name>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
-        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです ("%2" は使えません)</translation>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです (&quot;%2&quot; は使えません)</translation>
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
         <translation>%1: 出力の形式は拡張子で決まります。使えるのは .espalier .obj .fbx .glb .csv です</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not "%1"</source>
-        <translation>--camera は front、side、top、three-quarter のいずれかです ("%1" は使えません)</translation>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <translation>--camera は front、side、top、three-quarter のいずれかです (&quot;%1&quot; は使えません)</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not "%2"</source>
-        <translation>--threads は 1 から %1 までの数値です ("%2" は使えません)</translation>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <translation>--threads は 1 から %1 までの数値です (&quot;%2&quot; は使えません)</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
-        <translation>--seed は 0 から 18446744073709551615 までの整数です ("%1" は使えません)</translation>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <translation>--seed は 0 から 18446744073709551615 までの整数です (&quot;%1&quot; は使えません)</translation>
     </message>
     <message>
         <source>%1 knows no option %2</source>
@@ -1685,8 +1748,8 @@
         <translation>info にはファイルを 1 つ指定します</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is "%1"?</source>
-        <translation>1 つのウィンドウで開けるファイルは 1 つです。"%1" は余分です</translation>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <translation>1 つのウィンドウで開けるファイルは 1 つです。&quot;%1&quot; は余分です</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -1940,7 +2003,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
         <translation>&lt;b&gt;ブラシの半径&lt;/b&gt; [ ]&lt;br&gt;大きいブラシは通った空間に樹冠を育て、ゼロに近いとストロークどおりに 1 本の枝を描きます。</translation>
     </message>
     <message>
-        <source>A pen's pressure scales the brush.</source>
+        <source>A pen&apos;s pressure scales the brush.</source>
         <translation>筆圧でブラシの大きさを変えます。</translation>
     </message>
     <message>
@@ -2300,6 +2363,95 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
 </context>
 <context>
+    <name>espalier::LibraryCards</name>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryController</name>
+    <message>
+        <source>%1 is in the trash.</source>
+        <translation>%1 はゴミ箱にあります。</translation>
+    </message>
+    <message>
+        <source>The system has no trash here. %1 is in %2 now.</source>
+        <translation>ここにはシステムのゴミ箱がありません。%1 は %2 に移しました。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryPanel</name>
+    <message>
+        <source>Keep This Tree</source>
+        <translation>この木を保存</translation>
+    </message>
+    <message>
+        <source>Start from This</source>
+        <translation>これから始める</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開く</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>ライブラリ</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>木</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>検索</translation>
+    </message>
+    <message>
+        <source>Save the tree that is open into the library.</source>
+        <translation>開いている木をライブラリに保存します。</translation>
+    </message>
+    <message>
+        <source>Back to the tree</source>
+        <translation>木に戻る</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>A new seedling that grows as this tree does.</source>
+        <translation>この木と同じように育つ新しい芽生え。</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>樹種</translation>
+    </message>
+    <message>
+        <source>Your Trees</source>
+        <translation>あなたの木</translation>
+    </message>
+    <message>
+        <source>None of them is called that.</source>
+        <translation>その名前のものはありません。</translation>
+    </message>
+    <message>
+        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <translation>まだありません。「この木を保存」で、開いている木をここに保存します。</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>名前を変更</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>複製</translation>
+    </message>
+    <message>
+        <source>Move to Trash</source>
+        <translation>ゴミ箱に移動</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2308,6 +2460,10 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <message>
         <source>%1[*] – Espalier</source>
         <translation>%1[*] – Espalier</translation>
+    </message>
+    <message>
+        <source>Growing %1</source>
+        <translation>%1 が育っています</translation>
     </message>
 </context>
 <context>
@@ -2337,6 +2493,13 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
 </context>
 <context>
+    <name>espalier::PressureCurve</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation>筆圧カーブ</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -2348,6 +2511,133 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <message>
         <source>Rotation strip</source>
         <translation>回転バー</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SettingsSheet</name>
+    <message>
+        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <translation>中ボタンで回転、Shift と中ボタンで移動、Ctrl と中ボタンで近づきます。Alt と左ボタンでも回転します。</translation>
+    </message>
+    <message>
+        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <translation>Alt と左ボタンで回転、Alt と中ボタンで移動、Alt と右ボタンで近づきます。</translation>
+    </message>
+    <message>
+        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <translation>右ボタンか中ボタンで回転、Shift と中ボタンで移動します。Alt と左ボタンでも回転します。</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>既定値</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>設定</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>ダーク</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>ライト</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>システムに合わせる</translation>
+    </message>
+    <message>
+        <source>On the left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>外観</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>テーマ</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>ツール</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>筆圧</translation>
+    </message>
+    <message>
+        <source>How firmly a pen must press for a large brush.</source>
+        <translation>大きなブラシにするためにペンを押す強さ。</translation>
+    </message>
+    <message>
+        <source>Press here with your pen to try it.</source>
+        <translation>ここをペンで押して試せます。</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>柔らかい</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>硬い</translation>
+    </message>
+    <message>
+        <source>Pen pressure</source>
+        <translation>ペンの筆圧</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>すべて</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>変更…</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>作業</translation>
+    </message>
+    <message>
+        <source>Safety copy every</source>
+        <translation>安全コピーの間隔</translation>
+    </message>
+    <message>
+        <source>Steps to undo</source>
+        <translation>取り消し回数</translation>
+    </message>
+    <message>
+        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <translation>回数は、次に始める木または開く木から有効です。</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>ライブラリ</translation>
+    </message>
+    <message>
+        <source>In a folder of Espalier&apos;s own</source>
+        <translation>Espalier 自身のフォルダー</translation>
+    </message>
+    <message>
+        <source>Folder of the Library</source>
+        <translation>ライブラリのフォルダー</translation>
     </message>
 </context>
 <context>

@@ -299,6 +299,22 @@
         <source>Window</source>
         <translation>Okno</translation>
     </message>
+    <message>
+        <source>Library</source>
+        <translation>Biblioteka</translation>
+    </message>
+    <message>
+        <source>Species to start from, and the trees that you keep.</source>
+        <translation>Gatunki na początek i drzewa, które zachowujesz.</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation>Ustawienia…</translation>
+    </message>
+    <message>
+        <source>How Espalier looks, and how it takes your hand.</source>
+        <translation>Jak wygląda Espalier i jak odczytuje twoją rękę.</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -367,7 +383,7 @@
         <translation>Nie ma obrysu lassa.</translation>
     </message>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>Płaszczyzna rysowania lassa jest nieprawidłowa.</translation>
     </message>
     <message>
@@ -553,7 +569,7 @@
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>Płaszczyzna rysowania lassa jest nieprawidłowa.</translation>
     </message>
     <message>
@@ -578,6 +594,53 @@
     <message>
         <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
         <translation>Narysować obrys korony; drzewo go wypełni. Początek na gałęzi oznacza rysowanie na jej głębokości</translation>
+    </message>
+</context>
+<context>
+    <name>Library</name>
+    <message>
+        <source>A tree needs a name.</source>
+        <translation>Drzewo musi mieć nazwę.</translation>
+    </message>
+    <message>
+        <source>A name cannot begin with a full stop.</source>
+        <translation>Nazwa nie może zaczynać się od kropki.</translation>
+    </message>
+    <message>
+        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <translation>Nazwa nie może zawierać znaków / \ : * ? &quot; &lt; &gt; |.</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>Ta nazwa jest za długa.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Nie można utworzyć folderu %1.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Drzewo</translation>
+    </message>
+    <message>
+        <source>There is a tree named %1 already.</source>
+        <translation>Jest już drzewo o nazwie %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be renamed: %2</source>
+        <translation>Nie można zmienić nazwy %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be copied: %2</source>
+        <translation>Nie można skopiować %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more.</source>
+        <translation>%1 już nie istnieje.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to the trash: %2</source>
+        <translation>Nie można przenieść %1 do kosza: %2</translation>
     </message>
 </context>
 <context>
@@ -620,7 +683,7 @@
         <translation>Podłoże</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree's shadow.</source>
+        <source>Ground below the tree, with the tree&apos;s shadow.</source>
         <translation>Podłoże pod drzewem, z jego cieniem.</translation>
     </message>
     <message>
@@ -688,7 +751,7 @@
         <translation>W prawo</translation>
     </message>
     <message>
-        <source>Where the picture's middle is beside the seedling.</source>
+        <source>Where the picture&apos;s middle is beside the seedling.</source>
         <translation>Położenie środka obrazu obok siewki.</translation>
     </message>
     <message>
@@ -696,7 +759,7 @@
         <translation>W górę</translation>
     </message>
     <message>
-        <source>Where the picture's middle is above the seedling.</source>
+        <source>Where the picture&apos;s middle is above the seedling.</source>
         <translation>Położenie środka obrazu nad siewką.</translation>
     </message>
     <message>
@@ -1120,7 +1183,7 @@
         <translation>Kąt</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf's stalk.</source>
+        <source>Between a shoot and the leaf&apos;s stalk.</source>
         <translation>Między pędem a ogonkiem liścia.</translation>
     </message>
     <message>
@@ -1184,7 +1247,7 @@
         <translation>Wykładnik</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
         <translation>Jak sumują się grubości w miejscu rozgałęzienia: 2 to reguła Leonarda; mniej daje grubsze pnie.</translation>
     </message>
     <message>
@@ -1228,7 +1291,7 @@
         <translation>Skala</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
         <translation>Długość pnia, po której wzór kory się powtarza.</translation>
     </message>
     <message>
@@ -1515,7 +1578,7 @@
         <translation>oczekiwano od 1 do %1 międzywęźli</translation>
     </message>
     <message>
-        <source>a list of internodes' numbers is expected</source>
+        <source>a list of internodes&apos; numbers is expected</source>
         <translation>oczekiwano listy numerów międzywęźli</translation>
     </message>
     <message>
@@ -1629,7 +1692,7 @@
 <context>
     <name>espalier</name>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
         <translation>--size wymaga SZEROKOŚĆxWYSOKOŚĆ, najwyżej po %1 pikseli, a nie „%2”</translation>
     </message>
     <message>
@@ -1637,15 +1700,15 @@
         <translation>%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .obj .fbx .glb .csv</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
         <translation>--camera to front, side, top lub three-quarter, a nie „%1”</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
         <translation>--threads wymaga liczby od 1 do %1, a nie „%2”</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
         <translation>--seed wymaga liczby całkowitej od 0 do 18446744073709551615, a nie „%1”</translation>
     </message>
     <message>
@@ -1685,7 +1748,7 @@
         <translation>info wymaga jednego pliku</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is "%1"?</source>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
         <translation>okno pokazuje jeden plik, czym więc jest „%1”?</translation>
     </message>
     <message>
@@ -1940,7 +2003,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>&lt;b&gt;Promień pędzla&lt;/b&gt; [ ]&lt;br&gt;Duży pędzel hoduje koronę w przestrzeni, którą przechodzi; przy promieniu bliskim zera rysuje pojedynczą gałąź dokładnie wzdłuż pociągnięcia.</translation>
     </message>
     <message>
-        <source>A pen's pressure scales the brush.</source>
+        <source>A pen&apos;s pressure scales the brush.</source>
         <translation>Nacisk pióra zmienia rozmiar pędzla.</translation>
     </message>
     <message>
@@ -2300,6 +2363,95 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::LibraryCards</name>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryController</name>
+    <message>
+        <source>%1 is in the trash.</source>
+        <translation>%1 jest w koszu.</translation>
+    </message>
+    <message>
+        <source>The system has no trash here. %1 is in %2 now.</source>
+        <translation>System nie ma tu kosza. %1 jest teraz w %2.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryPanel</name>
+    <message>
+        <source>Keep This Tree</source>
+        <translation>Zachowaj to drzewo</translation>
+    </message>
+    <message>
+        <source>Start from This</source>
+        <translation>Zacznij od tego</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otwórz</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Biblioteka</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Drzewa</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Szukaj</translation>
+    </message>
+    <message>
+        <source>Save the tree that is open into the library.</source>
+        <translation>Zapisz otwarte drzewo w bibliotece.</translation>
+    </message>
+    <message>
+        <source>Back to the tree</source>
+        <translation>Wróć do drzewa</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>A new seedling that grows as this tree does.</source>
+        <translation>Nowa siewka, która rośnie tak jak to drzewo.</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Gatunki</translation>
+    </message>
+    <message>
+        <source>Your Trees</source>
+        <translation>Twoje drzewa</translation>
+    </message>
+    <message>
+        <source>None of them is called that.</source>
+        <translation>Żadne się tak nie nazywa.</translation>
+    </message>
+    <message>
+        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <translation>Jeszcze żadnego. „Zachowaj to drzewo” zapisuje tutaj otwarte drzewo.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Zmień nazwę</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Powiel</translation>
+    </message>
+    <message>
+        <source>Move to Trash</source>
+        <translation>Przenieś do kosza</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2308,6 +2460,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>%1[*] – Espalier</source>
         <translation>%1[*] – Espalier</translation>
+    </message>
+    <message>
+        <source>Growing %1</source>
+        <translation>Rośnie: %1</translation>
     </message>
 </context>
 <context>
@@ -2337,6 +2493,13 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::PressureCurve</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation>Krzywa nacisku</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -2348,6 +2511,133 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Rotation strip</source>
         <translation>Pasek obrotu</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SettingsSheet</name>
+    <message>
+        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <translation>Środkowy przycisk obraca, z Shift przesuwa, z Ctrl przybliża. Alt i lewy przycisk też obracają.</translation>
+    </message>
+    <message>
+        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <translation>Alt i lewy przycisk obracają, Alt i środkowy przesuwają, Alt i prawy przybliżają.</translation>
+    </message>
+    <message>
+        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <translation>Prawy lub środkowy przycisk obraca, Shift i środkowy przesuwają. Alt i lewy przycisk też obracają.</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Domyślne</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Ustawienia</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Ciemny</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Jasny</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Jak w systemie</translation>
+    </message>
+    <message>
+        <source>On the left</source>
+        <translation>Po lewej</translation>
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation>Po prawej</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Wygląd</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Motyw</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Narzędzia</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Nacisk</translation>
+    </message>
+    <message>
+        <source>How firmly a pen must press for a large brush.</source>
+        <translation>Jak mocno trzeba nacisnąć pióro, by pędzel był duży.</translation>
+    </message>
+    <message>
+        <source>Press here with your pen to try it.</source>
+        <translation>Naciśnij tu piórem, żeby spróbować.</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Mysz</translation>
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation>Miękko</translation>
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation>Mocno</translation>
+    </message>
+    <message>
+        <source>Pen pressure</source>
+        <translation>Nacisk pióra</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>wszystkie</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>Zmień…</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Praca</translation>
+    </message>
+    <message>
+        <source>Safety copy every</source>
+        <translation>Kopia co</translation>
+    </message>
+    <message>
+        <source>Steps to undo</source>
+        <translation>Kroki cofania</translation>
+    </message>
+    <message>
+        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <translation>Liczba kroków obowiązuje od następnego drzewa.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Biblioteka</translation>
+    </message>
+    <message>
+        <source>In a folder of Espalier&apos;s own</source>
+        <translation>We własnym folderze Espaliera</translation>
+    </message>
+    <message>
+        <source>Folder of the Library</source>
+        <translation>Folder biblioteki</translation>
     </message>
 </context>
 <context>
