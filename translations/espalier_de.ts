@@ -299,6 +299,22 @@
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Species to start from, and the trees that you keep.</source>
+        <translation>Arten zum Beginnen und die eigenen Bäume.</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>How Espalier looks, and how it takes your hand.</source>
+        <translation type="unfinished" />
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -578,6 +594,53 @@
     <message>
         <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
         <translation>Den Umriss einer Krone zeichnen; der Baum füllt ihn aus. An einem Ast beginnen, um in dessen Tiefe zu zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>Library</name>
+    <message>
+        <source>A tree needs a name.</source>
+        <translation>Ein Baum braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>A name cannot begin with a full stop.</source>
+        <translation>Ein Name darf nicht mit einem Punkt beginnen.</translation>
+    </message>
+    <message>
+        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
+        <translation>Ein Name darf keines der Zeichen / \ : * ? " &lt; &gt; | enthalten.</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>Dieser Name ist zu lang.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Baum</translation>
+    </message>
+    <message>
+        <source>There is a tree named %1 already.</source>
+        <translation>Es gibt schon einen Baum namens %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be renamed: %2</source>
+        <translation>%1 kann nicht umbenannt werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be copied: %2</source>
+        <translation>%1 kann nicht kopiert werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more.</source>
+        <translation>%1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to the trash: %2</source>
+        <translation>%1 kann nicht in den Papierkorb verschoben werden: %2</translation>
     </message>
 </context>
 <context>
@@ -2301,6 +2364,95 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::LibraryCards</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryController</name>
+    <message>
+        <source>%1 is in the trash.</source>
+        <translation>%1 ist im Papierkorb.</translation>
+    </message>
+    <message>
+        <source>The system has no trash here. %1 is in %2 now.</source>
+        <translation>Das System hat hier keinen Papierkorb. %1 ist jetzt in %2.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryPanel</name>
+    <message>
+        <source>Keep This Tree</source>
+        <translation>Baum behalten</translation>
+    </message>
+    <message>
+        <source>Start from This</source>
+        <translation>Damit beginnen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Bäume</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Save the tree that is open into the library.</source>
+        <translation>Den geöffneten Baum in der Bibliothek speichern.</translation>
+    </message>
+    <message>
+        <source>Back to the tree</source>
+        <translation>Zurück zum Baum</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>A new seedling that grows as this tree does.</source>
+        <translation>Ein neuer Sämling, der wächst wie dieser Baum.</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Arten</translation>
+    </message>
+    <message>
+        <source>Your Trees</source>
+        <translation>Eigene Bäume</translation>
+    </message>
+    <message>
+        <source>None of them is called that.</source>
+        <translation>Nichts davon heißt so.</translation>
+    </message>
+    <message>
+        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <translation>Noch keine. „Baum behalten“ speichert den Baum, der hier geöffnet ist.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Move to Trash</source>
+        <translation>In den Papierkorb</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2309,6 +2461,10 @@ geschrieben werden konnte.
     <message>
         <source>%1[*] – Espalier</source>
         <translation>%1[*] – Espalier</translation>
+    </message>
+    <message>
+        <source>Growing %1</source>
+        <translation>%1 wächst</translation>
     </message>
 </context>
 <context>
@@ -2338,6 +2494,13 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::PressureCurve</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -2349,6 +2512,133 @@ geschrieben werden konnte.
     <message>
         <source>Rotation strip</source>
         <translation>Drehleiste</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SettingsSheet</name>
+    <message>
+        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Schließen</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>On the left</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished">Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation type="unfinished">Druck</translation>
+    </message>
+    <message>
+        <source>How firmly a pen must press for a large brush.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Press here with your pen to try it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Pen pressure</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Work</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Safety copy every</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Steps to undo</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Library</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>In a folder of Espalier's own</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Folder of the Library</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>

@@ -299,6 +299,22 @@
         <source>Window</source>
         <translation>Fenêtre</translation>
     </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>Species to start from, and the trees that you keep.</source>
+        <translation>Des espèces pour commencer, et les arbres gardés.</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>How Espalier looks, and how it takes your hand.</source>
+        <translation type="unfinished" />
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -578,6 +594,53 @@
     <message>
         <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
         <translation>Dessiner la silhouette d’un houppier ; l’arbre la remplit. Partir d’une branche pour dessiner à sa profondeur</translation>
+    </message>
+</context>
+<context>
+    <name>Library</name>
+    <message>
+        <source>A tree needs a name.</source>
+        <translation>Il faut un nom à l’arbre.</translation>
+    </message>
+    <message>
+        <source>A name cannot begin with a full stop.</source>
+        <translation>Un nom ne peut pas commencer par un point.</translation>
+    </message>
+    <message>
+        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
+        <translation>Un nom ne peut contenir aucun des caractères / \ : * ? " &lt; &gt; |.</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>Ce nom est trop long.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Impossible de créer le dossier %1.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Arbre</translation>
+    </message>
+    <message>
+        <source>There is a tree named %1 already.</source>
+        <translation>Il y a déjà un arbre nommé %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be renamed: %2</source>
+        <translation>Impossible de renommer %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be copied: %2</source>
+        <translation>Impossible de copier %1 : %2</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more.</source>
+        <translation>%1 n’est plus là.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to the trash: %2</source>
+        <translation>Impossible de mettre %1 à la corbeille : %2</translation>
     </message>
 </context>
 <context>
@@ -2300,6 +2363,95 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::LibraryCards</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryController</name>
+    <message>
+        <source>%1 is in the trash.</source>
+        <translation>%1 est à la corbeille.</translation>
+    </message>
+    <message>
+        <source>The system has no trash here. %1 is in %2 now.</source>
+        <translation>Le système n’a pas de corbeille ici. %1 est maintenant dans %2.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryPanel</name>
+    <message>
+        <source>Keep This Tree</source>
+        <translation>Garder cet arbre</translation>
+    </message>
+    <message>
+        <source>Start from This</source>
+        <translation>Partir de celui-ci</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothèque</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Arbres</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Rechercher</translation>
+    </message>
+    <message>
+        <source>Save the tree that is open into the library.</source>
+        <translation>Enregistrer l’arbre ouvert dans la bibliothèque.</translation>
+    </message>
+    <message>
+        <source>Back to the tree</source>
+        <translation>Retour à l’arbre</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>A new seedling that grows as this tree does.</source>
+        <translation>Une nouvelle plantule qui pousse comme cet arbre.</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Espèces</translation>
+    </message>
+    <message>
+        <source>Your Trees</source>
+        <translation>Mes arbres</translation>
+    </message>
+    <message>
+        <source>None of them is called that.</source>
+        <translation>Aucun ne porte ce nom.</translation>
+    </message>
+    <message>
+        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <translation>Aucun encore. « Garder cet arbre » enregistre ici l’arbre ouvert.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dupliquer</translation>
+    </message>
+    <message>
+        <source>Move to Trash</source>
+        <translation>À la corbeille</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2308,6 +2460,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>%1[*] – Espalier</source>
         <translation>%1[*] – Espalier</translation>
+    </message>
+    <message>
+        <source>Growing %1</source>
+        <translation>Croissance : %1</translation>
     </message>
 </context>
 <context>
@@ -2337,6 +2493,13 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::PressureCurve</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -2348,6 +2511,133 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Rotation strip</source>
         <translation>Bande de rotation</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SettingsSheet</name>
+    <message>
+        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Fermer</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>On the left</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished">Outils</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation type="unfinished">Pression</translation>
+    </message>
+    <message>
+        <source>How firmly a pen must press for a large brush.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Press here with your pen to try it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Pen pressure</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Work</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Safety copy every</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Steps to undo</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Library</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>In a folder of Espalier's own</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Folder of the Library</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>

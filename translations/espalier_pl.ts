@@ -299,6 +299,22 @@
         <source>Window</source>
         <translation>Okno</translation>
     </message>
+    <message>
+        <source>Library</source>
+        <translation>Biblioteka</translation>
+    </message>
+    <message>
+        <source>Species to start from, and the trees that you keep.</source>
+        <translation>Gatunki na początek oraz zachowane drzewa.</translation>
+    </message>
+    <message>
+        <source>Settings…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>How Espalier looks, and how it takes your hand.</source>
+        <translation type="unfinished" />
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -578,6 +594,53 @@
     <message>
         <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
         <translation>Narysować obrys korony; drzewo go wypełni. Początek na gałęzi oznacza rysowanie na jej głębokości</translation>
+    </message>
+</context>
+<context>
+    <name>Library</name>
+    <message>
+        <source>A tree needs a name.</source>
+        <translation>Drzewo musi mieć nazwę.</translation>
+    </message>
+    <message>
+        <source>A name cannot begin with a full stop.</source>
+        <translation>Nazwa nie może zaczynać się od kropki.</translation>
+    </message>
+    <message>
+        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
+        <translation>Nazwa nie może zawierać żadnego ze znaków / \ : * ? " &lt; &gt; |.</translation>
+    </message>
+    <message>
+        <source>This name is too long.</source>
+        <translation>Ta nazwa jest za długa.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Nie można utworzyć folderu %1.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Drzewo</translation>
+    </message>
+    <message>
+        <source>There is a tree named %1 already.</source>
+        <translation>Drzewo o nazwie %1 już istnieje.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be renamed: %2</source>
+        <translation>Nie można zmienić nazwy %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be copied: %2</source>
+        <translation>Nie można skopiować %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more.</source>
+        <translation>%1 już nie istnieje.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be moved to the trash: %2</source>
+        <translation>Nie można przenieść %1 do kosza: %2</translation>
     </message>
 </context>
 <context>
@@ -2300,6 +2363,95 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::LibraryCards</name>
+    <message>
+        <source>Name</source>
+        <translation>Nazwa</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryController</name>
+    <message>
+        <source>%1 is in the trash.</source>
+        <translation>%1 jest w koszu.</translation>
+    </message>
+    <message>
+        <source>The system has no trash here. %1 is in %2 now.</source>
+        <translation>System nie ma tu kosza. %1 jest teraz w %2.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LibraryPanel</name>
+    <message>
+        <source>Keep This Tree</source>
+        <translation>Zachowaj to drzewo</translation>
+    </message>
+    <message>
+        <source>Start from This</source>
+        <translation>Zacznij od tego</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otwórz</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Biblioteka</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Drzewa</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Szukaj</translation>
+    </message>
+    <message>
+        <source>Save the tree that is open into the library.</source>
+        <translation>Zapisuje otwarte drzewo w bibliotece.</translation>
+    </message>
+    <message>
+        <source>Back to the tree</source>
+        <translation>Z powrotem do drzewa</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>A new seedling that grows as this tree does.</source>
+        <translation>Nowa siewka, która rośnie tak jak to drzewo.</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Gatunki</translation>
+    </message>
+    <message>
+        <source>Your Trees</source>
+        <translation>Własne drzewa</translation>
+    </message>
+    <message>
+        <source>None of them is called that.</source>
+        <translation>Żadne nie ma takiej nazwy.</translation>
+    </message>
+    <message>
+        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <translation>Jeszcze brak. „Zachowaj to drzewo” zapisuje drzewo, które jest tu otwarte.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Zmień nazwę</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Powiel</translation>
+    </message>
+    <message>
+        <source>Move to Trash</source>
+        <translation>Przenieś do kosza</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2308,6 +2460,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>%1[*] – Espalier</source>
         <translation>%1[*] – Espalier</translation>
+    </message>
+    <message>
+        <source>Growing %1</source>
+        <translation>Rośnie: %1</translation>
     </message>
 </context>
 <context>
@@ -2337,6 +2493,13 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::PressureCurve</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -2348,6 +2511,133 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Rotation strip</source>
         <translation>Pasek obrotu</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SettingsSheet</name>
+    <message>
+        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Zamknij</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>On the left</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>On the right</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished">Narzędzia</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation type="unfinished">Nacisk</translation>
+    </message>
+    <message>
+        <source>How firmly a pen must press for a large brush.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Press here with your pen to try it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Soft</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Firm</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Pen pressure</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Work</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Safety copy every</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Steps to undo</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Library</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>In a folder of Espalier's own</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Folder of the Library</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
