@@ -309,11 +309,11 @@
     </message>
     <message>
         <source>Settings…</source>
-        <translation type="unfinished" />
+        <translation>Einstellungen…</translation>
     </message>
     <message>
         <source>How Espalier looks, and how it takes your hand.</source>
-        <translation type="unfinished" />
+        <translation>Wie Espalier aussieht und wie es auf die Hand reagiert.</translation>
     </message>
 </context>
 <context>
@@ -2497,7 +2497,7 @@ geschrieben werden konnte.
     <name>espalier::PressureCurve</name>
     <message>
         <source>Pressure curve</source>
-        <translation type="unfinished" />
+        <translation>Druckkurve</translation>
     </message>
 </context>
 <context>
@@ -2518,127 +2518,127 @@ geschrieben werden konnte.
     <name>espalier::SettingsSheet</name>
     <message>
         <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
-        <translation type="unfinished" />
+        <translation>Mittlere Taste dreht, mit Umschalt verschiebt sie, mit Strg geht sie näher. Auch Alt und die linke Taste drehen.</translation>
     </message>
     <message>
         <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
-        <translation type="unfinished" />
+        <translation>Alt und die linke Taste drehen, Alt und die mittlere verschieben, Alt und die rechte gehen näher.</translation>
     </message>
     <message>
         <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
-        <translation type="unfinished" />
+        <translation>Rechte oder mittlere Taste dreht, Umschalt und die mittlere verschieben. Auch Alt und die linke Taste drehen.</translation>
     </message>
     <message>
         <source>Defaults</source>
-        <translation type="unfinished" />
+        <translation>Vorgaben</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished" />
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Schließen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished" />
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished" />
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Like the system</source>
-        <translation type="unfinished" />
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>On the left</source>
-        <translation type="unfinished" />
+        <translation>Links</translation>
     </message>
     <message>
         <source>On the right</source>
-        <translation type="unfinished" />
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished" />
+        <translation>Darstellung</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished" />
+        <translation>Design</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished">Werkzeuge</translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished">Druck</translation>
+        <translation>Druck</translation>
     </message>
     <message>
         <source>How firmly a pen must press for a large brush.</source>
-        <translation type="unfinished" />
+        <translation>Wie fest ein Stift für einen großen Pinsel drücken muss.</translation>
     </message>
     <message>
         <source>Press here with your pen to try it.</source>
-        <translation type="unfinished" />
+        <translation>Zum Ausprobieren hier mit dem Stift drücken.</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished" />
+        <translation>Maus</translation>
     </message>
     <message>
         <source>Soft</source>
-        <translation type="unfinished" />
+        <translation>Weich</translation>
     </message>
     <message>
         <source>Firm</source>
-        <translation type="unfinished" />
+        <translation>Fest</translation>
     </message>
     <message>
         <source>Pen pressure</source>
-        <translation type="unfinished" />
+        <translation>Stiftdruck</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished" />
+        <translation> s</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished" />
+        <translation>alle</translation>
     </message>
     <message>
         <source>Change…</source>
-        <translation type="unfinished" />
+        <translation>Ändern…</translation>
     </message>
     <message>
         <source>Work</source>
-        <translation type="unfinished" />
+        <translation>Arbeit</translation>
     </message>
     <message>
         <source>Safety copy every</source>
-        <translation type="unfinished" />
+        <translation>Sicherheitskopie alle</translation>
     </message>
     <message>
         <source>Steps to undo</source>
-        <translation type="unfinished" />
+        <translation>Schritte zurück</translation>
     </message>
     <message>
         <source>The number of steps counts from the next tree on that you begin or open.</source>
-        <translation type="unfinished" />
+        <translation>Die Zahl der Schritte gilt ab dem nächsten Baum, der begonnen oder geöffnet wird.</translation>
     </message>
     <message>
         <source>Library</source>
-        <translation type="unfinished" />
+        <translation>Bibliothek</translation>
     </message>
     <message>
         <source>In a folder of Espalier's own</source>
-        <translation type="unfinished" />
+        <translation>In Espaliers eigenem Ordner</translation>
     </message>
     <message>
         <source>Folder of the Library</source>
-        <translation type="unfinished" />
+        <translation>Ordner der Bibliothek</translation>
     </message>
 </context>
 <context>

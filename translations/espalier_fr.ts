@@ -309,11 +309,11 @@
     </message>
     <message>
         <source>Settings…</source>
-        <translation type="unfinished" />
+        <translation>Réglages…</translation>
     </message>
     <message>
         <source>How Espalier looks, and how it takes your hand.</source>
-        <translation type="unfinished" />
+        <translation>L’aspect d’Espalier, et sa façon de répondre à la main.</translation>
     </message>
 </context>
 <context>
@@ -2496,7 +2496,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <name>espalier::PressureCurve</name>
     <message>
         <source>Pressure curve</source>
-        <translation type="unfinished" />
+        <translation>Courbe de pression</translation>
     </message>
 </context>
 <context>
@@ -2517,127 +2517,127 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <name>espalier::SettingsSheet</name>
     <message>
         <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
-        <translation type="unfinished" />
+        <translation>Le bouton du milieu tourne, avec Maj il déplace, avec Ctrl il approche. Alt et le bouton gauche tournent aussi.</translation>
     </message>
     <message>
         <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
-        <translation type="unfinished" />
+        <translation>Alt et le bouton gauche tournent, Alt et celui du milieu déplacent, Alt et le droit approchent.</translation>
     </message>
     <message>
         <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
-        <translation type="unfinished" />
+        <translation>Le bouton droit ou du milieu tourne, Maj et celui du milieu déplacent. Alt et le bouton gauche tournent aussi.</translation>
     </message>
     <message>
         <source>Defaults</source>
-        <translation type="unfinished" />
+        <translation>Par défaut</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished" />
+        <translation>Réglages</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Fermer</translation>
+        <translation>Fermer</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished" />
+        <translation>Sombre</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished" />
+        <translation>Clair</translation>
     </message>
     <message>
         <source>Like the system</source>
-        <translation type="unfinished" />
+        <translation>Comme le système</translation>
     </message>
     <message>
         <source>On the left</source>
-        <translation type="unfinished" />
+        <translation>À gauche</translation>
     </message>
     <message>
         <source>On the right</source>
-        <translation type="unfinished" />
+        <translation>À droite</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished" />
+        <translation>Apparence</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished" />
+        <translation>Thème</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished">Outils</translation>
+        <translation>Outils</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished">Pression</translation>
+        <translation>Pression</translation>
     </message>
     <message>
         <source>How firmly a pen must press for a large brush.</source>
-        <translation type="unfinished" />
+        <translation>À quel point il faut appuyer le stylet pour un grand pinceau.</translation>
     </message>
     <message>
         <source>Press here with your pen to try it.</source>
-        <translation type="unfinished" />
+        <translation>Appuyer ici avec le stylet pour essayer.</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished" />
+        <translation>Souris</translation>
     </message>
     <message>
         <source>Soft</source>
-        <translation type="unfinished" />
+        <translation>Souple</translation>
     </message>
     <message>
         <source>Firm</source>
-        <translation type="unfinished" />
+        <translation>Ferme</translation>
     </message>
     <message>
         <source>Pen pressure</source>
-        <translation type="unfinished" />
+        <translation>Pression du stylet</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished" />
+        <translation> s</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished" />
+        <translation>toutes</translation>
     </message>
     <message>
         <source>Change…</source>
-        <translation type="unfinished" />
+        <translation>Changer…</translation>
     </message>
     <message>
         <source>Work</source>
-        <translation type="unfinished" />
+        <translation>Travail</translation>
     </message>
     <message>
         <source>Safety copy every</source>
-        <translation type="unfinished" />
+        <translation>Sauvegarde toutes les</translation>
     </message>
     <message>
         <source>Steps to undo</source>
-        <translation type="unfinished" />
+        <translation>Étapes annulables</translation>
     </message>
     <message>
         <source>The number of steps counts from the next tree on that you begin or open.</source>
-        <translation type="unfinished" />
+        <translation>Le nombre d’étapes vaut à partir du prochain arbre commencé ou ouvert.</translation>
     </message>
     <message>
         <source>Library</source>
-        <translation type="unfinished" />
+        <translation>Bibliothèque</translation>
     </message>
     <message>
         <source>In a folder of Espalier's own</source>
-        <translation type="unfinished" />
+        <translation>Dans un dossier propre à Espalier</translation>
     </message>
     <message>
         <source>Folder of the Library</source>
-        <translation type="unfinished" />
+        <translation>Dossier de la bibliothèque</translation>
     </message>
 </context>
 <context>

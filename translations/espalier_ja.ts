@@ -309,11 +309,11 @@
     </message>
     <message>
         <source>Settings…</source>
-        <translation type="unfinished" />
+        <translation>設定…</translation>
     </message>
     <message>
         <source>How Espalier looks, and how it takes your hand.</source>
-        <translation type="unfinished" />
+        <translation>Espalier の見た目と、手の動きの受け取り方です。</translation>
     </message>
 </context>
 <context>
@@ -2496,7 +2496,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <name>espalier::PressureCurve</name>
     <message>
         <source>Pressure curve</source>
-        <translation type="unfinished" />
+        <translation>筆圧カーブ</translation>
     </message>
 </context>
 <context>
@@ -2517,127 +2517,127 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <name>espalier::SettingsSheet</name>
     <message>
         <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
-        <translation type="unfinished" />
+        <translation>中ボタンで回転、Shift と中ボタンで移動、Ctrl と中ボタンで近づきます。Alt と左ボタンでも回転します。</translation>
     </message>
     <message>
         <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
-        <translation type="unfinished" />
+        <translation>Alt と左ボタンで回転、Alt と中ボタンで移動、Alt と右ボタンで近づきます。</translation>
     </message>
     <message>
         <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
-        <translation type="unfinished" />
+        <translation>右ボタンか中ボタンで回転、Shift と中ボタンで移動します。Alt と左ボタンでも回転します。</translation>
     </message>
     <message>
         <source>Defaults</source>
-        <translation type="unfinished" />
+        <translation>既定値</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished" />
+        <translation>設定</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">閉じる</translation>
+        <translation>閉じる</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished" />
+        <translation>ダーク</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished" />
+        <translation>ライト</translation>
     </message>
     <message>
         <source>Like the system</source>
-        <translation type="unfinished" />
+        <translation>システムに合わせる</translation>
     </message>
     <message>
         <source>On the left</source>
-        <translation type="unfinished" />
+        <translation>左側</translation>
     </message>
     <message>
         <source>On the right</source>
-        <translation type="unfinished" />
+        <translation>右側</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished" />
+        <translation>外観</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished" />
+        <translation>テーマ</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished">ツール</translation>
+        <translation>ツール</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished">筆圧</translation>
+        <translation>筆圧</translation>
     </message>
     <message>
         <source>How firmly a pen must press for a large brush.</source>
-        <translation type="unfinished" />
+        <translation>ブラシを大きくするのに、ペンをどれだけ強く押すかです。</translation>
     </message>
     <message>
         <source>Press here with your pen to try it.</source>
-        <translation type="unfinished" />
+        <translation>ここをペンで押して試せます。</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished" />
+        <translation>マウス</translation>
     </message>
     <message>
         <source>Soft</source>
-        <translation type="unfinished" />
+        <translation>軽い</translation>
     </message>
     <message>
         <source>Firm</source>
-        <translation type="unfinished" />
+        <translation>強い</translation>
     </message>
     <message>
         <source>Pen pressure</source>
-        <translation type="unfinished" />
+        <translation>筆圧</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished" />
+        <translation> 秒</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished" />
+        <translation>すべて</translation>
     </message>
     <message>
         <source>Change…</source>
-        <translation type="unfinished" />
+        <translation>変更…</translation>
     </message>
     <message>
         <source>Work</source>
-        <translation type="unfinished" />
+        <translation>作業</translation>
     </message>
     <message>
         <source>Safety copy every</source>
-        <translation type="unfinished" />
+        <translation>控えの間隔</translation>
     </message>
     <message>
         <source>Steps to undo</source>
-        <translation type="unfinished" />
+        <translation>元に戻す回数</translation>
     </message>
     <message>
         <source>The number of steps counts from the next tree on that you begin or open.</source>
-        <translation type="unfinished" />
+        <translation>回数は、次に新しく始める木、または開く木から有効になります。</translation>
     </message>
     <message>
         <source>Library</source>
-        <translation type="unfinished" />
+        <translation>ライブラリ</translation>
     </message>
     <message>
         <source>In a folder of Espalier's own</source>
-        <translation type="unfinished" />
+        <translation>Espalier 専用のフォルダー</translation>
     </message>
     <message>
         <source>Folder of the Library</source>
-        <translation type="unfinished" />
+        <translation>ライブラリのフォルダー</translation>
     </message>
 </context>
 <context>

@@ -309,11 +309,11 @@
     </message>
     <message>
         <source>Settings…</source>
-        <translation type="unfinished" />
+        <translation>Ustawienia…</translation>
     </message>
     <message>
         <source>How Espalier looks, and how it takes your hand.</source>
-        <translation type="unfinished" />
+        <translation>Jak Espalier wygląda i jak reaguje na rękę.</translation>
     </message>
 </context>
 <context>
@@ -2496,7 +2496,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <name>espalier::PressureCurve</name>
     <message>
         <source>Pressure curve</source>
-        <translation type="unfinished" />
+        <translation>Krzywa nacisku</translation>
     </message>
 </context>
 <context>
@@ -2517,127 +2517,127 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <name>espalier::SettingsSheet</name>
     <message>
         <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
-        <translation type="unfinished" />
+        <translation>Środkowy przycisk obraca, z Shift przesuwa, z Ctrl przybliża. Alt i lewy przycisk też obracają.</translation>
     </message>
     <message>
         <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
-        <translation type="unfinished" />
+        <translation>Alt i lewy przycisk obracają, Alt i środkowy przesuwają, Alt i prawy przybliżają.</translation>
     </message>
     <message>
         <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
-        <translation type="unfinished" />
+        <translation>Prawy lub środkowy przycisk obraca, Shift i środkowy przesuwają. Alt i lewy przycisk też obracają.</translation>
     </message>
     <message>
         <source>Defaults</source>
-        <translation type="unfinished" />
+        <translation>Domyślne</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished" />
+        <translation>Ustawienia</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Zamknij</translation>
+        <translation>Zamknij</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished" />
+        <translation>Ciemny</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished" />
+        <translation>Jasny</translation>
     </message>
     <message>
         <source>Like the system</source>
-        <translation type="unfinished" />
+        <translation>Jak w systemie</translation>
     </message>
     <message>
         <source>On the left</source>
-        <translation type="unfinished" />
+        <translation>Po lewej</translation>
     </message>
     <message>
         <source>On the right</source>
-        <translation type="unfinished" />
+        <translation>Po prawej</translation>
     </message>
     <message>
         <source>Appearance</source>
-        <translation type="unfinished" />
+        <translation>Wygląd</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished" />
+        <translation>Motyw</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished">Narzędzia</translation>
+        <translation>Narzędzia</translation>
     </message>
     <message>
         <source>Pressure</source>
-        <translation type="unfinished">Nacisk</translation>
+        <translation>Nacisk</translation>
     </message>
     <message>
         <source>How firmly a pen must press for a large brush.</source>
-        <translation type="unfinished" />
+        <translation>Jak mocno trzeba nacisnąć pióro, by pędzel był duży.</translation>
     </message>
     <message>
         <source>Press here with your pen to try it.</source>
-        <translation type="unfinished" />
+        <translation>Nacisnąć tu piórem, aby wypróbować.</translation>
     </message>
     <message>
         <source>Mouse</source>
-        <translation type="unfinished" />
+        <translation>Mysz</translation>
     </message>
     <message>
         <source>Soft</source>
-        <translation type="unfinished" />
+        <translation>Lekko</translation>
     </message>
     <message>
         <source>Firm</source>
-        <translation type="unfinished" />
+        <translation>Mocno</translation>
     </message>
     <message>
         <source>Pen pressure</source>
-        <translation type="unfinished" />
+        <translation>Nacisk pióra</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished" />
+        <translation> s</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished" />
+        <translation>wszystkie</translation>
     </message>
     <message>
         <source>Change…</source>
-        <translation type="unfinished" />
+        <translation>Zmień…</translation>
     </message>
     <message>
         <source>Work</source>
-        <translation type="unfinished" />
+        <translation>Praca</translation>
     </message>
     <message>
         <source>Safety copy every</source>
-        <translation type="unfinished" />
+        <translation>Kopia zapasowa co</translation>
     </message>
     <message>
         <source>Steps to undo</source>
-        <translation type="unfinished" />
+        <translation>Kroki cofania</translation>
     </message>
     <message>
         <source>The number of steps counts from the next tree on that you begin or open.</source>
-        <translation type="unfinished" />
+        <translation>Liczba kroków obowiązuje od następnego rozpoczętego lub otwartego drzewa.</translation>
     </message>
     <message>
         <source>Library</source>
-        <translation type="unfinished" />
+        <translation>Biblioteka</translation>
     </message>
     <message>
         <source>In a folder of Espalier's own</source>
-        <translation type="unfinished" />
+        <translation>We własnym folderze programu</translation>
     </message>
     <message>
         <source>Folder of the Library</source>
-        <translation type="unfinished" />
+        <translation>Folder biblioteki</translation>
     </message>
 </context>
 <context>
