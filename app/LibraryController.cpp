@@ -18,7 +18,8 @@ LibraryController::LibraryController(LibraryPanel& panel, FileController& files,
     connect(&panel, &LibraryPanel::openAsked, &files, &FileController::openFile);
     connect(&panel, &LibraryPanel::startAsked, &files, &FileController::startFrom);
     connect(&panel, &LibraryPanel::keepAsked, this, &LibraryController::keep);
-    connect(&panel, &LibraryPanel::renameAsked, this, &LibraryController::rename);
+    // The field that the name was typed into is still open now.
+    connect(&panel, &LibraryPanel::renameAsked, this, &LibraryController::rename, Qt::QueuedConnection);
     connect(&panel, &LibraryPanel::duplicateAsked, this, &LibraryController::duplicate);
     connect(&panel, &LibraryPanel::trashAsked, this, &LibraryController::moveToTrash);
     connect(&files, &FileController::kept, this, &LibraryController::showKept);

@@ -138,6 +138,9 @@ QLayout* LibraryPanel::makeFooter()
     auto* words = new QVBoxLayout;
     words->setSpacing(0);
     m_name->setTextFormat(Qt::PlainText);
+    QFont bold = m_name->font();
+    bold.setBold(true);
+    m_name->setFont(bold);
     dim(*m_line);
     m_line->setWordWrap(true);
     m_line->setFixedHeight(2 * m_line->fontMetrics().lineSpacing() + 2);

@@ -173,6 +173,14 @@ QWidget* CardPainter::createEditor(QWidget* parent, const QStyleOptionViewItem&,
     return editor;
 }
 
+void CardPainter::setEditorData(QWidget* editor, const QModelIndex& index) const
+{
+    // A picture that arrives meanwhile must not undo what has been typed.
+    auto* line = qobject_cast<QLineEdit*>(editor);
+    if (line && line->text().isEmpty() && !line->isModified())
+        line->setText(index.data(Qt::EditRole).toString());
+}
+
 void CardPainter::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                                        const QModelIndex&) const
 {
@@ -253,7 +261,10 @@ void CardView::mouseReleaseEvent(QMouseEvent* event)
 void CardView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     m_longPress.stop();
-    if (!isOnDots(event->position().toPoint()))
+    // The dots are a button, however quickly one tap follows another.
+    if (isOnDots(event->position().toPoint()))
+        mousePressEvent(event);
+    else
         QListView::mouseDoubleClickEvent(event);
 }
 

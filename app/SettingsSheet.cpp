@@ -23,6 +23,7 @@ namespace {
 
 constexpr int kSteps = 100; ///< Of the slider, to either side
 constexpr int kColumn = 300;
+constexpr int kLabel = 130;
 constexpr int kControl = theme::kTarget - 6;
 
 /// The slider is logarithmic: its middle is a straight line.
@@ -125,6 +126,14 @@ QLabel* SettingsSheet::makeNote(const QString& text)
     return note;
 }
 
+QLabel* SettingsSheet::makeLabel(const QString& text, QWidget* buddy)
+{
+    auto* label = new QLabel(text, this);
+    label->setFixedSize(kLabel, kControl);
+    label->setBuddy(buddy);
+    return label;
+}
+
 QLayout* SettingsSheet::makeAppearance()
 {
     m_look->addItems({tr("Dark"), tr("Light"), tr("Like the system")});
@@ -135,8 +144,8 @@ QLayout* SettingsSheet::makeAppearance()
     form->setVerticalSpacing(8);
     form->setHorizontalSpacing(18);
     form->addRow(barHeading(tr("Appearance"), this));
-    form->addRow(tr("Theme"), m_look);
-    form->addRow(tr("Tools"), m_side);
+    form->addRow(makeLabel(tr("Theme"), m_look), m_look);
+    form->addRow(makeLabel(tr("Tools"), m_side), m_side);
     return form;
 }
 
@@ -185,10 +194,10 @@ QLayout* SettingsSheet::makeWork()
     form->setVerticalSpacing(8);
     form->setHorizontalSpacing(18);
     form->addRow(barHeading(tr("Work"), this));
-    form->addRow(tr("Safety copy every"), m_autosave);
-    form->addRow(tr("Steps to undo"), m_undo);
+    form->addRow(makeLabel(tr("Safety copy every"), m_autosave), m_autosave);
+    form->addRow(makeLabel(tr("Steps to undo"), m_undo), m_undo);
     form->addRow(makeNote(tr("The number of steps counts from the next tree on that you begin or open.")));
-    form->addRow(tr("Library"), change);
+    form->addRow(makeLabel(tr("Library"), change), change);
     form->addRow(m_folder);
     return form;
 }

@@ -32,6 +32,7 @@ private:
     QLayout* makeAppearance();
     QLayout* makeHand();
     QLayout* makeWork();
+    QLabel* makeLabel(const QString& text, QWidget* buddy);
     QLabel* makeNote(const QString& text = {});
     void display(const Preferences& preferences);
     /// Takes what is shown.

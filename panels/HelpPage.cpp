@@ -195,7 +195,7 @@ void HelpPage::dress()
             letters.setFontFamilies({font().family()});
             letters.setFontFixedPitch(false);
             letters.setForeground(theme::kHandle);
-            letters.setBackground(theme::kEdge);
+            letters.setBackground(theme::kKeyCap);
         } else {
             return;
         }

@@ -97,9 +97,7 @@ void RadiusSlider::paintEvent(QPaintEvent*)
         painter.drawPath(path);
     };
     fill(wedge(top, bottom), theme::kSunken);
-    QColor filled = theme::kHandle.darker(165);
-    if (!isEnabled())
-        filled = theme::kFaintText;
+    const QColor filled = isEnabled() ? theme::kHandleFill : theme::kFaintText;
     if (y < bottom - 1.0)
         fill(wedge(y, bottom), filled);
 

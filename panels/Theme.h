@@ -25,6 +25,8 @@ struct Colours {
     QColor accentFill{0x3c, 0x50, 0x3f};
     QColor accentText{0xa6, 0xd0, 0x93};
     QColor handle{0xe6, 0xa6, 0x5d};
+    QColor handleFill{0x8b, 0x65, 0x38};
+    QColor keyCap{0x3c, 0x43, 0x4e};
     QColor warning{0xd9, 0x7b, 0x6c};
     QColor knob{0xd5, 0xdb, 0xe4};
     QColor button{0x3a, 0x42, 0x4e};
@@ -51,6 +53,8 @@ inline constinit const QColor& kAccent = inForce.accent;         ///< What is on
 inline constinit const QColor& kAccentFill = inForce.accentFill; ///< Behind the tool in hand
 inline constinit const QColor& kAccentText = inForce.accentText; ///< Icons of what is on
 inline constinit const QColor& kHandle = inForce.handle;         ///< What is to be grasped: the brush and its size
+inline constinit const QColor& kHandleFill = inForce.handleFill; ///< How far a brush's slider is
+inline constinit const QColor& kKeyCap = inForce.keyCap;         ///< Behind the name of a key
 inline constinit const QColor& kWarning = inForce.warning;
 
 // Whatever lies over the tree's picture without a bar, and tooltips, look alike by day and by night.

@@ -18,6 +18,8 @@ void TreeDocument::reset(std::uint64_t seed, const TreeParameters& parameters)
 void TreeDocument::reset(Tree tree, Journal journal)
 {
     m_undoStack.clear();
+    // An empty stack that was unclean stays so when it is cleared.
+    m_undoStack.setClean();
     m_tree = std::move(tree);
     m_journal = std::move(journal);
     m_future.clear();

@@ -539,7 +539,7 @@ void LibraryPanelTest::openTree_followsItsFile()
     const DocumentFile& own = m_window->files().file();
     open(LibraryPanel::Section::Trees);
     Q_EMIT panel().renameAsked(panel().chosen(), QStringLiteral("Ash"));
-    QCOMPARE(own.fileName(), file(QStringLiteral("Ash")));
+    QTRY_COMPARE(own.fileName(), file(QStringLiteral("Ash")));
     QVERIFY(!m_window->isWindowModified());
     // Without its file all of the tree is unsaved, and nobody loses it unasked.
     QTest::keyClick(handle(), Qt::Key_Delete);

@@ -7,7 +7,8 @@
 #include <QSurfaceFormat>
 #include <QtTest>
 
-/// Runs every test class in an application that looks like the program and has settings of its own.
+/// Runs every test class in an application that looks like the program and has settings of its own; with the name of
+/// one as the first argument that one alone, and what follows goes to it.
 int main(int argc, char** argv)
 {
     QSurfaceFormat::setDefaultFormat(espalier::surfaceFormat());
@@ -15,8 +16,21 @@ int main(int argc, char** argv)
     QCoreApplication::setOrganizationName(QStringLiteral("Espalier"));
     QCoreApplication::setApplicationName(QStringLiteral("espalier-test"));
     espalier::theme::apply(application);
+    QStringList arguments = QCoreApplication::arguments();
+    const auto nameOf = [](const QObject& test) {
+        return QString::fromLatin1(test.metaObject()->className()).section(QLatin1String("::"), -1);
+    };
+    const QString first = arguments.value(1);
+    QString wanted;
+    for (const auto make : espalier::test::TestClasses::all()) {
+        if (nameOf(*make()) == first)
+            wanted = arguments.takeAt(1);
+    }
     int failures = 0;
-    for (const auto make : espalier::test::TestClasses::all())
-        failures += QTest::qExec(make().get(), argc, argv);
+    for (const auto make : espalier::test::TestClasses::all()) {
+        const std::unique_ptr<QObject> test = make();
+        if (wanted.isEmpty() || nameOf(*test) == wanted)
+            failures += QTest::qExec(test.get(), arguments);
+    }
     return failures;
 }
