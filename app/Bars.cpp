@@ -47,7 +47,8 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     auto* files = new QHBoxLayout;
     files->setSpacing(2);
     files->addWidget(menuButton);
-    for (const ActionId id : {ActionId::New, ActionId::Open, ActionId::Library, ActionId::Save, ActionId::Export})
+    for (const ActionId id :
+         {ActionId::New, ActionId::Open, ActionId::Library, ActionId::Save, ActionId::Export})
         files->addWidget(new BarButton(BarButton::Look::Icon, actions[id], this));
     files->addSpacing(14);
     files->addWidget(m_title, 1);

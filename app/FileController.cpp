@@ -57,11 +57,10 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_autosave(document, m_file, settings.preferences().autosaveInterval)
 {
     connect(&m_file, &DocumentFile::saved, this, &FileController::showSaved);
-    connect(&m_file, &DocumentFile::saveFailed, this,
-            [this](const QString& sentence) {
-                m_keeping.clear();
-                m_notice.showWarning(tr("Not saved. %1").arg(sentence));
-            });
+    connect(&m_file, &DocumentFile::saveFailed, this, [this](const QString& sentence) {
+        m_keeping.clear();
+        m_notice.showWarning(tr("Not saved. %1").arg(sentence));
+    });
     connect(&m_autosave, &Autosave::failed, this, [this](const QString& sentence) {
         m_notice.showWarning(tr("The tree cannot be kept safe from a crash: %1").arg(sentence));
     });

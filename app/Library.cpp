@@ -61,7 +61,8 @@ Library::Library(QString folder, SystemTrash systemTrash)
 
 bool Library::holds(const QString& fileName) const
 {
-    return !fileName.isEmpty() && QFileInfo(fileName).absolutePath() == QFileInfo(m_folder).absoluteFilePath();
+    return !fileName.isEmpty() &&
+           QFileInfo(fileName).absolutePath() == QFileInfo(m_folder).absoluteFilePath();
 }
 
 std::vector<LibraryEntry> Library::trees() const
@@ -112,7 +113,8 @@ Result<void> Library::makeFolder(const QString& folder) const
 {
     if (QDir().mkpath(folder))
         return {};
-    return Error{Error::Kind::Output, tr("The folder %1 cannot be made.").arg(QDir::toNativeSeparators(folder))};
+    return Error{Error::Kind::Output,
+                 tr("The folder %1 cannot be made.").arg(QDir::toNativeSeparators(folder))};
 }
 
 Result<QString> Library::newFile(const QString& name) const
@@ -135,8 +137,9 @@ Result<QString> Library::rename(const QString& fileName, const QString& name) co
         return Error{Error::Kind::Input, tr("There is a tree named %1 already.").arg(wanted)};
     QFile file(fileName);
     if (!file.rename(path))
-        return Error{Error::Kind::Output, tr("%1 cannot be renamed: %2")
-                                              .arg(QFileInfo(fileName).completeBaseName(), file.errorString())};
+        return Error{
+            Error::Kind::Output,
+            tr("%1 cannot be renamed: %2").arg(QFileInfo(fileName).completeBaseName(), file.errorString())};
     return path;
 }
 

@@ -53,7 +53,8 @@ void LibraryController::keep()
         m_files.save();
         return;
     }
-    const Result<QString> file = m_library.newFile(QFileInfo(m_files.file().displayName()).completeBaseName());
+    const Result<QString> file =
+        m_library.newFile(QFileInfo(m_files.file().displayName()).completeBaseName());
     if (file)
         m_files.keepIn(*file);
     else

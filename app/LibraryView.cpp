@@ -25,7 +25,7 @@ constexpr int kLeastColumn = 212; ///< px
 constexpr int kMargin = 7;        ///< px around a card
 constexpr int kInset = 9;         ///< px between a card's edge and what is on it
 constexpr int kLines = 2;
-constexpr int kOverlap = 6; ///< px by which the lines reach into the finger's room around the name
+constexpr int kOverlap = 6;     ///< px by which the lines reach into the finger's room around the name
 constexpr int kLongPress = 550; ///< ms
 /// Height of a picture by its width: that of the recipes' pictures.
 constexpr double kPictureAspect = 0.875;
@@ -68,8 +68,9 @@ void drawLines(QPainter& painter, const QRect& place, const QString& text)
             break;
         row.setLineWidth(place.width());
         const bool isLast = line == kLines - 1;
-        const QString words = isLast ? metrics.elidedText(text.mid(row.textStart()), Qt::ElideRight, place.width())
-                                     : text.mid(row.textStart(), row.textLength()).trimmed();
+        const QString words =
+            isLast ? metrics.elidedText(text.mid(row.textStart()), Qt::ElideRight, place.width())
+                   : text.mid(row.textStart(), row.textLength()).trimmed();
         painter.drawText(place.left(), y + metrics.ascent(), words);
         y += metrics.lineSpacing();
     }
@@ -101,7 +102,8 @@ void drawNoPicture(QPainter& painter, const QRectF& place)
 int CardPainter::heightFor(int width, const QFont& font)
 {
     const QRect card(0, 0, width, 0);
-    return namePlace(card).bottom() + 1 - kOverlap + kLines * QFontMetrics(lineFont(font)).lineSpacing() + kInset + kMargin;
+    return namePlace(card).bottom() + 1 - kOverlap + kLines * QFontMetrics(lineFont(font)).lineSpacing() +
+           kInset + kMargin;
 }
 
 QRect CardPainter::menuPlace(const QRect& card)
@@ -136,13 +138,15 @@ void CardPainter::paint(QPainter* painter, const QStyleOptionViewItem& option, c
         drawNoPicture(*painter, place);
     } else {
         const QSizeF shown = place.size().scaled(picture.size(), Qt::KeepAspectRatio);
-        const QRectF part(QPointF((picture.width() - shown.width()) / 2.0, (picture.height() - shown.height()) / 2.0),
-                          shown);
+        const QRectF part(
+            QPointF((picture.width() - shown.width()) / 2.0, (picture.height() - shown.height()) / 2.0),
+            shown);
         painter->drawImage(place, picture, part);
     }
     painter->restore();
     if (isChosen || isUnderPointer) {
-        painter->setPen(QPen(hasFocus || isChosen ? theme::kAccent : theme::kFaintText, hasFocus ? 2.0 : 1.0));
+        painter->setPen(
+            QPen(hasFocus || isChosen ? theme::kAccent : theme::kFaintText, hasFocus ? 2.0 : 1.0));
         painter->setBrush(Qt::NoBrush);
         painter->drawPath(outline);
     }
@@ -150,11 +154,13 @@ void CardPainter::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->setFont(nameFont(option.font));
     painter->setPen(theme::kText);
     const QRect name = namePlace(option.rect);
-    painter->drawText(name, Qt::AlignVCenter | Qt::AlignLeft,
-                      painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, name.width()));
+    painter->drawText(
+        name, Qt::AlignVCenter | Qt::AlignLeft,
+        painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, name.width()));
     painter->setFont(lineFont(option.font));
     painter->setPen(theme::kDimText);
-    const QRect lines(name.left(), name.bottom() + 1 - kOverlap, option.rect.width() - 2 * (kMargin + kInset), 0);
+    const QRect lines(name.left(), name.bottom() + 1 - kOverlap, option.rect.width() - 2 * (kMargin + kInset),
+                      0);
     drawLines(*painter, lines, index.data(LibraryCards::LineRole).toString());
 
     painter->setPen(Qt::NoPen);
@@ -273,7 +279,8 @@ void CardView::contextMenuEvent(QContextMenuEvent* event)
     const bool byKey = event->reason() == QContextMenuEvent::Keyboard;
     const QModelIndex index = byKey ? currentIndex() : indexAt(event->pos());
     if (index.isValid())
-        Q_EMIT menuAsked(index, byKey ? viewport()->mapToGlobal(visualRect(index).center()) : event->globalPos());
+        Q_EMIT menuAsked(index,
+                         byKey ? viewport()->mapToGlobal(visualRect(index).center()) : event->globalPos());
 }
 
 void CardView::keyPressEvent(QKeyEvent* event)

@@ -19,12 +19,13 @@ struct Preferences {
     static constexpr int kMostUndoSteps = 10'000;
 
     theme::Look look = theme::Look::Dark;
-    bool areToolsRight = false;   ///< The bar of tools is on the right, for those who draw with the left hand
+    bool areToolsRight = false; ///< The bar of tools is on the right, for those who draw with the left hand
     double pressureExponent = 1.0; ///< kSoftest...kFirmest; see PointerReader::setPressureExponent
     MouseScheme mouse = MouseScheme::Espalier;
     int autosaveInterval = 20; ///< Shortest time between two autosaves, s, 1...kLongestInterval
     int undoSteps = 0;         ///< As many can be taken back, 0...kMostUndoSteps; 0 for all
-    QString libraryFolder{};   ///< Where the library keeps its trees; empty for a folder among the program's data
+    QString
+        libraryFolder{}; ///< Where the library keeps its trees; empty for a folder among the program's data
 
     bool operator==(const Preferences&) const = default;
 };

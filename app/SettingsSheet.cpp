@@ -41,16 +41,18 @@ QString mouseNote(MouseScheme scheme)
 {
     switch (scheme) {
     case MouseScheme::Blender:
-        return SettingsSheet::tr("Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and "
-                                 "the left button turn, too.");
+        return SettingsSheet::tr(
+            "Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and "
+            "the left button turn, too.");
     case MouseScheme::Maya:
         return SettingsSheet::tr(
             "Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.");
     case MouseScheme::Espalier:
         break;
     }
-    return SettingsSheet::tr("Right or middle button turns, Shift and the middle button move. Alt and the left "
-                             "button turn, too.");
+    return SettingsSheet::tr(
+        "Right or middle button turns, Shift and the middle button move. Alt and the left "
+        "button turn, too.");
 }
 
 } // namespace
@@ -214,8 +216,9 @@ void SettingsSheet::display(const Preferences& preferences)
     m_autosave->setValue(preferences.autosaveInterval);
     m_undo->setValue(preferences.undoSteps);
     const QString folder = QDir::toNativeSeparators(preferences.libraryFolder);
-    m_folder->setText(folder.isEmpty() ? tr("In a folder of Espalier's own")
-                                       : m_folder->fontMetrics().elidedText(folder, Qt::ElideMiddle, kColumn));
+    m_folder->setText(folder.isEmpty()
+                          ? tr("In a folder of Espalier's own")
+                          : m_folder->fontMetrics().elidedText(folder, Qt::ElideMiddle, kColumn));
     m_folder->setToolTip(folder);
     m_isShowing = false;
 }

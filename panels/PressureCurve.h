@@ -5,8 +5,9 @@
 
 namespace espalier {
 
-/// The curve from a pen's pressure to what the brush makes of it: p to the power of an exponent. A drag draws the
-/// curve to the pointer; a pen that presses here is shown as a dot on it, and leaves a trail as wide as it says.
+/// The curve from a pen's pressure to what the brush makes of it: p to the power of an exponent. A drag draws
+/// the curve to the pointer; a pen that presses here is shown as a dot on it, and leaves a trail as wide as
+/// it says.
 class PressureCurve : public QWidget {
     Q_OBJECT
 

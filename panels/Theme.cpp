@@ -62,7 +62,8 @@ bool isSystemLight()
 
 QPalette palette()
 {
-    QPalette colours(kText, inForce.button, kEdge, kSunken, inForce.button, kText, kBrightText, kSunken, kRaised);
+    QPalette colours(kText, inForce.button, kEdge, kSunken, inForce.button, kText, kBrightText, kSunken,
+                     kRaised);
     colours.setColor(QPalette::AlternateBase, kRaised);
     colours.setColor(QPalette::Highlight, inForce.highlight);
     colours.setColor(QPalette::HighlightedText, kBrightText);

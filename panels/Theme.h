@@ -40,11 +40,11 @@ struct Colours {
 /// The colours in force; apply() sets them. What is drawn with them asks each time that it draws.
 inline constinit Colours inForce;
 
-inline constinit const QColor& kWorkspace = inForce.workspace;   ///< Behind everything
-inline constinit const QColor& kBar = inForce.bar;               ///< Bars and panels over the tree, translucent
-inline constinit const QColor& kRaised = inForce.raised;         ///< Menus and cards, opaque
-inline constinit const QColor& kEdge = inForce.edge;             ///< Borders of bars, lines between sections
-inline constinit const QColor& kSunken = inForce.sunken;         ///< Tracks of sliders, fields
+inline constinit const QColor& kWorkspace = inForce.workspace; ///< Behind everything
+inline constinit const QColor& kBar = inForce.bar;             ///< Bars and panels over the tree, translucent
+inline constinit const QColor& kRaised = inForce.raised;       ///< Menus and cards, opaque
+inline constinit const QColor& kEdge = inForce.edge;           ///< Borders of bars, lines between sections
+inline constinit const QColor& kSunken = inForce.sunken;       ///< Tracks of sliders, fields
 inline constinit const QColor& kText = inForce.text;
 inline constinit const QColor& kBrightText = inForce.brightText; ///< Under the pointer, or chosen
 inline constinit const QColor& kDimText = inForce.dimText;
@@ -52,7 +52,7 @@ inline constinit const QColor& kFaintText = inForce.faintText;   ///< What canno
 inline constinit const QColor& kAccent = inForce.accent;         ///< What is on, how far a slider is
 inline constinit const QColor& kAccentFill = inForce.accentFill; ///< Behind the tool in hand
 inline constinit const QColor& kAccentText = inForce.accentText; ///< Icons of what is on
-inline constinit const QColor& kHandle = inForce.handle;         ///< What is to be grasped: the brush and its size
+inline constinit const QColor& kHandle = inForce.handle; ///< What is to be grasped: the brush and its size
 inline constinit const QColor& kHandleFill = inForce.handleFill; ///< How far a brush's slider is
 inline constinit const QColor& kKeyCap = inForce.keyCap;         ///< Behind the name of a key
 inline constinit const QColor& kWarning = inForce.warning;

@@ -95,8 +95,9 @@ void LibraryTest::put(const QString& name)
 void LibraryTest::species_areTheProgramsRecipes()
 {
     const std::vector<LibraryEntry> species = Library::species();
-    QCOMPARE(static_cast<int>(species.size()),
-             static_cast<int>(QDir(QStringLiteral(":/recipes")).entryList({QStringLiteral("*.json")}).size()));
+    QCOMPARE(
+        static_cast<int>(species.size()),
+        static_cast<int>(QDir(QStringLiteral(":/recipes")).entryList({QStringLiteral("*.json")}).size()));
     QVERIFY(species.size() >= 16);
     for (const LibraryEntry& entry : species) {
         QVERIFY2(!entry.line.isEmpty(), qPrintable(entry.name));
@@ -121,7 +122,8 @@ void LibraryTest::newFile_findsAFreeName()
 void LibraryTest::rename_movesTheFile()
 {
     put(QStringLiteral("Oak"));
-    const Result<QString> moved = m_library->rename(file(QStringLiteral("Oak")), QStringLiteral(" Old “Oak” "));
+    const Result<QString> moved =
+        m_library->rename(file(QStringLiteral("Oak")), QStringLiteral(" Old “Oak” "));
     QVERIFY(moved);
     QCOMPARE(*moved, file(QStringLiteral("Old “Oak”")));
     QCOMPARE(namesOf(m_library->trees()), QStringList{QStringLiteral("Old “Oak”")});
@@ -312,8 +314,8 @@ void LibraryPanelTest::open(LibraryPanel::Section section)
 QPoint LibraryPanelTest::cardAt(int row, bool dots)
 {
     const QRect card = view().visualRect(view().model()->index(row, 0));
-    return view().viewport()->mapTo(m_window.get(),
-                                    dots ? CardPainter::menuPlace(card).center() : card.center() - QPoint(0, 40));
+    return view().viewport()->mapTo(m_window.get(), dots ? CardPainter::menuPlace(card).center()
+                                                         : card.center() - QPoint(0, 40));
 }
 
 void LibraryPanelTest::answer(QMessageBox::StandardButton button)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/SettingsSheet.h"
-
 #include "app/MainWindow.h"
+#include "app/SettingsSheet.h"
 #include "panels/BrushPopOut.h"
 #include "panels/HistoryPanel.h"
 #include "panels/PressureCurve.h"
@@ -101,9 +100,10 @@ SettingsSheet& SettingsTest::open()
 void SettingsTest::sendPen(QWidget& widget, QEvent::Type type, const QPointF& place, double pressure)
 {
     static const QPointingDevice pen(QStringLiteral("pen"), 9, QInputDevice::DeviceType::Stylus,
-                                     QPointingDevice::PointerType::Pen, QInputDevice::Capability::Pressure, 1, 2);
-    QTabletEvent event(type, &pen, place, widget.mapToGlobal(place), pressure, 0.0F, 0.0F, 0.0F, 0.0, 0.0F, {},
-                       Qt::LeftButton, type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
+                                     QPointingDevice::PointerType::Pen, QInputDevice::Capability::Pressure, 1,
+                                     2);
+    QTabletEvent event(type, &pen, place, widget.mapToGlobal(place), pressure, 0.0F, 0.0F, 0.0F, 0.0, 0.0F,
+                       {}, Qt::LeftButton, type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
     QCoreApplication::sendEvent(&widget, &event);
 }
 
@@ -237,7 +237,9 @@ void SettingsTest::pressureExponent_reachesTheBrush()
         const QPointF from = camera.project(Vec3(Vec3::Zero())).value_or(QPointF());
         const QPointF to = camera.project(Vec3(1.6F * Vec3::UnitY())).value_or(QPointF());
         for (int i = 0; i <= 26; ++i) {
-            const auto type = i == 0 ? QEvent::TabletPress : i == 26 ? QEvent::TabletRelease : QEvent::TabletMove;
+            const auto type = i == 0    ? QEvent::TabletPress
+                              : i == 26 ? QEvent::TabletRelease
+                                        : QEvent::TabletMove;
             sendPen(viewport(), type, from + (to - from) * std::min(i, 25) / 25.0, i == 26 ? 0.0 : 0.3);
             QTest::qWait(20);
         }
@@ -267,7 +269,9 @@ void SettingsTest::mouseScheme_reachesTheCamera()
         const bool turned = before.azimuth() != after.azimuth();
         const bool zoomed = before.distance() != after.distance();
         viewport().setCamera(before);
-        return turned ? QStringLiteral("turned") : zoomed ? QStringLiteral("zoomed") : QStringLiteral("stayed");
+        return turned   ? QStringLiteral("turned")
+               : zoomed ? QStringLiteral("zoomed")
+                        : QStringLiteral("stayed");
     };
     QCOMPARE(drag(Qt::RightButton, {}), QStringLiteral("turned"));
     SettingsSheet& sheet = open();

@@ -3,8 +3,8 @@
 
 namespace espalier {
 
-/// Which buttons of a mouse move the camera. In all of them the left button alone is the tool's, Space and the left
-/// button pan, and a click with Alt selects a bud.
+/// Which buttons of a mouse move the camera. In all of them the left button alone is the tool's, Space and
+/// the left button pan, and a click with Alt selects a bud.
 enum class MouseScheme : int {
     Espalier, ///< Right, middle, or Alt and left rotate; Shift and middle pan
     Blender,  ///< Middle rotates, Shift and middle pan, Ctrl and middle zoom; Alt and left rotate, too

@@ -114,7 +114,8 @@ void PointerReader::readTouch(const QTouchEvent& event)
         sample.device = PointerDevice::Finger;
         sample.phase = cancelled ? PointerPhase::Cancel : phaseOf(point.state());
         sample.position = point.position();
-        sample.pressure = hasPressure ? std::pow(std::clamp(point.pressure(), 0.0, 1.0), m_pressureExponent) : 1.0;
+        sample.pressure =
+            hasPressure ? std::pow(std::clamp(point.pressure(), 0.0, 1.0), m_pressureExponent) : 1.0;
         sample.time = time;
         sample.modifiers = event.modifiers();
         m_samples.push_back(sample);

@@ -25,7 +25,8 @@ public:
     /// What @p event says, one sample for each point that did something; empty if it is no event of a
     /// pointer. Valid until the next call.
     std::span<const PointerSample> read(QEvent& event);
-    /// What is told of a pressure p is p to this power: below 1 a light hand suffices, above 1 it takes a firm one.
+    /// What is told of a pressure p is p to this power: below 1 a light hand suffices, above 1 it takes a
+    /// firm one.
     void setPressureExponent(double exponent) { m_pressureExponent = exponent; }
 
     /// s since the reader was made: the clock of all samples.
