@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of README.md, in docs/pictures, those of the help, in docs/help/pictures, and those of the library, in
-# resources/thumbnails. "readme", "help" or "library" as an argument makes these alone; the last wants ImageMagick, and
+# resources/thumbnails. "readme", "help" or "library" as an argument makes these alone. Wants ImageMagick; the last
 # takes names of recipes: scripts/pictures.sh library oak willow.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 readonly what="${1:-all}"
 
 if [[ "$what" == all || "$what" == readme ]]; then
-    for recipe in resources/recipes/*.json; do
-        name="$(basename "$recipe" .json)"
-        ./run replay "$recipe" --png "docs/pictures/$name.png" --size 640x560
+    picture="$(mktemp --suffix .png)"
+    for name in bonsai candelabra helix lobed oak spruce swan willow windswept; do
+        ./run replay "resources/recipes/$name.json" --png "$picture" --size 640x560
+        convert "$picture" -strip -quality 88 "docs/pictures/$name.jpg"
     done
+    rm -f "$picture"
 fi
 
 if [[ "$what" == all || "$what" == help ]]; then

@@ -305,15 +305,15 @@
     </message>
     <message>
         <source>Species to start from, and the trees that you keep.</source>
-        <translation>Arten zum Anfangen, und die Bäume, die du aufhebst.</translation>
+        <translation>Arten zum Beginnen und die eigenen Bäume.</translation>
     </message>
     <message>
         <source>Settings…</source>
-        <translation>Einstellungen …</translation>
+        <translation>Einstellungen…</translation>
     </message>
     <message>
         <source>How Espalier looks, and how it takes your hand.</source>
-        <translation>Wie Espalier aussieht, und wie es deine Hand versteht.</translation>
+        <translation>Wie Espalier aussieht und wie es auf die Hand reagiert.</translation>
     </message>
 </context>
 <context>
@@ -383,7 +383,7 @@
         <translation>Es gibt keinen Lassostrich.</translation>
     </message>
     <message>
-        <source>The lasso&apos;s drawing plane is not valid.</source>
+        <source>The lasso's drawing plane is not valid.</source>
         <translation>Die Zeichenebene des Lassos ist ungültig.</translation>
     </message>
     <message>
@@ -569,7 +569,7 @@
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso&apos;s drawing plane is not valid.</source>
+        <source>The lasso's drawing plane is not valid.</source>
         <translation>Die Zeichenebene des Lassos ist ungültig.</translation>
     </message>
     <message>
@@ -604,11 +604,11 @@
     </message>
     <message>
         <source>A name cannot begin with a full stop.</source>
-        <translation>Ein Name kann nicht mit einem Punkt anfangen.</translation>
+        <translation>Ein Name darf nicht mit einem Punkt beginnen.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
-        <translation>Ein Name kann keines der Zeichen / \ : * ? &quot; &lt; &gt; | enthalten.</translation>
+        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
+        <translation>Ein Name darf keines der Zeichen / \ : * ? " &lt; &gt; | enthalten.</translation>
     </message>
     <message>
         <source>This name is too long.</source>
@@ -640,7 +640,7 @@
     </message>
     <message>
         <source>%1 cannot be moved to the trash: %2</source>
-        <translation>%1 kann nicht in den Papierkorb gelegt werden: %2</translation>
+        <translation>%1 kann nicht in den Papierkorb verschoben werden: %2</translation>
     </message>
 </context>
 <context>
@@ -943,7 +943,7 @@
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf&apos;s stalk.</source>
+        <source>Between a shoot and the leaf's stalk.</source>
         <translation>Zwischen einem Trieb und dem Blattstiel.</translation>
     </message>
     <message>
@@ -987,7 +987,7 @@
         <translation>Exponent</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
+        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
         <translation>Wie sich die Dicken addieren, wo Äste zusammentreffen: 2 ist Leonardos Regel; weniger ergibt dickere Stämme.</translation>
     </message>
     <message>
@@ -1019,7 +1019,7 @@
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
+        <source>Length of trunk after which the bark's pattern repeats.</source>
         <translation>Stammlänge, nach der sich das Rindenmuster wiederholt.</translation>
     </message>
     <message>
@@ -1103,7 +1103,7 @@
         <translation>Boden</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree&apos;s shadow.</source>
+        <source>Ground below the tree, with the tree's shadow.</source>
         <translation>Boden unter dem Baum, mit dem Schatten des Baums.</translation>
     </message>
     <message>
@@ -1167,7 +1167,7 @@
         <translation>Nach rechts</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is beside the seedling.</source>
+        <source>Where the picture's middle is beside the seedling.</source>
         <translation>Wo die Mitte des Bilds neben dem Sämling liegt.</translation>
     </message>
     <message>
@@ -1175,7 +1175,7 @@
         <translation>Nach oben</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is above the seedling.</source>
+        <source>Where the picture's middle is above the seedling.</source>
         <translation>Wo die Mitte des Bilds über dem Sämling liegt.</translation>
     </message>
     <message>
@@ -1578,7 +1578,7 @@
         <translation>1 bis %1 Internodien werden erwartet</translation>
     </message>
     <message>
-        <source>a list of internodes&apos; numbers is expected</source>
+        <source>a list of internodes' numbers is expected</source>
         <translation>eine Liste von Internodiennummern wird erwartet</translation>
     </message>
     <message>
@@ -1732,24 +1732,24 @@
         <translation>starb vor der eigenen Geburt</translation>
     </message>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
-        <translation>--size verlangt BREITExHÖHE von bis zu %1 Pixeln je Kante, nicht &quot;%2&quot;</translation>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <translation>--size verlangt BREITExHÖHE von bis zu %1 Pixeln je Kante, nicht "%2"</translation>
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
         <translation>%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .obj .fbx .glb .csv</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
-        <translation>--camera ist front, side, top oder three-quarter, nicht &quot;%1&quot;</translation>
+        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <translation>--camera ist front, side, top oder three-quarter, nicht "%1"</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
-        <translation>--threads verlangt eine Zahl von 1 bis %1, nicht &quot;%2&quot;</translation>
+        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <translation>--threads verlangt eine Zahl von 1 bis %1, nicht "%2"</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
-        <translation>--seed verlangt eine ganze Zahl von 0 bis 18446744073709551615, nicht &quot;%1&quot;</translation>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <translation>--seed verlangt eine ganze Zahl von 0 bis 18446744073709551615, nicht "%1"</translation>
     </message>
     <message>
         <source>%1 knows no option %2</source>
@@ -1788,8 +1788,8 @@
         <translation>info verlangt eine Datei</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
-        <translation>ein Fenster zeigt eine Datei, was ist also &quot;%1&quot;?</translation>
+        <source>a window shows one file, so what is "%1"?</source>
+        <translation>ein Fenster zeigt eine Datei, was ist also "%1"?</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -2004,7 +2004,7 @@ geschrieben werden konnte.
         <translation>&lt;b&gt;Pinselradius&lt;/b&gt; [ ]&lt;br&gt;Ein großer Pinsel lässt eine Krone in den Raum wachsen, den er durchstreift; gegen null zeichnet er einen einzelnen Ast genau entlang des Strichs.</translation>
     </message>
     <message>
-        <source>A pen&apos;s pressure scales the brush.</source>
+        <source>A pen's pressure scales the brush.</source>
         <translation>Der Stiftdruck bestimmt die Größe des Pinsels mit.</translation>
     </message>
     <message>
@@ -2374,22 +2374,22 @@ geschrieben werden konnte.
     <name>espalier::LibraryController</name>
     <message>
         <source>%1 is in the trash.</source>
-        <translation>%1 liegt im Papierkorb.</translation>
+        <translation>%1 ist im Papierkorb.</translation>
     </message>
     <message>
         <source>The system has no trash here. %1 is in %2 now.</source>
-        <translation>Das System hat hier keinen Papierkorb. %1 liegt jetzt in %2.</translation>
+        <translation>Das System hat hier keinen Papierkorb. %1 ist jetzt in %2.</translation>
     </message>
 </context>
 <context>
     <name>espalier::LibraryPanel</name>
     <message>
         <source>Keep This Tree</source>
-        <translation>Baum aufheben</translation>
+        <translation>Baum behalten</translation>
     </message>
     <message>
         <source>Start from This</source>
-        <translation>Hiermit anfangen</translation>
+        <translation>Damit beginnen</translation>
     </message>
     <message>
         <source>Open</source>
@@ -2409,7 +2409,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Save the tree that is open into the library.</source>
-        <translation>Den offenen Baum in der Bibliothek speichern.</translation>
+        <translation>Den geöffneten Baum in der Bibliothek speichern.</translation>
     </message>
     <message>
         <source>Back to the tree</source>
@@ -2421,7 +2421,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>A new seedling that grows as this tree does.</source>
-        <translation>Ein neuer Keimling, der wächst wie dieser Baum.</translation>
+        <translation>Ein neuer Sämling, der wächst wie dieser Baum.</translation>
     </message>
     <message>
         <source>Species</source>
@@ -2429,15 +2429,15 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Your Trees</source>
-        <translation>Deine Bäume</translation>
+        <translation>Eigene Bäume</translation>
     </message>
     <message>
         <source>None of them is called that.</source>
-        <translation>Keiner davon heißt so.</translation>
+        <translation>Nichts davon heißt so.</translation>
     </message>
     <message>
         <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
-        <translation>Noch keine. „Baum aufheben“ speichert den offenen Baum hier.</translation>
+        <translation>Noch keine. „Baum behalten“ speichert den Baum, der hier geöffnet ist.</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -2518,7 +2518,7 @@ geschrieben werden konnte.
     <name>espalier::SettingsSheet</name>
     <message>
         <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
-        <translation>Die mittlere Taste dreht, mit Umschalt verschiebt sie, mit Strg geht sie näher. Auch Alt und die linke Taste drehen.</translation>
+        <translation>Mittlere Taste dreht, mit Umschalt verschiebt sie, mit Strg geht sie näher. Auch Alt und die linke Taste drehen.</translation>
     </message>
     <message>
         <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
@@ -2526,11 +2526,11 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
-        <translation>Die rechte oder mittlere Taste dreht, Umschalt und die mittlere verschieben. Auch Alt und die linke Taste drehen.</translation>
+        <translation>Rechte oder mittlere Taste dreht, Umschalt und die mittlere verschieben. Auch Alt und die linke Taste drehen.</translation>
     </message>
     <message>
         <source>Defaults</source>
-        <translation>Standard</translation>
+        <translation>Vorgaben</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -2562,11 +2562,11 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Appearance</source>
-        <translation>Aussehen</translation>
+        <translation>Darstellung</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation>Farben</translation>
+        <translation>Design</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -2582,7 +2582,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Press here with your pen to try it.</source>
-        <translation>Drücke hier mit dem Stift, um es auszuprobieren.</translation>
+        <translation>Zum Ausprobieren hier mit dem Stift drücken.</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -2610,7 +2610,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Change…</source>
-        <translation>Ändern …</translation>
+        <translation>Ändern…</translation>
     </message>
     <message>
         <source>Work</source>
@@ -2618,11 +2618,11 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Safety copy every</source>
-        <translation>Sicherung alle</translation>
+        <translation>Sicherheitskopie alle</translation>
     </message>
     <message>
         <source>Steps to undo</source>
-        <translation>Rückgängig</translation>
+        <translation>Schritte zurück</translation>
     </message>
     <message>
         <source>The number of steps counts from the next tree on that you begin or open.</source>
@@ -2633,8 +2633,8 @@ geschrieben werden konnte.
         <translation>Bibliothek</translation>
     </message>
     <message>
-        <source>In a folder of Espalier&apos;s own</source>
-        <translation>In einem eigenen Ordner von Espalier</translation>
+        <source>In a folder of Espalier's own</source>
+        <translation>In Espaliers eigenem Ordner</translation>
     </message>
     <message>
         <source>Folder of the Library</source>

@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>Write the tree for other programs: GLB, FBX, OBJ, or its skeleton as CSV.</source>
-        <translation>Écrire l’arbre pour d’autres programmes&#xa0;: GLB, FBX, OBJ, ou son squelette en CSV.</translation>
+        <translation>Écrire l’arbre pour d’autres programmes : GLB, FBX, OBJ, ou son squelette en CSV.</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
-        <translation>Faire glisser depuis l’arbre vers l’extérieur&#xa0;: il pousse dans l’espace où passe le pinceau.</translation>
+        <translation>Faire glisser depuis l’arbre vers l’extérieur : il pousse dans l’espace où passe le pinceau.</translation>
     </message>
     <message>
         <source>Grow</source>
@@ -81,7 +81,7 @@
     </message>
     <message>
         <source>Press anywhere and hold: the tree grows on its own, competing for light and space.</source>
-        <translation>Appuyer n’importe où et maintenir&#xa0;: l’arbre pousse seul, en concurrence pour la lumière et l’espace.</translation>
+        <translation>Appuyer n’importe où et maintenir : l’arbre pousse seul, en concurrence pour la lumière et l’espace.</translation>
     </message>
     <message>
         <source>Prune</source>
@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
-        <translation>Toucher un bourgeon&#xa0;: lui seul pousse désormais, avec ce qui en naît.</translation>
+        <translation>Toucher un bourgeon : lui seul pousse désormais, avec ce qui en naît.</translation>
     </message>
     <message>
         <source>Bend</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
-        <translation>Tirer sur une branche pour la courber&#xa0;; la toucher pour l’épingler là où elle est tenue.</translation>
+        <translation>Tirer sur une branche pour la courber ; la toucher pour l’épingler là où elle est tenue.</translation>
     </message>
     <message>
         <source>Width</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
-        <translation>Dessiner la silhouette d’un houppier&#xa0;: l’arbre pousse jusqu’à le remplir.</translation>
+        <translation>Dessiner la silhouette d’un houppier : l’arbre pousse jusqu’à le remplir.</translation>
     </message>
     <message>
         <source>Grow One Step</source>
@@ -237,7 +237,7 @@
     </message>
     <message>
         <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
-        <translation>Ce qui entoure l’arbre&#xa0;: fond, sol, soleil, image modèle.</translation>
+        <translation>Ce qui entoure l’arbre : fond, sol, soleil, image modèle.</translation>
     </message>
     <message>
         <source>History</source>
@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>All that you did, step by step; a click goes there.</source>
-        <translation>Tout ce qui a été fait, étape par étape&#xa0;; un clic y ramène.</translation>
+        <translation>Tout ce qui a été fait, étape par étape ; un clic y ramène.</translation>
     </message>
     <message>
         <source>To the Panels and Back</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>Hide everything but the tree; the same key brings it back.</source>
-        <translation>Tout masquer sauf l’arbre&#xa0;; la même touche fait tout revenir.</translation>
+        <translation>Tout masquer sauf l’arbre ; la même touche fait tout revenir.</translation>
     </message>
     <message>
         <source>Full Screen</source>
@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>Species to start from, and the trees that you keep.</source>
-        <translation>Des espèces pour commencer, et les arbres que vous gardez.</translation>
+        <translation>Des espèces pour commencer, et les arbres gardés.</translation>
     </message>
     <message>
         <source>Settings…</source>
@@ -313,21 +313,21 @@
     </message>
     <message>
         <source>How Espalier looks, and how it takes your hand.</source>
-        <translation>L’aspect d’Espalier, et sa façon de suivre votre main.</translation>
+        <translation>L’aspect d’Espalier, et sa façon de répondre à la main.</translation>
     </message>
 </context>
 <context>
     <name>BendTool</name>
     <message>
         <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
-        <translation>Tirer sur une branche pour la courber&#xa0;; toucher pour épingler sa base, puis là où elle est tenue</translation>
+        <translation>Tirer sur une branche pour la courber ; toucher pour épingler sa base, puis là où elle est tenue</translation>
     </message>
 </context>
 <context>
     <name>BrushTool</name>
     <message>
         <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
-        <translation>Faire glisser pour peindre un arbre&#xa0;; partir d’une branche pour continuer à sa profondeur</translation>
+        <translation>Faire glisser pour peindre un arbre ; partir d’une branche pour continuer à sa profondeur</translation>
     </message>
 </context>
 <context>
@@ -369,7 +369,7 @@
     <name>Display</name>
     <message>
         <source>there is no display (DISPLAY is not set); xvfb-run provides a virtual one</source>
-        <translation>aucun affichage (DISPLAY n’est pas défini)&#xa0;; xvfb-run en fournit un virtuel</translation>
+        <translation>aucun affichage (DISPLAY n’est pas défini) ; xvfb-run en fournit un virtuel</translation>
     </message>
     <message>
         <source>the display %1 does not answer</source>
@@ -383,7 +383,7 @@
         <translation>Il n’y a pas de tracé de lasso.</translation>
     </message>
     <message>
-        <source>The lasso&apos;s drawing plane is not valid.</source>
+        <source>The lasso's drawing plane is not valid.</source>
         <translation>Le plan de dessin du lasso n’est pas valable.</translation>
     </message>
     <message>
@@ -403,11 +403,11 @@
     <name>Exporter</name>
     <message>
         <source>the meshes could not be written: %1</source>
-        <translation>les maillages n’ont pas pu être écrits&#xa0;: %1</translation>
+        <translation>les maillages n’ont pas pu être écrits : %1</translation>
     </message>
     <message>
         <source>there is no export to “.%1”; there are %2</source>
-        <translation>il n’y a pas d’exportation vers «&#xa0;.%1&#xa0;»&#xa0;; il y a %2</translation>
+        <translation>il n’y a pas d’exportation vers « .%1 » ; il y a %2</translation>
     </message>
     <message>
         <source>The export was cancelled.</source>
@@ -425,7 +425,7 @@
     <name>GrowTool</name>
     <message>
         <source>Press and hold: the tree grows until you let go.</source>
-        <translation>Appuyer et maintenir&#xa0;: l’arbre pousse jusqu’au relâchement.</translation>
+        <translation>Appuyer et maintenir : l’arbre pousse jusqu’au relâchement.</translation>
     </message>
 </context>
 <context>
@@ -511,7 +511,7 @@
     <name>JsonReader</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
+        <translation>%1 : %2</translation>
     </message>
     <message>
         <source>it is larger than %1 MB</source>
@@ -527,7 +527,7 @@
     </message>
     <message>
         <source>not valid JSON: %1</source>
-        <translation>JSON non valable&#xa0;: %1</translation>
+        <translation>JSON non valable : %1</translation>
     </message>
     <message>
         <source>a JSON object is expected</source>
@@ -563,13 +563,13 @@
     </message>
     <message>
         <source>“%1” is not known here</source>
-        <translation>«&#xa0;%1&#xa0;» est inconnu ici</translation>
+        <translation>« %1 » est inconnu ici</translation>
     </message>
 </context>
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso&apos;s drawing plane is not valid.</source>
+        <source>The lasso's drawing plane is not valid.</source>
         <translation>Le plan de dessin du lasso n’est pas valable.</translation>
     </message>
     <message>
@@ -593,22 +593,22 @@
     <name>LassoTool</name>
     <message>
         <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
-        <translation>Dessiner la silhouette d’un houppier&#xa0;; l’arbre la remplit. Partir d’une branche pour dessiner à sa profondeur</translation>
+        <translation>Dessiner la silhouette d’un houppier ; l’arbre la remplit. Partir d’une branche pour dessiner à sa profondeur</translation>
     </message>
 </context>
 <context>
     <name>Library</name>
     <message>
         <source>A tree needs a name.</source>
-        <translation>Un arbre a besoin d’un nom.</translation>
+        <translation>Il faut un nom à l’arbre.</translation>
     </message>
     <message>
         <source>A name cannot begin with a full stop.</source>
         <translation>Un nom ne peut pas commencer par un point.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
-        <translation>Un nom ne peut contenir aucun des signes / \ : * ? &quot; &lt; &gt; |.</translation>
+        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
+        <translation>Un nom ne peut contenir aucun des caractères / \ : * ? " &lt; &gt; |.</translation>
     </message>
     <message>
         <source>This name is too long.</source>
@@ -616,7 +616,7 @@
     </message>
     <message>
         <source>The folder %1 cannot be made.</source>
-        <translation>Le dossier %1 ne peut pas être créé.</translation>
+        <translation>Impossible de créer le dossier %1.</translation>
     </message>
     <message>
         <source>Tree</source>
@@ -628,11 +628,11 @@
     </message>
     <message>
         <source>%1 cannot be renamed: %2</source>
-        <translation>%1 ne peut pas être renommé : %2</translation>
+        <translation>Impossible de renommer %1 : %2</translation>
     </message>
     <message>
         <source>%1 cannot be copied: %2</source>
-        <translation>%1 ne peut pas être copié : %2</translation>
+        <translation>Impossible de copier %1 : %2</translation>
     </message>
     <message>
         <source>%1 is not there any more.</source>
@@ -640,25 +640,25 @@
     </message>
     <message>
         <source>%1 cannot be moved to the trash: %2</source>
-        <translation>%1 ne peut pas être mis à la corbeille : %2</translation>
+        <translation>Impossible de mettre %1 à la corbeille : %2</translation>
     </message>
 </context>
 <context>
     <name>OffscreenRenderer</name>
     <message>
         <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
-        <translation>Impossible de dessiner une image&#xa0;: aucun affichage n’offre OpenGL 3.3&#xa0;; un affichage virtuel (Xvfb) convient.</translation>
+        <translation>Impossible de dessiner une image : aucun affichage n’offre OpenGL 3.3 ; un affichage virtuel (Xvfb) convient.</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels is too large; %3 along an edge is the most.</source>
-        <translation>Une image de %1 × %2 pixels est trop grande&#xa0;; le maximum par côté est %3.</translation>
+        <translation>Une image de %1 × %2 pixels est trop grande ; le maximum par côté est %3.</translation>
     </message>
 </context>
 <context>
     <name>Outputs</name>
     <message>
         <source>%1: the picture could not be packed</source>
-        <translation>%1&#xa0;: l’image n’a pas pu être compressée</translation>
+        <translation>%1 : l’image n’a pas pu être compressée</translation>
     </message>
 </context>
 <context>
@@ -683,7 +683,7 @@
         <translation>Sol</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree&apos;s shadow.</source>
+        <source>Ground below the tree, with the tree's shadow.</source>
         <translation>Le sol sous l’arbre, avec l’ombre de l’arbre.</translation>
     </message>
     <message>
@@ -716,7 +716,7 @@
     </message>
     <message>
         <source>The sun stays where it is on the screen when the tree is turned; otherwise it turns with the tree.</source>
-        <translation>Le soleil reste à sa place à l’écran quand on tourne l’arbre&#xa0;; sinon, il tourne avec l’arbre.</translation>
+        <translation>Le soleil reste à sa place à l’écran quand on tourne l’arbre ; sinon, il tourne avec l’arbre.</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -724,7 +724,7 @@
     </message>
     <message>
         <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
-        <translation>Où se trouve le soleil&#xa0;: 0° devant l’arbre, 90° à sa droite&#xa0;; s’il est épinglé, par rapport au regard.</translation>
+        <translation>Où se trouve le soleil : 0° devant l’arbre, 90° à sa droite ; s’il est épinglé, par rapport au regard.</translation>
     </message>
     <message>
         <source>Height</source>
@@ -751,7 +751,7 @@
         <translation>Vers la droite</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is beside the seedling.</source>
+        <source>Where the picture's middle is beside the seedling.</source>
         <translation>Où se trouve le milieu de l’image à côté de la plantule.</translation>
     </message>
     <message>
@@ -759,7 +759,7 @@
         <translation>Vers le haut</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is above the seedling.</source>
+        <source>Where the picture's middle is above the seedling.</source>
         <translation>Où se trouve le milieu de l’image au-dessus de la plantule.</translation>
     </message>
     <message>
@@ -784,11 +784,11 @@
     </message>
     <message>
         <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
-        <translation>Où se tournent les pousses&#xa0;: 0° vers le haut, 90° à l’horizontale, et davantage les fait pleurer.</translation>
+        <translation>Où se tournent les pousses : 0° vers le haut, 90° à l’horizontale, et davantage les fait pleurer.</translation>
     </message>
     <message>
         <source>Gravitropic set-point angle: orthotropic at 0°, plagiotropic near 90°, positively gravitropic beyond.</source>
-        <translation>Angle de consigne gravitropique&#xa0;: orthotrope à 0°, plagiotrope près de 90°, gravitropisme positif au-delà.</translation>
+        <translation>Angle de consigne gravitropique : orthotrope à 0°, plagiotrope près de 90°, gravitropisme positif au-delà.</translation>
     </message>
     <message>
         <source>Buds above and below</source>
@@ -812,7 +812,7 @@
     </message>
     <message>
         <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
-        <translation>Demi-axe parallèle au sol&#xa0;; le plus grand correspond à l’amphitonie.</translation>
+        <translation>Demi-axe parallèle au sol ; le plus grand correspond à l’amphitonie.</translation>
     </message>
     <message>
         <source>Upper or lower buds</source>
@@ -820,11 +820,11 @@
     </message>
     <message>
         <source>Above 0 the buds on the upper side are stronger, as in fruit trees; below 0 those on the lower side.</source>
-        <translation>Au-dessus de 0, les bourgeons de la face supérieure sont plus forts, comme chez les arbres fruitiers&#xa0;; en dessous de 0, ceux de la face inférieure.</translation>
+        <translation>Au-dessus de 0, les bourgeons de la face supérieure sont plus forts, comme chez les arbres fruitiers ; en dessous de 0, ceux de la face inférieure.</translation>
     </message>
     <message>
         <source>Displacement of the ellipse: epitony above 0, hypotony below.</source>
-        <translation>Décalage de l’ellipse&#xa0;: épitonie au-dessus de 0, hypotonie en dessous.</translation>
+        <translation>Décalage de l’ellipse : épitonie au-dessus de 0, hypotonie en dessous.</translation>
     </message>
     <message>
         <source>Branching angle</source>
@@ -844,7 +844,7 @@
     </message>
     <message>
         <source>How far an axis turns away from a branch that it bears: 0 keeps it straight, more makes it zigzag.</source>
-        <translation>À quel point un axe s’écarte d’une branche qu’il porte&#xa0;: 0 le garde droit, davantage le fait zigzaguer.</translation>
+        <translation>À quel point un axe s’écarte d’une branche qu’il porte : 0 le garde droit, davantage le fait zigzaguer.</translation>
     </message>
     <message>
         <source>The main axis yields to a lateral, as toward sympodial growth.</source>
@@ -884,7 +884,7 @@
     </message>
     <message>
         <source>Weight of the environment E: the mean direction of the free space that a bud perceives.</source>
-        <translation>Poids de l’environnement E&#xa0;: la direction moyenne de l’espace libre que perçoit un bourgeon.</translation>
+        <translation>Poids de l’environnement E : la direction moyenne de l’espace libre que perçoit un bourgeon.</translation>
     </message>
     <message>
         <source>Occupied radius</source>
@@ -928,7 +928,7 @@
     </message>
     <message>
         <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
-        <translation>Qui reçoit la vigueur&#xa0;: au-dessus de 0,5 l’axe principal, comme chez les conifères&#xa0;; en dessous les branches, comme chez les arbustes.</translation>
+        <translation>Qui reçoit la vigueur : au-dessus de 0,5 l’axe principal, comme chez les conifères ; en dessous les branches, comme chez les arbustes.</translation>
     </message>
     <message>
         <source>Excurrent forms above 0.5, decurrent ones below.</source>
@@ -944,7 +944,7 @@
     </message>
     <message>
         <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
-        <translation>Exposant de la réponse à la lumière&#xa0;: élevé pour les essences de lumière, bas pour les essences d’ombre.</translation>
+        <translation>Exposant de la réponse à la lumière : élevé pour les essences de lumière, bas pour les essences d’ombre.</translation>
     </message>
     <message>
         <source>Shedding</source>
@@ -952,11 +952,11 @@
     </message>
     <message>
         <source>Branches with less vigour than this die: 0 keeps them all.</source>
-        <translation>Les branches moins vigoureuses que cela meurent&#xa0;: 0 les garde toutes.</translation>
+        <translation>Les branches moins vigoureuses que cela meurent : 0 les garde toutes.</translation>
     </message>
     <message>
         <source>Threshold of cladoptosis: vigour per internode, relative to that of the whole tree.</source>
-        <translation>Seuil de cladoptose&#xa0;: vigueur par entre-nœud, relative à celle de l’arbre entier.</translation>
+        <translation>Seuil de cladoptose : vigueur par entre-nœud, relative à celle de l’arbre entier.</translation>
     </message>
     <message>
         <source>Shoot length</source>
@@ -976,11 +976,11 @@
     </message>
     <message>
         <source>Turn around the axis from one bud to the next: 137.5° is a spiral, 180° two rows, 90° crossed pairs.</source>
-        <translation>Rotation autour de l’axe d’un bourgeon au suivant&#xa0;: 137,5° donne une spirale, 180° deux rangs, 90° des paires croisées.</translation>
+        <translation>Rotation autour de l’axe d’un bourgeon au suivant : 137,5° donne une spirale, 180° deux rangs, 90° des paires croisées.</translation>
     </message>
     <message>
         <source>Divergence angle: spiral, distichous, decussate.</source>
-        <translation>Angle de divergence&#xa0;: spiralé, distique, décussé.</translation>
+        <translation>Angle de divergence : spiralé, distique, décussé.</translation>
     </message>
     <message>
         <source>Follow the stroke</source>
@@ -1012,7 +1012,7 @@
     </message>
     <message>
         <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
-        <translation>Longueur d’un entre-nœud. C’est la mesure de tout ce qui pousse&#xa0;: plus court, il donne des arbres plus fins.</translation>
+        <translation>Longueur d’un entre-nœud. C’est la mesure de tout ce qui pousse : plus court, il donne des arbres plus fins.</translation>
     </message>
     <message>
         <source>Length of a metamer.</source>
@@ -1024,7 +1024,7 @@
     </message>
     <message>
         <source>One is alternate, two opposite, more a whorl, as in pines.</source>
-        <translation>Un&#xa0;: alterne&#xa0;; deux&#xa0;: opposé&#xa0;; davantage&#xa0;: un verticille, comme chez les pins.</translation>
+        <translation>Un : alterne ; deux : opposé ; davantage : un verticille, comme chez les pins.</translation>
     </message>
     <message>
         <source>Alternate, opposite or verticillate.</source>
@@ -1036,7 +1036,7 @@
     </message>
     <message>
         <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
-        <translation>Dispersion des angles et des longueurs&#xa0;: 0 donne un schéma, 1 est aussi libre que la nature.</translation>
+        <translation>Dispersion des angles et des longueurs : 0 donne un schéma, 1 est aussi libre que la nature.</translation>
     </message>
     <message>
         <source>Variance of the angles and of the metamers.</source>
@@ -1108,7 +1108,7 @@
     </message>
     <message>
         <source>When the tree grows on its own: the room to grow that each bud finds around itself in each step.</source>
-        <translation>Quand l’arbre pousse seul&#xa0;: la place que chaque bourgeon trouve autour de lui à chaque étape.</translation>
+        <translation>Quand l’arbre pousse seul : la place que chaque bourgeon trouve autour de lui à chaque étape.</translation>
     </message>
     <message>
         <source>Markers generated in each volume of perception.</source>
@@ -1183,7 +1183,7 @@
         <translation>Angle</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf&apos;s stalk.</source>
+        <source>Between a shoot and the leaf's stalk.</source>
         <translation>Entre une pousse et le pétiole de la feuille.</translation>
     </message>
     <message>
@@ -1224,7 +1224,7 @@
     </message>
     <message>
         <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
-        <translation>L’intensité de la couleur&#xa0;: faible, elle donne des fleurs et des feuilles argentées.</translation>
+        <translation>L’intensité de la couleur : faible, elle donne des fleurs et des feuilles argentées.</translation>
     </message>
     <message>
         <source>Brightness</source>
@@ -1247,8 +1247,8 @@
         <translation>Exposant</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
-        <translation>Comment les épaisseurs s’additionnent là où les branches se rejoignent&#xa0;: 2 est la règle de Léonard&#xa0;; moins donne des troncs plus épais.</translation>
+        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <translation>Comment les épaisseurs s’additionnent là où les branches se rejoignent : 2 est la règle de Léonard ; moins donne des troncs plus épais.</translation>
     </message>
     <message>
         <source>Tips</source>
@@ -1264,7 +1264,7 @@
     </message>
     <message>
         <source>Diameter of the trunk at the ground; at 0 it follows from the exponent.</source>
-        <translation>Diamètre du tronc au sol&#xa0;; à 0, il découle de l’exposant.</translation>
+        <translation>Diamètre du tronc au sol ; à 0, il découle de l’exposant.</translation>
     </message>
     <message>
         <source>automatic</source>
@@ -1291,7 +1291,7 @@
         <translation>Échelle</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
+        <source>Length of trunk after which the bark's pattern repeats.</source>
         <translation>Longueur de tronc après laquelle le motif de l’écorce se répète.</translation>
     </message>
     <message>
@@ -1427,7 +1427,7 @@
     </message>
     <message>
         <source>one of these is expected: %1</source>
-        <translation>l’une de ces valeurs est attendue&#xa0;: %1</translation>
+        <translation>l’une de ces valeurs est attendue : %1</translation>
     </message>
     <message>
         <source>a whole number is expected</source>
@@ -1462,7 +1462,7 @@
     <name>Program</name>
     <message>
         <source>%1; see espalier --help</source>
-        <translation>%1&#xa0;; voir espalier --help</translation>
+        <translation>%1 ; voir espalier --help</translation>
     </message>
 </context>
 <context>
@@ -1481,7 +1481,7 @@
     </message>
     <message>
         <source>Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads versions up to %4</source>
-        <translation>Espalier %1 l’a écrit dans la version %2 du format&#xa0;; ceci est Espalier %3, qui lit les versions jusqu’à %4</translation>
+        <translation>Espalier %1 l’a écrit dans la version %2 du format ; ceci est Espalier %3, qui lit les versions jusqu’à %4</translation>
     </message>
     <message>
         <source>1 to %1 sets are expected</source>
@@ -1543,7 +1543,7 @@
     </message>
     <message>
         <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation>il n’y a pas d’opération «&#xa0;%1&#xa0;»&#xa0;; il y a setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow et removeLasso</translation>
+        <translation>il n’y a pas d’opération « %1 » ; il y a setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow et removeLasso</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1578,12 +1578,12 @@
         <translation>de 1 à %1 entre-nœuds sont attendus</translation>
     </message>
     <message>
-        <source>a list of internodes&apos; numbers is expected</source>
+        <source>a list of internodes' numbers is expected</source>
         <translation>une liste de numéros d’entre-nœuds est attendue</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
-        <translation>un tableau de cinq nombres est attendu&#xa0;: temps, x, y, z, rayon</translation>
+        <translation>un tableau de cinq nombres est attendu : temps, x, y, z, rayon</translation>
     </message>
     <message>
         <source>the time is not within 0…%1 s</source>
@@ -1611,11 +1611,11 @@
     </message>
     <message>
         <source>there is no view “%1”; there are front, side, top and three-quarter</source>
-        <translation>il n’y a pas de vue «&#xa0;%1&#xa0;»&#xa0;; il y a front, side, top et three-quarter</translation>
+        <translation>il n’y a pas de vue « %1 » ; il y a front, side, top et three-quarter</translation>
     </message>
     <message>
         <source>this is no recipe: one begins with “%1”: %2</source>
-        <translation>ce n’est pas une recette&#xa0;: une recette commence par «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
+        <translation>ce n’est pas une recette : une recette commence par « %1 » : %2</translation>
     </message>
     <message>
         <source>the recipe is of version %1, this program reads versions up to %2</source>
@@ -1630,14 +1630,14 @@
     <name>RecipeTool</name>
     <message>
         <source>A recipe is playing; Escape hands the brush to you.</source>
-        <translation>Une recette se joue&#xa0;; Échap rend le pinceau.</translation>
+        <translation>Une recette se joue ; Échap rend le pinceau.</translation>
     </message>
 </context>
 <context>
     <name>SelectBudTool</name>
     <message>
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
-        <translation>Toucher un bourgeon, et lui seul pousse désormais&#xa0;; toucher à côté de l’arbre pour que tous poussent à nouveau</translation>
+        <translation>Toucher un bourgeon, et lui seul pousse désormais ; toucher à côté de l’arbre pour que tous poussent à nouveau</translation>
     </message>
 </context>
 <context>
@@ -1655,14 +1655,14 @@
     <name>WidthTool</name>
     <message>
         <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
-        <translation>Toucher une branche pour fixer son épaisseur&#xa0;; tirer les bouts de la poignée pour la changer</translation>
+        <translation>Toucher une branche pour fixer son épaisseur ; tirer les bouts de la poignée pour la changer</translation>
     </message>
 </context>
 <context>
     <name>ZipArchive</name>
     <message>
         <source>the archive could not be packed: %1</source>
-        <translation>l’archive n’a pas pu être compressée&#xa0;: %1</translation>
+        <translation>l’archive n’a pas pu être compressée : %1</translation>
     </message>
     <message>
         <source>it is damaged</source>
@@ -1674,7 +1674,7 @@
     </message>
     <message>
         <source>it is no project file: it is empty</source>
-        <translation>ce n’est pas un fichier de projet&#xa0;: il est vide</translation>
+        <translation>ce n’est pas un fichier de projet : il est vide</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1692,24 +1692,24 @@
 <context>
     <name>espalier</name>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
-        <translation>--size attend LARGEURxHAUTEUR jusqu’à %1 pixels chacune, pas «&#xa0;%2&#xa0;»</translation>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <translation>--size attend LARGEURxHAUTEUR jusqu’à %1 pixels chacune, pas « %2 »</translation>
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation>%1&#xa0;: le suffixe d’une sortie indique son format, et c’est l’un de .espalier .obj .fbx .glb .csv</translation>
+        <translation>%1 : le suffixe d’une sortie indique son format, et c’est l’un de .espalier .obj .fbx .glb .csv</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
-        <translation>--camera vaut front, side, top ou three-quarter, pas «&#xa0;%1&#xa0;»</translation>
+        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <translation>--camera vaut front, side, top ou three-quarter, pas « %1 »</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
-        <translation>--threads attend un nombre de 1 à %1, pas «&#xa0;%2&#xa0;»</translation>
+        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <translation>--threads attend un nombre de 1 à %1, pas « %2 »</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
-        <translation>--seed attend un nombre entier de 0 à 18446744073709551615, pas «&#xa0;%1&#xa0;»</translation>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <translation>--seed attend un nombre entier de 0 à 18446744073709551615, pas « %1 »</translation>
     </message>
     <message>
         <source>%1 knows no option %2</source>
@@ -1748,8 +1748,8 @@
         <translation>info attend un fichier</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
-        <translation>une fenêtre montre un seul fichier&#xa0;; qu’est donc «&#xa0;%1&#xa0;»&#xa0;?</translation>
+        <source>a window shows one file, so what is "%1"?</source>
+        <translation>une fenêtre montre un seul fichier ; qu’est donc « %1 » ?</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -1787,20 +1787,20 @@ textures) or .csv (skeleton).
 Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
+        <translation>Espalier : peindre des arbres et les voir naître.
 
 espalier [PROJET]
     Ouvre la fenêtre.
 
 espalier --demo [RECETTE]
-    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
+    Ouvre la fenêtre et y peint un arbre ; ensuite il est à vous.
 
 espalier replay RECETTE... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats FICHIER] [--threads N] [--seed N]
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
-    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
+    De plusieurs recettes, chacune continue l’arbre de la précédente : la
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
 
 espalier export PROJET [-o SORTIE]...
@@ -1808,8 +1808,8 @@ espalier export PROJET [-o SORTIE]...
 
 espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
                 [--transparent [--ground-shadow]]
-    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
-    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
+    Prend une image. Il faut un affichage ; un affichage virtuel convient.
+    --transparent : l’arbre seul, avec un alpha non prémultiplié ;
     --ground-shadow garde son ombre, en noir plus ou moins opaque.
 
 espalier info FICHIER
@@ -1876,7 +1876,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>The rest of what steers growth: shoots, shade, room to grow</source>
-        <translation>Le reste de ce qui guide la croissance&#xa0;: pousses, ombrage, place disponible</translation>
+        <translation>Le reste de ce qui guide la croissance : pousses, ombrage, place disponible</translation>
     </message>
     <message>
         <source>‹ Less</source>
@@ -1958,7 +1958,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
-        <translation>&lt;b&gt;Courbure&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à la courbure&#xa0;: raide, elle fait une large courbe et s’étire plus tôt.</translation>
+        <translation>&lt;b&gt;Courbure&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à la courbure : raide, elle fait une large courbe et s’étire plus tôt.</translation>
     </message>
     <message>
         <source>Stretching</source>
@@ -1966,7 +1966,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
-        <translation>&lt;b&gt;Étirement&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement&#xa0;: elle garde sa longueur, ou suit la main plus loin.</translation>
+        <translation>&lt;b&gt;Étirement&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement : elle garde sa longueur, ou suit la main plus loin.</translation>
     </message>
 </context>
 <context>
@@ -2000,10 +2000,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
-        <translation>&lt;b&gt;Rayon du pinceau&lt;/b&gt; [ ]&lt;br&gt;Un grand pinceau fait pousser un houppier dans l’espace où il passe&#xa0;; près de zéro, il trace une seule branche en suivant exactement le trait.</translation>
+        <translation>&lt;b&gt;Rayon du pinceau&lt;/b&gt; [ ]&lt;br&gt;Un grand pinceau fait pousser un houppier dans l’espace où il passe ; près de zéro, il trace une seule branche en suivant exactement le trait.</translation>
     </message>
     <message>
-        <source>A pen&apos;s pressure scales the brush.</source>
+        <source>A pen's pressure scales the brush.</source>
         <translation>La pression d’un stylet modifie la taille du pinceau.</translation>
     </message>
     <message>
@@ -2093,7 +2093,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>The tree cannot be kept safe from a crash: %1</source>
-        <translation>L’arbre ne peut pas être protégé d’un plantage&#xa0;: %1</translation>
+        <translation>L’arbre ne peut pas être protégé d’un plantage : %1</translation>
     </message>
     <message>
         <source>Open</source>
@@ -2211,7 +2211,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
-        <translation>En arrière&#xa0;: l’arbre décroît, à travers tout ce qui a été fait. En avant&#xa0;: il revient, et au-delà du repère il pousse.</translation>
+        <translation>En arrière : l’arbre décroît, à travers tout ce qui a été fait. En avant : il revient, et au-delà du repère il pousse.</translation>
     </message>
     <message>
         <source>Play</source>
@@ -2227,7 +2227,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>A tap grows one step; hold to grow on. One hold is one undo step.</source>
-        <translation>Un appui bref fait croître d’une étape&#xa0;; un appui prolongé continue. Chaque appui forme une seule étape d’annulation.</translation>
+        <translation>Un appui bref fait croître d’une étape ; un appui prolongé continue. Chaque appui forme une seule étape d’annulation.</translation>
     </message>
     <message>
         <source>Steps to grow</source>
@@ -2347,7 +2347,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Remove&lt;/b&gt;&lt;br&gt;Take the envelope away; the tree stays as it grew.</source>
-        <translation>&lt;b&gt;Retirer&lt;/b&gt;&lt;br&gt;Ôter l’enveloppe&#xa0;; l’arbre reste tel qu’il a poussé.</translation>
+        <translation>&lt;b&gt;Retirer&lt;/b&gt;&lt;br&gt;Ôter l’enveloppe ; l’arbre reste tel qu’il a poussé.</translation>
     </message>
     <message>
         <source>Keep what has grown. Escape takes it back instead.</source>
@@ -2373,7 +2373,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <name>espalier::LibraryController</name>
     <message>
         <source>%1 is in the trash.</source>
-        <translation>%1 est dans la corbeille.</translation>
+        <translation>%1 est à la corbeille.</translation>
     </message>
     <message>
         <source>The system has no trash here. %1 is in %2 now.</source>
@@ -2404,7 +2404,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Search</source>
-        <translation>Chercher</translation>
+        <translation>Rechercher</translation>
     </message>
     <message>
         <source>Save the tree that is open into the library.</source>
@@ -2412,7 +2412,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Back to the tree</source>
-        <translation>Revenir à l’arbre</translation>
+        <translation>Retour à l’arbre</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2428,7 +2428,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Your Trees</source>
-        <translation>Vos arbres</translation>
+        <translation>Mes arbres</translation>
     </message>
     <message>
         <source>None of them is called that.</source>
@@ -2436,7 +2436,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
-        <translation>Aucun encore. « Garder cet arbre » enregistre ici l’arbre ouvert.</translation>
+        <translation>Aucun encore. « Garder cet arbre » enregistre ici l’arbre ouvert.</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -2448,7 +2448,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Move to Trash</source>
-        <translation>Mettre à la corbeille</translation>
+        <translation>À la corbeille</translation>
     </message>
 </context>
 <context>
@@ -2463,7 +2463,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Growing %1</source>
-        <translation>%1 pousse</translation>
+        <translation>Croissance : %1</translation>
     </message>
 </context>
 <context>
@@ -2517,11 +2517,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <name>espalier::SettingsSheet</name>
     <message>
         <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
-        <translation>Le bouton du milieu tourne, avec Maj il déplace, avec Ctrl il rapproche. Alt et le bouton gauche tournent aussi.</translation>
+        <translation>Le bouton du milieu tourne, avec Maj il déplace, avec Ctrl il approche. Alt et le bouton gauche tournent aussi.</translation>
     </message>
     <message>
         <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
-        <translation>Alt et le bouton gauche tournent, Alt et celui du milieu déplacent, Alt et le droit rapprochent.</translation>
+        <translation>Alt et le bouton gauche tournent, Alt et celui du milieu déplacent, Alt et le droit approchent.</translation>
     </message>
     <message>
         <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
@@ -2577,11 +2577,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>How firmly a pen must press for a large brush.</source>
-        <translation>Combien un stylet doit appuyer pour un grand pinceau.</translation>
+        <translation>À quel point il faut appuyer le stylet pour un grand pinceau.</translation>
     </message>
     <message>
         <source>Press here with your pen to try it.</source>
-        <translation>Appuyez ici avec votre stylet pour essayer.</translation>
+        <translation>Appuyer ici avec le stylet pour essayer.</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -2589,7 +2589,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Soft</source>
-        <translation>Doux</translation>
+        <translation>Souple</translation>
     </message>
     <message>
         <source>Firm</source>
@@ -2605,7 +2605,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>all</source>
-        <translation>tous</translation>
+        <translation>toutes</translation>
     </message>
     <message>
         <source>Change…</source>
@@ -2617,22 +2617,22 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Safety copy every</source>
-        <translation>Copie toutes les</translation>
+        <translation>Sauvegarde toutes les</translation>
     </message>
     <message>
         <source>Steps to undo</source>
-        <translation>Annulations</translation>
+        <translation>Étapes annulables</translation>
     </message>
     <message>
         <source>The number of steps counts from the next tree on that you begin or open.</source>
-        <translation>Le nombre d’annulations vaut dès le prochain arbre commencé ou ouvert.</translation>
+        <translation>Le nombre d’étapes vaut à partir du prochain arbre commencé ou ouvert.</translation>
     </message>
     <message>
         <source>Library</source>
         <translation>Bibliothèque</translation>
     </message>
     <message>
-        <source>In a folder of Espalier&apos;s own</source>
+        <source>In a folder of Espalier's own</source>
         <translation>Dans un dossier propre à Espalier</translation>
     </message>
     <message>
@@ -2663,11 +2663,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>Voici une plantule. &lt;b&gt;Appuyez dessus et tracez vers le haut, lentement&lt;/b&gt;&#xa0;; relâchez quand ce qui pousse vous plaît.</translation>
+        <translation>Voici une plantule. &lt;b&gt;Appuyez dessus et tracez vers le haut, lentement&lt;/b&gt; ; relâchez quand ce qui pousse vous plaît.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>&lt;b&gt;Appuyez sur une branche et tracez vers l’extérieur, lentement&lt;/b&gt;&#xa0;; relâchez quand ce qui pousse vous plaît.</translation>
+        <translation>&lt;b&gt;Appuyez sur une branche et tracez vers l’extérieur, lentement&lt;/b&gt; ; relâchez quand ce qui pousse vous plaît.</translation>
     </message>
     <message>
         <source>Large and small</source>
@@ -2683,7 +2683,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
-        <translation>Tailler, courber, dessiner au lasso&#xa0;: tout ce qu’il faut à un jardinier est ici. &lt;b&gt;Prenez Croître&lt;/b&gt;.</translation>
+        <translation>Tailler, courber, dessiner au lasso : tout ce qu’il faut à un jardinier est ici. &lt;b&gt;Prenez Croître&lt;/b&gt;.</translation>
     </message>
     <message>
         <source>Back in time</source>
@@ -2691,7 +2691,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
-        <translation>&lt;b&gt;Tirez ce curseur vers la gauche&lt;/b&gt;, et l’arbre décroît&#xa0;; vers la droite, il revient et continue de pousser.</translation>
+        <translation>&lt;b&gt;Tirez ce curseur vers la gauche&lt;/b&gt;, et l’arbre décroît ; vers la droite, il revient et continue de pousser.</translation>
     </message>
     <message>
         <source>All around</source>
@@ -2707,7 +2707,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
-        <translation>&lt;b&gt;F1&lt;/b&gt; ou ce bouton parle de l’outil en main. &lt;b&gt;Ctrl+Z&lt;/b&gt; annule tout ce que vous avez fait&#xa0;: essayez donc.</translation>
+        <translation>&lt;b&gt;F1&lt;/b&gt; ou ce bouton parle de l’outil en main. &lt;b&gt;Ctrl+Z&lt;/b&gt; annule tout ce que vous avez fait : essayez donc.</translation>
     </message>
 </context>
 <context>
@@ -2757,7 +2757,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation>entre-nœud %1&#xa0;: %2</translation>
+        <translation>entre-nœud %1 : %2</translation>
     </message>
     <message>
         <source>width %1 cannot be</source>

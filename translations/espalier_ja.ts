@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>Species to start from, and the trees that you keep.</source>
-        <translation>始めるための樹種と、保存した木。</translation>
+        <translation>出発点にする樹種と、保存してある木です。</translation>
     </message>
     <message>
         <source>Settings…</source>
@@ -313,7 +313,7 @@
     </message>
     <message>
         <source>How Espalier looks, and how it takes your hand.</source>
-        <translation>Espalier の見た目と、手の受け取り方。</translation>
+        <translation>Espalier の見た目と、手の動きの受け取り方です。</translation>
     </message>
 </context>
 <context>
@@ -383,7 +383,7 @@
         <translation>投げ縄のストロークがありません。</translation>
     </message>
     <message>
-        <source>The lasso&apos;s drawing plane is not valid.</source>
+        <source>The lasso's drawing plane is not valid.</source>
         <translation>投げ縄の描画面が正しくありません。</translation>
     </message>
     <message>
@@ -569,7 +569,7 @@
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso&apos;s drawing plane is not valid.</source>
+        <source>The lasso's drawing plane is not valid.</source>
         <translation>投げ縄の描画面が正しくありません。</translation>
     </message>
     <message>
@@ -604,15 +604,15 @@
     </message>
     <message>
         <source>A name cannot begin with a full stop.</source>
-        <translation>名前をピリオドで始めることはできません。</translation>
+        <translation>名前の先頭にピリオドは使えません。</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
-        <translation>名前に / \ : * ? &quot; &lt; &gt; | は使えません。</translation>
+        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
+        <translation>名前に次の文字は使えません: / \ : * ? " &lt; &gt; |</translation>
     </message>
     <message>
         <source>This name is too long.</source>
-        <translation>この名前は長すぎます。</translation>
+        <translation>名前が長すぎます。</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made.</source>
@@ -683,7 +683,7 @@
         <translation>地面</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree&apos;s shadow.</source>
+        <source>Ground below the tree, with the tree's shadow.</source>
         <translation>木の下の地面です。木の影が落ちます。</translation>
     </message>
     <message>
@@ -751,7 +751,7 @@
         <translation>右へ</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is beside the seedling.</source>
+        <source>Where the picture's middle is beside the seedling.</source>
         <translation>苗から見た下絵の中心の左右位置です。</translation>
     </message>
     <message>
@@ -759,7 +759,7 @@
         <translation>上へ</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is above the seedling.</source>
+        <source>Where the picture's middle is above the seedling.</source>
         <translation>苗から見た下絵の中心の高さです。</translation>
     </message>
     <message>
@@ -1183,7 +1183,7 @@
         <translation>角度</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf&apos;s stalk.</source>
+        <source>Between a shoot and the leaf's stalk.</source>
         <translation>シュートと葉柄の間の角度です。</translation>
     </message>
     <message>
@@ -1247,7 +1247,7 @@
         <translation>指数</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
+        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
         <translation>枝の合流点で太さをどう足し合わせるかです。2 はレオナルドの法則で、小さいほど幹が太くなります。</translation>
     </message>
     <message>
@@ -1291,7 +1291,7 @@
         <translation>スケール</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
+        <source>Length of trunk after which the bark's pattern repeats.</source>
         <translation>樹皮の模様が繰り返すまでの幹の長さです。</translation>
     </message>
     <message>
@@ -1578,7 +1578,7 @@
         <translation>1 から %1 個までの節間が必要です</translation>
     </message>
     <message>
-        <source>a list of internodes&apos; numbers is expected</source>
+        <source>a list of internodes' numbers is expected</source>
         <translation>節間の番号のリストが必要です</translation>
     </message>
     <message>
@@ -1692,24 +1692,24 @@
 <context>
     <name>espalier</name>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
-        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです (&quot;%2&quot; は使えません)</translation>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです ("%2" は使えません)</translation>
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
         <translation>%1: 出力の形式は拡張子で決まります。使えるのは .espalier .obj .fbx .glb .csv です</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
-        <translation>--camera は front、side、top、three-quarter のいずれかです (&quot;%1&quot; は使えません)</translation>
+        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <translation>--camera は front、side、top、three-quarter のいずれかです ("%1" は使えません)</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
-        <translation>--threads は 1 から %1 までの数値です (&quot;%2&quot; は使えません)</translation>
+        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <translation>--threads は 1 から %1 までの数値です ("%2" は使えません)</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
-        <translation>--seed は 0 から 18446744073709551615 までの整数です (&quot;%1&quot; は使えません)</translation>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <translation>--seed は 0 から 18446744073709551615 までの整数です ("%1" は使えません)</translation>
     </message>
     <message>
         <source>%1 knows no option %2</source>
@@ -1748,8 +1748,8 @@
         <translation>info にはファイルを 1 つ指定します</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
-        <translation>1 つのウィンドウで開けるファイルは 1 つです。&quot;%1&quot; は余分です</translation>
+        <source>a window shows one file, so what is "%1"?</source>
+        <translation>1 つのウィンドウで開けるファイルは 1 つです。"%1" は余分です</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -2003,7 +2003,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
         <translation>&lt;b&gt;ブラシの半径&lt;/b&gt; [ ]&lt;br&gt;大きいブラシは通った空間に樹冠を育て、ゼロに近いとストロークどおりに 1 本の枝を描きます。</translation>
     </message>
     <message>
-        <source>A pen&apos;s pressure scales the brush.</source>
+        <source>A pen's pressure scales the brush.</source>
         <translation>筆圧でブラシの大きさを変えます。</translation>
     </message>
     <message>
@@ -2373,11 +2373,11 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <name>espalier::LibraryController</name>
     <message>
         <source>%1 is in the trash.</source>
-        <translation>%1 はゴミ箱にあります。</translation>
+        <translation>%1 をゴミ箱に移動しました。</translation>
     </message>
     <message>
         <source>The system has no trash here. %1 is in %2 now.</source>
-        <translation>ここにはシステムのゴミ箱がありません。%1 は %2 に移しました。</translation>
+        <translation>ここではシステムのゴミ箱を使えません。%1 を %2 に移しました。</translation>
     </message>
 </context>
 <context>
@@ -2420,7 +2420,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>A new seedling that grows as this tree does.</source>
-        <translation>この木と同じように育つ新しい芽生え。</translation>
+        <translation>この木と同じように育つ新しい苗です。</translation>
     </message>
     <message>
         <source>Species</source>
@@ -2428,7 +2428,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>Your Trees</source>
-        <translation>あなたの木</translation>
+        <translation>自分の木</translation>
     </message>
     <message>
         <source>None of them is called that.</source>
@@ -2463,7 +2463,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>Growing %1</source>
-        <translation>%1 が育っています</translation>
+        <translation>%1 を成長中</translation>
     </message>
 </context>
 <context>
@@ -2553,11 +2553,11 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>On the left</source>
-        <translation>左</translation>
+        <translation>左側</translation>
     </message>
     <message>
         <source>On the right</source>
-        <translation>右</translation>
+        <translation>右側</translation>
     </message>
     <message>
         <source>Appearance</source>
@@ -2577,7 +2577,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>How firmly a pen must press for a large brush.</source>
-        <translation>大きなブラシにするためにペンを押す強さ。</translation>
+        <translation>ブラシを大きくするのに、ペンをどれだけ強く押すかです。</translation>
     </message>
     <message>
         <source>Press here with your pen to try it.</source>
@@ -2589,15 +2589,15 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>Soft</source>
-        <translation>柔らかい</translation>
+        <translation>軽い</translation>
     </message>
     <message>
         <source>Firm</source>
-        <translation>硬い</translation>
+        <translation>強い</translation>
     </message>
     <message>
         <source>Pen pressure</source>
-        <translation>ペンの筆圧</translation>
+        <translation>筆圧</translation>
     </message>
     <message>
         <source> s</source>
@@ -2617,23 +2617,23 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>Safety copy every</source>
-        <translation>安全コピーの間隔</translation>
+        <translation>控えの間隔</translation>
     </message>
     <message>
         <source>Steps to undo</source>
-        <translation>取り消し回数</translation>
+        <translation>元に戻す回数</translation>
     </message>
     <message>
         <source>The number of steps counts from the next tree on that you begin or open.</source>
-        <translation>回数は、次に始める木または開く木から有効です。</translation>
+        <translation>回数は、次に新しく始める木、または開く木から有効になります。</translation>
     </message>
     <message>
         <source>Library</source>
         <translation>ライブラリ</translation>
     </message>
     <message>
-        <source>In a folder of Espalier&apos;s own</source>
-        <translation>Espalier 自身のフォルダー</translation>
+        <source>In a folder of Espalier's own</source>
+        <translation>Espalier 専用のフォルダー</translation>
     </message>
     <message>
         <source>Folder of the Library</source>

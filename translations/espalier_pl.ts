@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>Species to start from, and the trees that you keep.</source>
-        <translation>Gatunki na początek i drzewa, które zachowujesz.</translation>
+        <translation>Gatunki na początek oraz zachowane drzewa.</translation>
     </message>
     <message>
         <source>Settings…</source>
@@ -313,7 +313,7 @@
     </message>
     <message>
         <source>How Espalier looks, and how it takes your hand.</source>
-        <translation>Jak wygląda Espalier i jak odczytuje twoją rękę.</translation>
+        <translation>Jak Espalier wygląda i jak reaguje na rękę.</translation>
     </message>
 </context>
 <context>
@@ -383,7 +383,7 @@
         <translation>Nie ma obrysu lassa.</translation>
     </message>
     <message>
-        <source>The lasso&apos;s drawing plane is not valid.</source>
+        <source>The lasso's drawing plane is not valid.</source>
         <translation>Płaszczyzna rysowania lassa jest nieprawidłowa.</translation>
     </message>
     <message>
@@ -569,7 +569,7 @@
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso&apos;s drawing plane is not valid.</source>
+        <source>The lasso's drawing plane is not valid.</source>
         <translation>Płaszczyzna rysowania lassa jest nieprawidłowa.</translation>
     </message>
     <message>
@@ -607,8 +607,8 @@
         <translation>Nazwa nie może zaczynać się od kropki.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
-        <translation>Nazwa nie może zawierać znaków / \ : * ? &quot; &lt; &gt; |.</translation>
+        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
+        <translation>Nazwa nie może zawierać żadnego ze znaków / \ : * ? " &lt; &gt; |.</translation>
     </message>
     <message>
         <source>This name is too long.</source>
@@ -624,7 +624,7 @@
     </message>
     <message>
         <source>There is a tree named %1 already.</source>
-        <translation>Jest już drzewo o nazwie %1.</translation>
+        <translation>Drzewo o nazwie %1 już istnieje.</translation>
     </message>
     <message>
         <source>%1 cannot be renamed: %2</source>
@@ -683,7 +683,7 @@
         <translation>Podłoże</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree&apos;s shadow.</source>
+        <source>Ground below the tree, with the tree's shadow.</source>
         <translation>Podłoże pod drzewem, z jego cieniem.</translation>
     </message>
     <message>
@@ -751,7 +751,7 @@
         <translation>W prawo</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is beside the seedling.</source>
+        <source>Where the picture's middle is beside the seedling.</source>
         <translation>Położenie środka obrazu obok siewki.</translation>
     </message>
     <message>
@@ -759,7 +759,7 @@
         <translation>W górę</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is above the seedling.</source>
+        <source>Where the picture's middle is above the seedling.</source>
         <translation>Położenie środka obrazu nad siewką.</translation>
     </message>
     <message>
@@ -1183,7 +1183,7 @@
         <translation>Kąt</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf&apos;s stalk.</source>
+        <source>Between a shoot and the leaf's stalk.</source>
         <translation>Między pędem a ogonkiem liścia.</translation>
     </message>
     <message>
@@ -1247,7 +1247,7 @@
         <translation>Wykładnik</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
+        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
         <translation>Jak sumują się grubości w miejscu rozgałęzienia: 2 to reguła Leonarda; mniej daje grubsze pnie.</translation>
     </message>
     <message>
@@ -1291,7 +1291,7 @@
         <translation>Skala</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
+        <source>Length of trunk after which the bark's pattern repeats.</source>
         <translation>Długość pnia, po której wzór kory się powtarza.</translation>
     </message>
     <message>
@@ -1578,7 +1578,7 @@
         <translation>oczekiwano od 1 do %1 międzywęźli</translation>
     </message>
     <message>
-        <source>a list of internodes&apos; numbers is expected</source>
+        <source>a list of internodes' numbers is expected</source>
         <translation>oczekiwano listy numerów międzywęźli</translation>
     </message>
     <message>
@@ -1692,7 +1692,7 @@
 <context>
     <name>espalier</name>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
         <translation>--size wymaga SZEROKOŚĆxWYSOKOŚĆ, najwyżej po %1 pikseli, a nie „%2”</translation>
     </message>
     <message>
@@ -1700,15 +1700,15 @@
         <translation>%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .obj .fbx .glb .csv</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <source>--camera is front, side, top or three-quarter, not "%1"</source>
         <translation>--camera to front, side, top lub three-quarter, a nie „%1”</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <source>--threads wants a number from 1 to %1, not "%2"</source>
         <translation>--threads wymaga liczby od 1 do %1, a nie „%2”</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
         <translation>--seed wymaga liczby całkowitej od 0 do 18446744073709551615, a nie „%1”</translation>
     </message>
     <message>
@@ -1748,7 +1748,7 @@
         <translation>info wymaga jednego pliku</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <source>a window shows one file, so what is "%1"?</source>
         <translation>okno pokazuje jeden plik, czym więc jest „%1”?</translation>
     </message>
     <message>
@@ -2003,7 +2003,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>&lt;b&gt;Promień pędzla&lt;/b&gt; [ ]&lt;br&gt;Duży pędzel hoduje koronę w przestrzeni, którą przechodzi; przy promieniu bliskim zera rysuje pojedynczą gałąź dokładnie wzdłuż pociągnięcia.</translation>
     </message>
     <message>
-        <source>A pen&apos;s pressure scales the brush.</source>
+        <source>A pen's pressure scales the brush.</source>
         <translation>Nacisk pióra zmienia rozmiar pędzla.</translation>
     </message>
     <message>
@@ -2408,11 +2408,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Save the tree that is open into the library.</source>
-        <translation>Zapisz otwarte drzewo w bibliotece.</translation>
+        <translation>Zapisuje otwarte drzewo w bibliotece.</translation>
     </message>
     <message>
         <source>Back to the tree</source>
-        <translation>Wróć do drzewa</translation>
+        <translation>Z powrotem do drzewa</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2428,15 +2428,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Your Trees</source>
-        <translation>Twoje drzewa</translation>
+        <translation>Własne drzewa</translation>
     </message>
     <message>
         <source>None of them is called that.</source>
-        <translation>Żadne się tak nie nazywa.</translation>
+        <translation>Żadne nie ma takiej nazwy.</translation>
     </message>
     <message>
         <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
-        <translation>Jeszcze żadnego. „Zachowaj to drzewo” zapisuje tutaj otwarte drzewo.</translation>
+        <translation>Jeszcze brak. „Zachowaj to drzewo” zapisuje drzewo, które jest tu otwarte.</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -2581,7 +2581,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Press here with your pen to try it.</source>
-        <translation>Naciśnij tu piórem, żeby spróbować.</translation>
+        <translation>Nacisnąć tu piórem, aby wypróbować.</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -2589,7 +2589,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Soft</source>
-        <translation>Miękko</translation>
+        <translation>Lekko</translation>
     </message>
     <message>
         <source>Firm</source>
@@ -2617,7 +2617,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Safety copy every</source>
-        <translation>Kopia co</translation>
+        <translation>Kopia zapasowa co</translation>
     </message>
     <message>
         <source>Steps to undo</source>
@@ -2625,15 +2625,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>The number of steps counts from the next tree on that you begin or open.</source>
-        <translation>Liczba kroków obowiązuje od następnego drzewa.</translation>
+        <translation>Liczba kroków obowiązuje od następnego rozpoczętego lub otwartego drzewa.</translation>
     </message>
     <message>
         <source>Library</source>
         <translation>Biblioteka</translation>
     </message>
     <message>
-        <source>In a folder of Espalier&apos;s own</source>
-        <translation>We własnym folderze Espaliera</translation>
+        <source>In a folder of Espalier's own</source>
+        <translation>We własnym folderze programu</translation>
     </message>
     <message>
         <source>Folder of the Library</source>

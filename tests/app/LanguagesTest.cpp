@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
+#include "app/SettingsSheet.h"
 #include "app/Workspace.h"
 #include "panels/Theme.h"
 
@@ -103,6 +104,12 @@ void LanguagesTest::texts_haveRoom()
             cut << QLatin1String(name) + QStringLiteral(": ") + text;
         window.grab().save(QStringLiteral("languages-%1-%2.png").arg(language, QLatin1String(name)));
     }
+    SettingsSheet settings({});
+    settings.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&settings));
+    for (const QString& text : cutOff(settings))
+        cut << QStringLiteral("settings: ") + text;
+    settings.grab().save(QStringLiteral("languages-%1-settings.png").arg(language));
     cut.removeDuplicates();
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join(QLatin1Char('\n'))));
 }
