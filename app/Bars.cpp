@@ -11,6 +11,12 @@
 
 namespace espalier {
 
+namespace {
+
+constexpr int kLeastTitle = 4; ///< Letters; fewer say nothing
+
+} // namespace
+
 SideBar::SideBar(const Actions& actions, QWidget* parent) : Bar(parent)
 {
     auto* column = new QVBoxLayout(this);
@@ -37,7 +43,9 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     menuButton->setMenu(makeMenu(actions, std::move(fillRecentFiles)));
 
     m_title->setTextFormat(Qt::PlainText);
-    m_title->setMinimumWidth(60);
+    // Where there is little room, buttons have it before the title.
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_title->setMinimumWidth(1);
     theme::setTone(*m_title, theme::Tone::Dim);
 
     // Files and view have equal shares of the rest, so that the sheets stand in the middle.
@@ -99,7 +107,9 @@ void TopBar::showTitle()
 {
     const QString mark = m_modified ? QStringLiteral(" •") : QString();
     const int room = m_title->width() - m_title->fontMetrics().horizontalAdvance(mark);
-    m_title->setText(m_title->fontMetrics().elidedText(m_name, Qt::ElideMiddle, room) + mark);
+    const bool fits = room >= m_title->fontMetrics().averageCharWidth() * kLeastTitle;
+    m_title->setText(fits ? m_title->fontMetrics().elidedText(m_name, Qt::ElideMiddle, room) + mark
+                          : QString());
     m_title->setToolTip(m_modified ? tr("%1 has changes that are not saved.").arg(m_name) : m_name);
 }
 
