@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kSteps = 100; ///< Of the slider, to either side
 constexpr int kColumn = 300;
-constexpr int kLabel = 130;
+constexpr int kLabel = 148;
 constexpr int kControl = theme::kTarget - 6;
 
 /// The slider is logarithmic: its middle is a straight line.
