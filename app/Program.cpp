@@ -7,6 +7,7 @@
 #include "app/Display.h"
 #include "app/HelpController.h"
 #include "app/MainWindow.h"
+#include "app/Settings.h"
 #include "panels/Notice.h"
 #include "panels/Theme.h"
 #include "views/render/GlResources.h"
@@ -35,9 +36,12 @@ void nameProgram()
     QGuiApplication::setDesktopFileName(QStringLiteral("espalier"));
 }
 
-/// The program's own texts and Qt's, in the person's language as far as there are any.
+/// The program's own texts and Qt's, in the language that the person chose, or else the system's, as far as
+/// there are any.
 void installTranslations(QCoreApplication& application)
 {
+    if (const QString language = Settings().preferences().language; !language.isEmpty())
+        QLocale::setDefault(QLocale(language));
     const QLocale locale;
     auto* own = new QTranslator(&application);
     if (own->load(locale, QStringLiteral("espalier"), QStringLiteral("_"), QStringLiteral(":/translations")))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Settings.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
@@ -22,6 +23,7 @@ const QString kMouse = QStringLiteral("hand/mouse");
 const QString kUndoSteps = QStringLiteral("hand/undoSteps");
 const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
 const QString kTourSeen = QStringLiteral("help/tourSeen");
+const QString kLanguage = QStringLiteral("window/language");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
 
 /// Calls @p visit(key, field) for each value that is remembered. Of the leaves it is not: a tree without them
@@ -77,6 +79,8 @@ Preferences Settings::preferences() const
     values.undoSteps =
         std::clamp(store.value(kUndoSteps, values.undoSteps).toInt(), 0, Preferences::kMostUndoSteps);
     values.libraryFolder = store.value(kLibraryFolder).toString();
+    if (const QString language = store.value(kLanguage).toString(); languages().contains(language))
+        values.language = language;
     return values;
 }
 
@@ -90,6 +94,15 @@ void Settings::setPreferences(const Preferences& preferences)
     store.setValue(kAutosaveInterval, preferences.autosaveInterval);
     store.setValue(kUndoSteps, preferences.undoSteps);
     store.setValue(kLibraryFolder, preferences.libraryFolder);
+    store.setValue(kLanguage, preferences.language);
+}
+
+QStringList Settings::languages()
+{
+    QStringList codes{QStringLiteral("en")};
+    for (const QString& file : QDir(QStringLiteral(":/translations")).entryList(QDir::Files, QDir::Name))
+        codes << file.section(QLatin1Char('_'), 1).section(QLatin1Char('.'), 0, 0);
+    return codes;
 }
 
 ViewValues Settings::viewValues() const

@@ -26,6 +26,7 @@ struct Preferences {
     int undoSteps = 0;         ///< As many can be taken back, 0...kMostUndoSteps; 0 for all
     QString
         libraryFolder{}; ///< Where the library keeps its trees; empty for a folder among the program's data
+    QString language{};  ///< One of Settings::languages(), from the next start on; empty for the system's
 
     bool operator==(const Preferences&) const = default;
 };
@@ -50,6 +51,8 @@ public:
     /// Values out of range are moved to its nearest end, unknown ones are the defaults.
     Preferences preferences() const;
     void setPreferences(const Preferences& preferences);
+    /// Codes of the languages that the program speaks, as "de"; English first.
+    static QStringList languages();
     /// The one that is set, or the program's own.
     QString libraryFolder() const;
     /// Suffix of the last export; at first "glb".

@@ -11,10 +11,12 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
@@ -61,6 +63,8 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
     : QDialog(parent),
       m_look(new QComboBox(this)),
       m_side(new QComboBox(this)),
+      m_language(new QComboBox(this)),
+      m_nextStart(makeNote(tr("The language changes with the next start."))),
       m_curve(new PressureCurve(Preferences::kSoftest, Preferences::kFirmest, this)),
       m_softness(new QSlider(Qt::Horizontal, this)),
       m_mouse(new QComboBox(this)),
@@ -96,7 +100,7 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
     all->addLayout(buttons);
     all->setSizeConstraint(QLayout::SetFixedSize);
 
-    for (QComboBox* box : {m_look, m_side, m_mouse}) {
+    for (QComboBox* box : {m_look, m_side, m_language, m_mouse}) {
         box->setMinimumHeight(kControl);
         connect(box, &QComboBox::currentIndexChanged, this, &SettingsSheet::edit);
     }
@@ -148,6 +152,15 @@ QLayout* SettingsSheet::makeAppearance()
     form->addRow(barHeading(tr("Appearance"), this));
     form->addRow(makeLabel(tr("Theme"), m_look), m_look);
     form->addRow(makeLabel(tr("Tools"), m_side), m_side);
+    m_language->setObjectName(QStringLiteral("language"));
+    m_language->addItem(tr("Like the system"));
+    for (const QString& code : Settings::languages()) {
+        const QLocale locale(code);
+        m_language->addItem(locale.nativeLanguageName(), code);
+    }
+    form->addRow(makeLabel(tr("Language"), m_language), m_language);
+    m_nextStart->hide();
+    form->addRow(m_nextStart);
     return form;
 }
 
@@ -209,6 +222,7 @@ void SettingsSheet::display(const Preferences& preferences)
     m_isShowing = true;
     m_look->setCurrentIndex(static_cast<int>(preferences.look));
     m_side->setCurrentIndex(preferences.areToolsRight ? 1 : 0);
+    m_language->setCurrentIndex(std::max(0, m_language->findData(preferences.language)));
     m_curve->setExponent(preferences.pressureExponent);
     m_softness->setValue(sliderOf(preferences.pressureExponent));
     m_mouse->setCurrentIndex(static_cast<int>(preferences.mouse));
@@ -230,6 +244,8 @@ void SettingsSheet::edit()
     Preferences edited = m_preferences;
     edited.look = static_cast<theme::Look>(m_look->currentIndex());
     edited.areToolsRight = m_side->currentIndex() == 1;
+    edited.language = m_language->currentData().toString();
+    m_nextStart->setVisible(edited.language != m_preferences.language || m_nextStart->isVisible());
     edited.pressureExponent = m_curve->exponent();
     edited.mouse = static_cast<MouseScheme>(m_mouse->currentIndex());
     edited.autosaveInterval = m_autosave->value();

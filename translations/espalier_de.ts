@@ -2640,6 +2640,14 @@ geschrieben werden konnte.
         <source>Folder of the Library</source>
         <translation>Ordner der Bibliothek</translation>
     </message>
+    <message>
+        <source>The language changes with the next start.</source>
+        <translation>Die Sprache wechselt beim nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
 </context>
 <context>
     <name>espalier::TopBar</name>

@@ -2639,6 +2639,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>Folder of the Library</source>
         <translation>Dossier de la bibliothèque</translation>
     </message>
+    <message>
+        <source>The language changes with the next start.</source>
+        <translation>La langue changera au prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
 </context>
 <context>
     <name>espalier::TopBar</name>

@@ -2639,6 +2639,14 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
         <source>Folder of the Library</source>
         <translation>ライブラリのフォルダー</translation>
     </message>
+    <message>
+        <source>The language changes with the next start.</source>
+        <translation>言語は次の起動から変わります。</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
 </context>
 <context>
     <name>espalier::TopBar</name>

@@ -2639,6 +2639,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Folder of the Library</source>
         <translation>Folder biblioteki</translation>
     </message>
+    <message>
+        <source>The language changes with the next start.</source>
+        <translation>Język zmieni się przy następnym uruchomieniu.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Język</translation>
+    </message>
 </context>
 <context>
     <name>espalier::TopBar</name>

@@ -8,6 +8,7 @@ class ProgramTest : public QObject {
 private Q_SLOTS:
     void init();
 
+    void chosenLanguage_isSpoken();
     void replay_writesEveryOutputAndNothingElse();
     void replay_continuesOneTreeThroughSeveralRecipes();
     void replay_takesTheSeedOfTheCommandLine();
@@ -102,6 +103,18 @@ void ProgramTest::write(const QString& name, const QByteArray& content) const
     QFile file(path(name));
     QVERIFY(file.open(QIODevice::WriteOnly));
     QCOMPARE(file.write(content), content.size());
+}
+
+void ProgramTest::chosenLanguage_isSpoken()
+{
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("Espalier")));
+    QProcessEnvironment environment = withoutDisplay();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), m_folder->path());
+    const QByteArray english = run({"replay", "none.json"}, environment).error;
+    write(QStringLiteral("Espalier/espalier.conf"), "[window]\nlanguage=de\n");
+    const Outcome german = run({"replay", "none.json"}, environment);
+    QCOMPARE(german.code, 3);
+    QVERIFY2(german.error.contains("none.json") && german.error != english, german.error.constData());
 }
 
 void ProgramTest::replay_writesEveryOutputAndNothingElse()
