@@ -127,6 +127,18 @@ private:
     TileCells m_plates{5, 3, 0.95F, 32};
 };
 
+/// A level lenticel, pointed at both ends, in those cells that the lot falls on: the rarer its value, the
+/// longer.
+float lenticelIn(const TileCells::Sample& cell, float rarity, float thickness, float grain)
+{
+    if (cell.value < rarity)
+        return 0.0F;
+    const float length = 0.14F + 0.24F * (cell.value - rarity) / (1.0F - rarity);
+    const float along = cell.x / length;
+    const float half = thickness * (1.0F - along * along) + 0.04F * grain;
+    return half > 0.0F ? 1.0F - smoothStep(0.6F * half, half + 0.03F, std::abs(cell.y)) : 0.0F;
+}
+
 /// White paper with dark lenticels in level dashes, and black scars where it has torn: birch.
 class BirchBark {
 public:
@@ -142,9 +154,9 @@ public:
         const float y = v + 0.01F * bend;
         // Lenticels of three sizes; they come in swarms.
         const float swarm = 0.16F * wear;
-        const float dash = std::max({dashIn(m_longDashes.own(u, y), 0.74F + swarm, 0.1F, grain),
-                                     dashIn(m_dashes.own(u + 0.3F, y), 0.76F + swarm, 0.13F, grain),
-                                     0.75F * dashIn(m_specks.own(u, y), 0.72F - swarm, 0.2F, grain)});
+        const float dash = std::max({lenticelIn(m_longDashes.own(u, y), 0.74F + swarm, 0.1F, grain),
+                                     lenticelIn(m_dashes.own(u + 0.3F, y), 0.76F + swarm, 0.13F, grain),
+                                     0.75F * lenticelIn(m_specks.own(u, y), 0.72F - swarm, 0.2F, grain)});
         const TileCells::Sample scarCell = m_scars.own(u + 0.012F * rough, y + 0.012F * rough);
         const float reach = 0.5F * (scarCell.value - 0.55F);
         const float torn =
@@ -164,17 +176,6 @@ public:
     }
 
 private:
-    /// A level dash in those cells that the lot falls on, pointed at both ends.
-    static float dashIn(const TileCells::Sample& cell, float rarity, float thickness, float grain)
-    {
-        if (cell.value < rarity)
-            return 0.0F;
-        const float length = 0.14F + 0.24F * (cell.value - rarity) / (1.0F - rarity);
-        const float along = cell.x / length;
-        const float half = thickness * (1.0F - along * along) + 0.04F * grain;
-        return half > 0.0F ? 1.0F - smoothStep(0.6F * half, half + 0.03F, std::abs(cell.y)) : 0.0F;
-    }
-
     const TileNoise& m_noise = TileNoise::shared();
     TileCells m_longDashes{2, 26, 0.35F, 47};
     TileCells m_dashes{5, 44, 0.35F, 48};
@@ -194,8 +195,8 @@ public:
         const float grain = m_noise(8.0F * u, 18.0F * v);
         const float bands = m_noise(u + 0.4F, 9.0F * v + 0.2F * bend);
         const float y = v + 0.008F * bend;
-        const float cork = std::max(corkIn(m_long.own(u, y), 0.45F, 0.2F, grain),
-                                    0.8F * corkIn(m_short.own(u + 0.17F, y), 0.55F, 0.26F, grain));
+        const float cork = std::max(lenticelIn(m_long.own(u, y), 0.45F, 0.2F, grain),
+                                    0.8F * lenticelIn(m_short.own(u + 0.17F, y), 0.55F, 0.26F, grain));
         const float peel = 1.0F - smoothStep(0.0F, 0.03F, std::abs(bands - 0.35F));
 
         const float height = 0.45F + 0.12F * bands + 0.06F * grain + 0.4F * cork - 0.2F * peel;
@@ -206,17 +207,6 @@ public:
     }
 
 private:
-    /// A level lens in those cells that the lot falls on.
-    static float corkIn(const TileCells::Sample& cell, float rarity, float thickness, float grain)
-    {
-        if (cell.value < rarity)
-            return 0.0F;
-        const float length = 0.2F + 0.25F * (cell.value - rarity) / (1.0F - rarity);
-        const float along = cell.x / length;
-        const float half = thickness * (1.0F - along * along) + 0.05F * grain;
-        return half > 0.0F ? 1.0F - smoothStep(0.5F * half, half + 0.05F, std::abs(cell.y)) : 0.0F;
-    }
-
     const TileNoise& m_noise = TileNoise::shared();
     TileCells m_long{3, 24, 0.5F, 61};
     TileCells m_short{7, 30, 0.6F, 62};

@@ -16,5 +16,5 @@ float ambientShare(vec3 position)
 float crownDepth(vec3 position)
 {
     vec3 inside = (position - frame.crown.xyz) / frame.crownRadii.xyz;
-    return mix(0.55, 1.0, smoothstep(0.05, 0.85, dot(inside, inside)));
+    return mix(0.7, 1.0, smoothstep(0.05, 0.85, dot(inside, inside)));
 }

@@ -28,6 +28,6 @@ LeafLight leafLight(vec3 position, vec3 normal, vec3 outward, float side, float 
                     + frame.sunColour.rgb * (seen * front);
     light.through = frame.sunColour.rgb * (seen * behind * (0.55 + 1.1 * against * against))
     // Light that leaves hand on to each other keeps the inside green rather than grey.
-                  + frame.sunColour.rgb * (0.07 * share);
+                  + frame.sunColour.rgb * (0.11 * share + 0.018);
     return light;
 }
