@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TreeBuffers.h"
 
-#include "model/base/Parallel.h"
 #include "model/mesh/LeafCard.h"
 #include "model/mesh/Textures.h"
 #include "views/render/TreeScene.h"
@@ -16,25 +15,32 @@ namespace {
 constexpr int kBarkEdge = 1024; ///< px
 constexpr int kLeafEdge = 512;  ///< px
 
-/// A texture and its normal map.
+/// A texture and its surface: the normal, and the roughness as alpha, so that one look finds both.
 struct Images {
     QImage colour;
-    QImage normal;
+    QImage surface;
 };
 
-/// Making textures takes longer than a frame: they are made once, whoever shows them, and both at the same
-/// time.
-template <class Kind>
-const Images& imagesOf(Kind kind, QImage (*makeColour)(Kind), QImage (*makeNormal)(Kind))
+Images forShaders(const SurfaceTextures& textures)
+{
+    QImage surface = textures.normal.convertToFormat(QImage::Format_RGBA8888);
+    for (int y = 0; y < surface.height(); ++y) {
+        const uchar* const roughness = textures.roughness.constScanLine(y);
+        uchar* const line = surface.scanLine(y);
+        for (int x = 0; x < surface.width(); ++x)
+            line[4 * x + 3] = roughness[x];
+    }
+    return {textures.colour, surface};
+}
+
+/// Making textures takes longer than a frame: they are made once, whoever shows them.
+template <class Kind, class Make>
+const Images& imagesOf(Kind kind, Make&& make)
 {
     static std::map<Kind, Images> made;
     Images& images = made[kind];
-    if (images.colour.isNull()) {
-        parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                (i == 0 ? images.colour : images.normal) = i == 0 ? makeColour(kind) : makeNormal(kind);
-        });
-    }
+    if (images.colour.isNull())
+        images = forShaders(make(kind));
     return images;
 }
 
@@ -67,9 +73,9 @@ TreeBuffers::TreeBuffers(Gl& gl)
       m_barkArray(gl),
       m_leafArray(gl),
       m_barkColour(gl),
-      m_barkNormal(gl),
+      m_barkSurface(gl),
       m_leafColour(gl),
-      m_leafNormal(gl),
+      m_leafSurface(gl),
       m_light(gl)
 {
     gl.glBindTexture(GL_TEXTURE_3D, m_light.get());
@@ -132,24 +138,20 @@ void TreeBuffers::fillTextures(const TreeParameters& parameters)
 {
     if (m_bark != parameters.bark.kind) {
         m_bark = parameters.bark.kind;
-        const Images& images = imagesOf<BarkKind>(
-            *m_bark, [](BarkKind kind) { return barkAlbedo(kind, kBarkEdge); },
-            [](BarkKind kind) { return espalier::barkNormal(kind, kBarkEdge); });
+        const Images& images = imagesOf(*m_bark, [](BarkKind kind) { return barkTextures(kind, kBarkEdge); });
         fillTexture(m_gl, m_barkColour, images.colour, TextureContent::Colour, true);
-        fillTexture(m_gl, m_barkNormal, images.normal, TextureContent::Data, true);
+        fillTexture(m_gl, m_barkSurface, images.surface, TextureContent::Data, true);
     }
     const LeafParameters& leaves = parameters.leaves;
     if (m_leaf == leaves.shape && m_leafSaturation == leaves.saturation)
         return;
     m_leaf = leaves.shape;
     m_leafSaturation = leaves.saturation;
-    const Images& images = imagesOf<LeafShape>(
-        *m_leaf, [](LeafShape shape) { return leafAlbedo(shape, kLeafEdge); },
-        [](LeafShape shape) { return espalier::leafNormal(shape, kLeafEdge); });
+    const Images& images = imagesOf(*m_leaf, [](LeafShape shape) { return leafTextures(shape, kLeafEdge); });
     QImage colour = images.colour;
     saturateLeaf(colour, m_leafSaturation);
     fillTexture(m_gl, m_leafColour, colour, TextureContent::Colour, false);
-    fillTexture(m_gl, m_leafNormal, images.normal, TextureContent::Data, false);
+    fillTexture(m_gl, m_leafSurface, images.surface, TextureContent::Data, false);
     const LeafCard& card = leafCard(*m_leaf);
     m_cardVertices.reserve(card.vertices.size() * sizeof(MeshVertex));
     m_cardVertices.write(0, card.vertices.data(), card.vertices.size() * sizeof(MeshVertex));

@@ -27,9 +27,10 @@ public:
     void drawLeaves();
 
     GLuint barkColour() const { return m_barkColour.get(); }
-    GLuint barkNormal() const { return m_barkNormal.get(); }
+    /// Normal, and roughness as alpha.
+    GLuint barkSurface() const { return m_barkSurface.get(); }
     GLuint leafColour() const { return m_leafColour.get(); }
-    GLuint leafNormal() const { return m_leafNormal.get(); }
+    GLuint leafSurface() const { return m_leafSurface.get(); }
     GLuint lightVolume() const { return m_light.get(); }
 
 private:
@@ -49,9 +50,9 @@ private:
     GlVertexArray m_barkArray;
     GlVertexArray m_leafArray;
     GlTexture m_barkColour;
-    GlTexture m_barkNormal;
+    GlTexture m_barkSurface;
     GlTexture m_leafColour;
-    GlTexture m_leafNormal;
+    GlTexture m_leafSurface;
     GlTexture m_light;
     std::uint64_t m_scene = 0;      ///< Number of the scene that is here, 0 for none
     std::optional<BarkKind> m_bark; ///< Of the textures
