@@ -4,7 +4,7 @@
 #include "model/base/Parallel.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
-#include "model/mesh/Textures.h"
+#include "model/mesh/OwnTextures.h"
 
 #include <QBuffer>
 #include <QImageWriter>
@@ -120,6 +120,20 @@ QImage leafColours(LeafShape shape, double saturation, int size, const std::vect
     return inARow(images);
 }
 
+/// The image of the person's own in each tile's hue, as it is shown here.
+QImage ownColours(const QImage& image, double saturation, const std::vector<LeafTile>& tiles)
+{
+    std::vector<QImage> images(tiles.size(), image);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        std::array<double, 3> factors = hueFactors(tiles[i].hueShift);
+        for (double& factor : factors)
+            factor *= tiles[i].value;
+        saturateLeaf(images[i], saturation);
+        multiply(images[i], factors);
+    }
+    return inARow(images);
+}
+
 QByteArray toPng(const QImage& image)
 {
     QByteArray png;
@@ -154,8 +168,9 @@ void pack(ExportMaterial& material, const SurfaceTextures& textures)
 /// The textures of all leaves: a tile for each hue.
 SurfaceTextures leafTiles(const LeafParameters& leaves, int size, const std::vector<LeafTile>& tiles)
 {
-    const SurfaceTextures one = leafTextures(leaves.shape, size);
-    return {leafColours(leaves.shape, leaves.saturation, size, tiles),
+    const SurfaceTextures one = leafTextures(leaves, size);
+    return {leaves.image.isNull() ? leafColours(leaves.shape, leaves.saturation, size, tiles)
+                                  : ownColours(one.colour, leaves.saturation, tiles),
             inARow(std::vector(tiles.size(), one.normal)), inARow(std::vector(tiles.size(), one.roughness))};
 }
 
@@ -194,13 +209,13 @@ ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QSt
                             meshBranches(tree, index, widths, {.detail = options.detail}), 0});
     scene.materials.push_back(
         namedMaterial(scene.name + QLatin1String("_Bark"), QStringLiteral("bark"), false));
-    pack(scene.materials.back(), barkTextures(parameters.bark.kind, options.textureSize));
+    pack(scene.materials.back(), barkTextures(parameters.bark, options.textureSize));
 
     const MeshBuffer<LeafInstance> leaves =
         options.leaves ? placeLeaves(tree, index) : MeshBuffer<LeafInstance>();
     const LeafTiles tiles = chooseTiles(leaves);
     if (!tiles.tileOf.empty()) {
-        const LeafShape shape = parameters.leaves.shape;
+        const auto shape = static_cast<LeafShape>(leaves.front().shape);
         TriangleMesh mesh = expandLeaves(leaves);
         moveIntoTiles(mesh, tiles, leafCard(shape).vertices.size());
         scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Leaves"), std::move(mesh), 1});

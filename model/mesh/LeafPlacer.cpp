@@ -63,7 +63,7 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
     m_cosine = static_cast<float>(std::cos(m_parameters.angle));
     m_sine = static_cast<float>(std::sin(m_parameters.angle));
     // Needles clothe the whole shoot; leaves sit at its nodes.
-    m_alongInternode = m_parameters.shape == LeafShape::Needles;
+    m_alongInternode = m_parameters.shape == LeafShape::Needles && m_parameters.image.isNull();
     for (int i = 0; i < perNode; ++i) {
         const double azimuth = 2.0 * std::numbers::pi * i / perNode;
         m_azimuths[static_cast<std::size_t>(i)] =
@@ -125,7 +125,8 @@ void LeafPlacer::place(InternodeId id, std::span<LeafInstance> leaves) const
             .width = leafLength * static_cast<float>(m_parameters.aspect),
             .hueShift = static_cast<float>(hue - kLeafTextureHue + m_parameters.hueVariation * variation[1]),
             .value = value,
-            .shape = static_cast<std::int32_t>(m_parameters.shape),
+            .shape =
+                static_cast<std::int32_t>(m_parameters.image.isNull() ? m_parameters.shape : LeafShape::Own),
         };
     }
 }

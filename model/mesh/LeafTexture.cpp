@@ -94,6 +94,7 @@ float roughnessOf(LeafShape shape)
         return 0.54F;
     case LeafShape::Cordate:
     case LeafShape::Palmate:
+    case LeafShape::Own:
         break;
     }
     return 0.6F;
@@ -123,6 +124,7 @@ auto withLeaf(LeafShape shape, int size, double hue, const Paint& paint)
     case LeafShape::Fascicle:
         return paint(NeedleSpray(NeedleSpray::Kind::Fascicle, size, hue), kNeedleRelief);
     case LeafShape::Ovate:
+    case LeafShape::Own:
         break;
     }
     return paint(BroadLeaf(kOvate, size, hue), kRelief);

@@ -284,6 +284,10 @@ void Renderer::drawTree(const RenderOptions& options, float saturation)
         QOpenGLShaderProgram& leaf = options.isPlain ? *m_plainLeafProgram : *m_leafProgram;
         leaf.bind();
         leaf.setUniformValue("saturation", saturation);
+        // Under a warm sun and a filmic curve, drawn leaves as they are would look like paint: this is more
+        // like what a camera sees. What a camera saw need only be as light.
+        leaf.setUniformValue("filmCast", m_tree.hasOwnLeaves() ? QVector3D(0.75F, 0.75F, 0.75F)
+                                                               : QVector3D(0.84F, 0.63F, 0.80F));
         m_tree.drawLeaves();
     }
     QOpenGLShaderProgram& bark = options.isPlain ? *m_plainBarkProgram : *m_barkProgram;

@@ -2,7 +2,7 @@
 #include "views/render/TreeBuffers.h"
 
 #include "model/mesh/LeafCard.h"
-#include "model/mesh/Textures.h"
+#include "model/mesh/OwnTextures.h"
 #include "views/render/TreeScene.h"
 
 #include <cstddef>
@@ -14,14 +14,11 @@ namespace {
 
 constexpr int kBarkEdge = 1024; ///< px
 constexpr int kLeafEdge = 512;  ///< px
+// Of images of the person's own
+constexpr int kOwnBarkEdge = 2048;
+constexpr int kOwnLeafEdge = 1024;
 
-/// A texture and its surface: the normal, and the roughness as alpha, so that one look finds both.
-struct Images {
-    QImage colour;
-    QImage surface;
-};
-
-Images forShaders(const SurfaceTextures& textures)
+ShaderImages forShaders(const SurfaceTextures& textures)
 {
     QImage surface = textures.normal.convertToFormat(QImage::Format_RGBA8888);
     for (int y = 0; y < surface.height(); ++y) {
@@ -35,10 +32,10 @@ Images forShaders(const SurfaceTextures& textures)
 
 /// Making textures takes longer than a frame: they are made once, whoever shows them.
 template <class Kind, class Make>
-const Images& imagesOf(Kind kind, Make&& make)
+const ShaderImages& imagesOf(Kind kind, Make&& make)
 {
-    static std::map<Kind, Images> made;
-    Images& images = made[kind];
+    static std::map<Kind, ShaderImages> made;
+    ShaderImages& images = made[kind];
     if (images.colour.isNull())
         images = forShaders(make(kind));
     return images;
@@ -136,23 +133,41 @@ void TreeBuffers::send(GlBuffer& buffer, std::span<const T> elements, std::span<
 
 void TreeBuffers::fillTextures(const TreeParameters& parameters)
 {
-    if (m_bark != parameters.bark.kind) {
-        m_bark = parameters.bark.kind;
-        const Images& images = imagesOf(*m_bark, [](BarkKind kind) { return barkTextures(kind, kBarkEdge); });
+    const BarkParameters& bark = parameters.bark;
+    const auto looksLike = [](const BarkParameters& a, const BarkParameters& b) {
+        return a.kind == b.kind && a.image == b.image && a.normalImage == b.normalImage &&
+               a.roughnessImage == b.roughnessImage;
+    };
+    if (!m_bark || !looksLike(*m_bark, bark)) {
+        const ShaderImages images =
+            bark.image.isNull()
+                ? imagesOf(bark.kind, [](BarkKind kind) { return barkTextures(kind, kBarkEdge); })
+                : forShaders(barkTextures(bark, kOwnBarkEdge));
         fillTexture(m_gl, m_barkColour, images.colour, TextureContent::Colour, true);
         fillTexture(m_gl, m_barkSurface, images.surface, TextureContent::Data, true);
     }
+    m_bark = bark;
+
     const LeafParameters& leaves = parameters.leaves;
-    if (m_leaf == leaves.shape && m_leafSaturation == leaves.saturation)
+    const bool hasOtherImage = !m_leaf || !(m_leaf->image == leaves.image);
+    const bool isOther = hasOtherImage || m_leaf->shape != leaves.shape;
+    const bool isPaler = !m_leaf || m_leaf->saturation != leaves.saturation;
+    m_leaf = leaves;
+    if (!isOther && !isPaler)
         return;
-    m_leaf = leaves.shape;
-    m_leafSaturation = leaves.saturation;
-    const Images& images = imagesOf(*m_leaf, [](LeafShape shape) { return leafTextures(shape, kLeafEdge); });
+    if (hasOtherImage && !leaves.image.isNull())
+        m_ownLeaf = forShaders(leafTextures(leaves, kOwnLeafEdge));
+    const ShaderImages& images =
+        leaves.image.isNull()
+            ? imagesOf(leaves.shape, [](LeafShape shape) { return leafTextures(shape, kLeafEdge); })
+            : m_ownLeaf;
     QImage colour = images.colour;
-    saturateLeaf(colour, m_leafSaturation);
+    saturateLeaf(colour, leaves.saturation);
     fillTexture(m_gl, m_leafColour, colour, TextureContent::Colour, false);
+    if (!isOther)
+        return;
     fillTexture(m_gl, m_leafSurface, images.surface, TextureContent::Data, false);
-    const LeafCard& card = leafCard(*m_leaf);
+    const LeafCard& card = leafCard(leaves.image.isNull() ? leaves.shape : LeafShape::Own);
     m_cardVertices.reserve(card.vertices.size() * sizeof(MeshVertex));
     m_cardVertices.write(0, card.vertices.data(), card.vertices.size() * sizeof(MeshVertex));
     m_cardIndices.reserve(card.indices.size() * sizeof(VertexIndex));

@@ -4,6 +4,7 @@
 #include "model/io/FbxRepair.h"
 #include "model/mesh/LeafCard.h"
 #include "model/shape/Widths.h"
+#include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -62,6 +63,7 @@ private Q_SLOTS:
     void scene_withoutLeavesHasBarkAlone();
     void leavesOfOneHue_takeOneTile();
     void leavesOfManyHues_lieInTheTileOfTheirHue();
+    void imagesOfOnesOwn_takeThePlaceOfTheDrawnOnes();
     void names_becomeSafe();
     void obj_hasEveryVertexAndRefersToFilesThatExist();
     void glb_hasNamesMaterialsAndTexturesInside();
@@ -181,6 +183,34 @@ void ExporterTest::leavesOfManyHues_lieInTheTileOfTheirHue()
     };
     QVERIFY(hueOfTile(0) < 0.9);
     QVERIFY(hueOfTile(7) > 1.1);
+}
+
+void ExporterTest::imagesOfOnesOwn_takeThePlaceOfTheDrawnOnes()
+{
+    TreeBuilder builder = sampleTree();
+    TreeParameters parameters = builder.tree.parameters();
+    parameters.leaves.image = ImageAsset(pngOf(drawnLeaf(Qt::transparent)), QStringLiteral("leaf.png"));
+    parameters.leaves.hueVariation = 0.0;
+    parameters.leaves.vigourHue = 0.0;
+    parameters.bark.image = ImageAsset(pngOf(repeatingBark(64, 64)), QStringLiteral("bark.png"));
+    builder.apply(parameterChange(builder.tree, parameters));
+    const ExportScene scene =
+        buildExportScene(builder.tree, builder.index, {}, ExportOptions{.textureSize = 512});
+    QCOMPARE(scene.materials.size(), 2U);
+    QCOMPARE(QImage::fromData(scene.materials[0].colour.png, "png").convertToFormat(QImage::Format_RGB888),
+             repeatingBark(64, 64).convertToFormat(QImage::Format_RGB888));
+    const QImage leaf = QImage::fromData(scene.materials[1].colour.png, "png");
+    QVERIFY(std::abs(leaf.width() - 80) <= 3 && std::abs(leaf.height() - 160) <= 3);
+    // In its own colours.
+    const QColor middle = leaf.pixelColor(leaf.width() / 2, leaf.height() / 2);
+    QVERIFY2(std::abs(middle.red() - 70) < 6 && std::abs(middle.green() - 150) < 6 &&
+                 std::abs(middle.blue() - 40) < 6,
+             qPrintable(middle.name()));
+    QCOMPARE(qAlpha(leaf.pixel(0, 0)), 0);
+    for (const ExportTexture* texture : {&scene.materials[1].normal, &scene.materials[1].roughness})
+        QCOMPARE(QImage::fromData(texture->png, "png").size(), leaf.size());
+    const std::size_t perLeaf = leafCard(LeafShape::Own).vertices.size();
+    QCOMPARE(scene.meshes[1].mesh.vertices.size(), placeLeaves(builder.tree, builder.index).size() * perLeaf);
 }
 
 void ExporterTest::names_becomeSafe()
