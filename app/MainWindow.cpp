@@ -108,6 +108,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectTools();
     connectView();
     connectLibrary();
+    connectLooks();
     followDocument();
     apply(m_settings.preferences());
     m_files->startNew();
@@ -284,6 +285,18 @@ void MainWindow::connectLibrary()
     connect(m_actions[ActionId::Help], &QAction::triggered, action, [action] { action->setChecked(false); });
     connect(&panel, &LibraryPanel::closeAsked, action, [action] { action->setChecked(false); });
     connect(m_files.get(), &FileController::aboutToReplace, action, [action] { action->setChecked(false); });
+}
+
+void MainWindow::connectLooks()
+{
+    m_looks = new LookController(
+        m_document, m_settings, m_workspace->notice(), [this] { return isBusy(); }, this);
+    for (int i = 0; i < Workspace::kSheetCount; ++i) {
+        if (auto* sheet = qobject_cast<ParameterPanel*>(&m_workspace->sheet(i))) {
+            connect(sheet, &ParameterPanel::imageAsked, m_looks, &LookController::choose);
+            connect(sheet, &ParameterPanel::imageDropped, m_looks, &LookController::take);
+        }
+    }
 }
 
 void MainWindow::showSettings()
@@ -512,12 +525,17 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!droppedFile(*event->mimeData()).isEmpty())
+    if (!droppedFile(*event->mimeData()).isEmpty() || !droppedImage(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
+    if (const QString image = droppedImage(*event->mimeData()); !image.isEmpty()) {
+        event->acceptProposedAction();
+        m_looks->askAndTake(image);
+        return;
+    }
     const QString name = droppedFile(*event->mimeData());
     if (name.isEmpty())
         return;

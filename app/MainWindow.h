@@ -6,6 +6,7 @@
 #include "app/GrowRunner.h"
 #include "app/LassoRunner.h"
 #include "app/LibraryController.h"
+#include "app/LookController.h"
 #include "app/RecipeRunner.h"
 #include "app/Settings.h"
 #include "app/TimeRunner.h"
@@ -55,6 +56,7 @@ private:
     void connectTools();
     void connectView();
     void connectLibrary();
+    void connectLooks();
     void showSettings();
     /// Puts the preferences in force.
     void apply(const Preferences& preferences);
@@ -84,6 +86,7 @@ private:
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
     std::unique_ptr<LibraryController> m_library;
+    LookController* m_looks = nullptr;
     std::unique_ptr<HelpController> m_help;
 };
 

@@ -5,11 +5,13 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace espalier {
 
@@ -69,6 +71,39 @@ Result<ImageAsset> readImageFile(const QString& fileName, const QString& name)
     if (file.size() > imageLimits::kBytes)
         return tooManyBytes(shown);
     return readImage(file.readAll(), shown);
+}
+
+MaterialFiles findMaterialFiles(const QString& fileName)
+{
+    const QFileInfo file(fileName);
+    QString stem = file.completeBaseName().toLower();
+    for (const char* word :
+         {"basecolor", "base_color", "basecolour", "albedo", "colour", "color", "diffuse", "diff", "col"}) {
+        for (const char separator : {'_', '-', ' '}) {
+            const QString ending = QLatin1Char(separator) + QString::fromLatin1(word);
+            if (stem.endsWith(ending))
+                stem.chop(ending.size());
+        }
+    }
+    const auto hasEnding = [](const QString& rest, std::initializer_list<const char*> words) {
+        return rest.size() > 1 && (rest[0] == u'_' || rest[0] == u'-' || rest[0] == u' ') &&
+               std::ranges::any_of(words,
+                                   [&](const char* word) { return rest.sliced(1) == QLatin1String(word); });
+    };
+    MaterialFiles found;
+    const QStringList filters{QStringLiteral("*.png"), QStringLiteral("*.jpg"), QStringLiteral("*.jpeg")};
+    for (const QFileInfo& other : file.dir().entryInfoList(filters, QDir::Files, QDir::Name)) {
+        const QString name = other.completeBaseName().toLower();
+        if (!name.startsWith(stem))
+            continue;
+        const QString rest = name.sliced(stem.size());
+        if (found.normal.isEmpty() &&
+            hasEnding(rest, {"normal", "normalgl", "normal_gl", "nor_gl", "nor", "nrm"}))
+            found.normal = other.filePath();
+        if (found.roughness.isEmpty() && hasEnding(rest, {"roughness", "rough", "rgh"}))
+            found.roughness = other.filePath();
+    }
+    return found;
 }
 
 } // namespace espalier

@@ -21,4 +21,15 @@ Result<ImageAsset> glanceAtImage(const QByteArray& file, const QString& name);
 /// readImage() from a file; @p name instead of the file's own if it is not empty.
 Result<ImageAsset> readImageFile(const QString& fileName, const QString& name = {});
 
+/// The other images of a material, which lie beside that of its colours and are called alike.
+struct MaterialFiles {
+    QString normal;    ///< Green up; empty if there is none
+    QString roughness; ///< Empty if there is none
+};
+
+/// Looks beside "bark_colour.png" (or bark_albedo, bark_basecolor, bark_diffuse, bark) for bark_normal,
+/// bark_normalgl, bark_nor_gl and so on, and for bark_roughness, bark_rough, whatever the case of the
+/// letters.
+MaterialFiles findMaterialFiles(const QString& fileName);
+
 } // namespace espalier
