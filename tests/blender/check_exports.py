@@ -2,8 +2,9 @@
 """Reads one tree back from OBJ, FBX and GLB in Blender, compares it with what it should be, and renders it.
 
 Usage: blender -b --factory-startup --python check_exports.py -- FOLDER
-FOLDER has tree.obj, tree.fbx, tree.glb and expected.json:
+FOLDER has expected.json, and tree.obj, tree.fbx, tree.glb or some of them:
     name     the tree's, which meshes and materials are called after
+    suffixes which of the three there are
     meshes   by name: vertices, triangles, lower and upper corner in metres, y up
     camera   position, right and up, y up; full vertical fieldOfView in rad; size in pixels
 Pictures of the FBX and the GLB, on nothing, become fbx.png and glb.png there. Prints "EXPORTS ARE GOOD" if all is well; Blender's exit code says nothing after an error in Python.
@@ -198,7 +199,7 @@ def render(suffix):
     bpy.ops.render.render(write_still=True)
 
 
-for suffix in ("obj", "fbx", "glb"):
+for suffix in expected["suffixes"]:
     objects = load(suffix)
     check(sorted(objects) == sorted(expected["meshes"]), f"{suffix}: meshes {sorted(objects)}")
     for name, wanted in expected["meshes"].items():
