@@ -26,7 +26,7 @@ struct Preferences {
     int undoSteps = 0;         ///< As many can be taken back, 0...kMostUndoSteps; 0 for all
     QString
         libraryFolder{}; ///< Where the library keeps its trees; empty for a folder among the program's data
-    QString language{};  ///< One of Settings::languages(), from the next start on; empty for the system's
+    QString language{};  ///< One of Settings::languages(); empty for the system's
 
     bool operator==(const Preferences&) const = default;
 };

@@ -64,7 +64,6 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
       m_look(new QComboBox(this)),
       m_side(new QComboBox(this)),
       m_language(new QComboBox(this)),
-      m_nextStart(makeNote(tr("The language changes with the next start."))),
       m_curve(new PressureCurve(Preferences::kSoftest, Preferences::kFirmest, this)),
       m_softness(new QSlider(Qt::Horizontal, this)),
       m_mouse(new QComboBox(this)),
@@ -159,8 +158,6 @@ QLayout* SettingsSheet::makeAppearance()
         m_language->addItem(locale.nativeLanguageName(), code);
     }
     form->addRow(makeLabel(tr("Language"), m_language), m_language);
-    m_nextStart->hide();
-    form->addRow(m_nextStart);
     return form;
 }
 
@@ -245,7 +242,6 @@ void SettingsSheet::edit()
     edited.look = static_cast<theme::Look>(m_look->currentIndex());
     edited.areToolsRight = m_side->currentIndex() == 1;
     edited.language = m_language->currentData().toString();
-    m_nextStart->setVisible(edited.language != m_preferences.language || m_nextStart->isVisible());
     edited.pressureExponent = m_curve->exponent();
     edited.mouse = static_cast<MouseScheme>(m_mouse->currentIndex());
     edited.autosaveInterval = m_autosave->value();
