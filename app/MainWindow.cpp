@@ -93,6 +93,8 @@ MainWindow::MainWindow(QWidget* parent)
     const Preferences preferences = m_settings.preferences();
     m_preferences.look = preferences.look;
     m_preferences.language = preferences.language;
+    m_preferences.units = preferences.units;
+    setUnits(preferences.units);
     makeInterface();
     connectFiles();
     connectTools();
@@ -248,11 +250,12 @@ void MainWindow::apply(const Preferences& preferences)
         theme::apply(*qApp, preferences.look);
         m_workspace->help().showPage(m_workspace->help().page());
     }
-    if (preferences.language != before.language) {
+    if (preferences.language != before.language)
         speakLanguage(preferences.language);
-        // The sheet of settings, which is made anew as well, is telling of it.
+    setUnits(preferences.units);
+    // The sheet of settings, which is made anew as well, is telling of it.
+    if (preferences.language != before.language || preferences.units != before.units)
         QMetaObject::invokeMethod(this, &MainWindow::remakeInterface, Qt::QueuedConnection);
-    }
     suitHand();
     m_files->autosave().setInterval(preferences.autosaveInterval);
     if (preferences.libraryFolder != before.libraryFolder)

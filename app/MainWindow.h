@@ -60,7 +60,8 @@ private:
     void makeInterface();
     void connectPopOuts();
     void connectViewport();
-    /// Makes them anew, in the language in force now, around the same document: everything is where it was.
+    /// Makes them anew, in the language and the units in force now, around the same document: everything is
+    /// where it was.
     void remakeInterface();
     void showCheckedSheet();
     /// The middle of what the viewport shows.

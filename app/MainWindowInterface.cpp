@@ -12,7 +12,6 @@
 #include "panels/architecture/ArchitecturePanel.h"
 #include "views/Viewport.h"
 
-#include <QComboBox>
 #include <QImage>
 
 namespace espalier {
@@ -53,6 +52,7 @@ void MainWindow::remakeInterface()
     m_workspace->viewport().cancelGesture();
     auto* sheet = findChild<SettingsSheet*>();
     const std::optional<QPoint> sheetPlace = sheet ? std::optional(sheet->pos()) : std::nullopt;
+    const QString control = sheet && sheet->focusWidget() ? sheet->focusWidget()->objectName() : QString();
     delete sheet;
     const Camera camera = m_workspace->viewport().camera();
     const QString helpPage = m_workspace->isHelpShown() ? m_workspace->help().page() : QString();
@@ -101,7 +101,8 @@ void MainWindow::remakeInterface()
     if (sheetPlace) {
         SettingsSheet& again = showSettings();
         again.move(*sheetPlace);
-        again.findChild<QComboBox*>(QStringLiteral("language"))->setFocus();
+        if (auto* same = again.findChild<QWidget*>(control))
+            same->setFocus();
     } else {
         m_workspace->viewport().setFocus();
     }

@@ -46,6 +46,7 @@ private:
     QComboBox* m_look;
     QComboBox* m_side;
     QComboBox* m_language;
+    QComboBox* m_units;
     PressureCurve* m_curve;
     QSlider* m_softness;
     QComboBox* m_mouse;
