@@ -112,7 +112,7 @@ void MainWindow::connectPopOuts()
 {
     GrowPopOut& growPopOut = m_workspace->growPopOut();
     connect(&growPopOut, &GrowPopOut::holdBegins, &m_growRunner, &GrowRunner::begin);
-    connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::end);
+    connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::release);
     connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
     connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
     connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
