@@ -59,6 +59,7 @@ void MainWindow::remakeInterface()
     const LibraryPanel::Section section = m_workspace->library().section();
     const bool isMoreShown = m_workspace->architecture().isMoreShown();
     const int tourStep = m_help->tour().step();
+    const bool isSample = m_help->isSample();
 
     m_help.reset();
     m_library.reset();
@@ -67,7 +68,7 @@ void MainWindow::remakeInterface()
     unsetLocale();
     m_actions.setTexts();
     makeInterface();
-    m_help = std::make_unique<HelpController>(*this, m_settings);
+    m_help = std::make_unique<HelpController>(*this, m_settings, isSample);
 
     if (m_recipeRunner.isRunning()) {
         Viewport& viewport = m_workspace->viewport();
