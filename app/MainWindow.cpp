@@ -279,8 +279,8 @@ void MainWindow::followDocument()
     QUndoStack& stack = m_document.undoStack();
     connect(m_actions[ActionId::Undo], &QAction::triggered, this, [this, &stack] {
         // What grows is taken back before what was done.
-        for (GrowthRunner* runner : {static_cast<GrowthRunner*>(&m_growRunner),
-                                     static_cast<GrowthRunner*>(&m_lassoRunner)}) {
+        for (GrowthRunner* runner :
+             {static_cast<GrowthRunner*>(&m_growRunner), static_cast<GrowthRunner*>(&m_lassoRunner)}) {
             if (runner->isRunning() && !m_workspace->viewport().isGestureActive()) {
                 runner->cancel();
                 return;

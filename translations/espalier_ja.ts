@@ -1164,11 +1164,11 @@
     </message>
     <message>
         <source>Arrangement</source>
-        <translation>つき方</translation>
+        <translation>並び方</translation>
     </message>
     <message>
         <source>How leaves stand around a shoot: as its buds do; in a spiral; together, each pair or whorl across the one before; or flat in two rows, as on beech and hemlock.</source>
-        <translation>シュートのまわりの葉のつき方です。芽と同じ、らせん状、節ごとにまとまって前の対や輪と交差、またはブナやツガのように平らに 2 列。</translation>
+        <translation>シュートのまわりの葉の並び方です。芽と同じ、らせん状、節ごとにまとまって前の対や輪と交差、またはブナやツガのように平らに 2 列。</translation>
     </message>
     <message>
         <source>Leaf phyllotaxis: spiral, decussate or verticillate, distichous.</source>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/HelpController.h"
 #include "app/Language.h"
 #include "app/MainWindow.h"
 #include "app/SettingsSheet.h"
@@ -24,6 +25,7 @@ class LanguagesTest : public QObject {
 private Q_SLOTS:
     void initTestCase();
     void language_changesAtOnceAndKeepsAll();
+    void language_changesWhileASamplePlays();
     void texts_haveRoom_data();
     void texts_haveRoom();
     void help_isWhole_data();
@@ -171,6 +173,32 @@ void LanguagesTest::language_changesAtOnceAndKeepsAll()
     QCOMPARE(window.findChildren<QObject*>().size(), objects);
     QVERIFY(qApp->findChildren<QTranslator*>().size() <= 2);
     stack.setClean();
+    QSettings().clear();
+}
+
+void LanguagesTest::language_changesWhileASamplePlays()
+{
+    speakLanguage(QStringLiteral("en"));
+    Settings().setPreferences({.language = QStringLiteral("en")});
+    MainWindow window;
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.help().playSample(QStringLiteral(":/docs/help/recipes/grow.json"));
+    QVERIFY(window.recipeRunner().isRunning());
+    window.actions()[ActionId::Settings]->trigger();
+    auto* box = window.findChild<SettingsSheet*>()->findChild<QComboBox*>(QStringLiteral("language"));
+    box->setCurrentIndex(box->findData(QStringLiteral("fr")));
+    QTRY_COMPARE(window.actions()[ActionId::Prune]->text(), QCoreApplication::translate("Actions", "Prune"));
+    QVERIFY(window.actions()[ActionId::Prune]->text() != QLatin1String("Prune"));
+    // It goes on, and is still nobody's work.
+    QVERIFY(window.recipeRunner().isRunning());
+    QVERIFY(!window.actions()[ActionId::Prune]->isEnabled());
+    QTRY_VERIFY(window.document().undoStack().count() > 0 ||
+                window.recipeRunner().player()->progress() > 0.0);
+    window.recipeRunner().stop();
+    QVERIFY(window.document().undoStack().isClean());
+    QVERIFY(window.actions()[ActionId::Prune]->isEnabled());
+    speakLanguage(QStringLiteral("en"));
     QSettings().clear();
 }
 
