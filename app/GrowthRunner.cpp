@@ -3,6 +3,7 @@
 
 #include "app/Background.h"
 #include "commands/GrowthReplica.h"
+#include "model/base/Parallel.h"
 
 #include <algorithm>
 
@@ -38,7 +39,7 @@ void GrowthRunner::grow()
 void GrowthRunner::ask()
 {
     runInBackground(
-        this, [replica = m_replica] { return replica->grow(); },
+        this, [replica = m_replica] { return leavingOneThread([&] { return replica->grow(); }); },
         [this, asked = std::weak_ptr(m_replica)](GrownStep grown) {
             // What an older copy has come to is of no use any more.
             if (m_replica && asked.lock() == m_replica)

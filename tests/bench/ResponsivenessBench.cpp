@@ -18,9 +18,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <dlfcn.h>
+#include <numbers>
 #include <thread>
 #include <vector>
 
@@ -138,6 +140,20 @@ public:
             QTest::mouseRelease(&viewport, Qt::LeftButton, {}, {middle.x(), viewport.height() - 200});
         });
         w.document().undoStack().undo();
+        measure("a brush draws on it", [&] {
+            w.actions()[ActionId::Brush]->trigger();
+            drag(viewport, [&](double t) { return middle + QPoint(static_cast<int>(300.0 * t), -100); });
+        });
+        measure("a lasso is filled", [&] {
+            w.actions()[ActionId::Lasso]->trigger();
+            drag(viewport, [&](double t) {
+                const double angle = 2.0 * std::numbers::pi * t;
+                return middle + QPoint(static_cast<int>(200.0 * std::cos(angle)),
+                                       static_cast<int>(200.0 * std::sin(angle)));
+            });
+            live(2500);
+            w.actions()[ActionId::Cancel]->trigger();
+        });
         QTemporaryDir folder;
         measure("it is saved", [&] {
             w.files().keepIn(folder.filePath(QStringLiteral("tree.espalier")));
@@ -152,6 +168,19 @@ public:
     }
 
 private:
+    /// With the mouse, for a second and a half.
+    template <class Path>
+    static void drag(QWidget& widget, Path&& path)
+    {
+        constexpr int kMoves = 100;
+        QTest::mousePress(&widget, Qt::LeftButton, {}, path(0.0));
+        for (int i = 1; i <= kMoves; ++i) {
+            live(15);
+            QTest::mouseMove(&widget, path(static_cast<double>(i) / kMoves));
+        }
+        QTest::mouseRelease(&widget, Qt::LeftButton, {}, path(1.0));
+    }
+
     void settle() { live(1500); }
 
     template <class Work>
