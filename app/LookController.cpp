@@ -39,9 +39,8 @@ struct LookController::Look {
 };
 
 LookController::LookController(TreeDocument& document, Settings& settings, Notice& notice,
-                               std::function<bool()> isBusy, QWidget* window)
-    : QObject(window),
-      m_document(document),
+                               std::function<bool()> isBusy, QWidget& window)
+    : m_document(document),
       m_settings(settings),
       m_notice(notice),
       m_isBusy(std::move(isBusy)),
@@ -52,7 +51,7 @@ LookController::LookController(TreeDocument& document, Settings& settings, Notic
 void LookController::choose(LookKind kind)
 {
     auto* dialog =
-        new QFileDialog(m_window, kind == LookKind::Leaf ? tr("Image of a Leaf") : tr("Image of Bark"),
+        new QFileDialog(&m_window, kind == LookKind::Leaf ? tr("Image of a Leaf") : tr("Image of Bark"),
                         m_settings.folder(), tr("Images (*.png *.jpg *.jpeg)"));
     dialog->setObjectName(QStringLiteral("imageDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);

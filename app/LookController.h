@@ -22,7 +22,7 @@ class LookController : public QObject {
 public:
     /// @p isBusy tells whether something else is changing the document now; then an image waits.
     LookController(TreeDocument& document, Settings& settings, Notice& notice, std::function<bool()> isBusy,
-                   QWidget* window);
+                   QWidget& window);
 
     /// Asks for a file.
     void choose(LookKind kind);
@@ -45,7 +45,7 @@ private:
     Settings& m_settings;
     Notice& m_notice;
     std::function<bool()> m_isBusy;
-    QWidget* m_window;
+    QWidget& m_window;
 };
 
 } // namespace espalier

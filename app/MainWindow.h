@@ -18,6 +18,7 @@
 namespace espalier {
 
 class HelpController;
+class SettingsSheet;
 
 /// The program's window: puts the parts together and tells them of each other.
 class MainWindow : public QMainWindow {
@@ -56,10 +57,21 @@ private:
     void connectTools();
     void connectView();
     void connectLibrary();
-    void connectLooks();
-    void showSettings();
+    /// Makes the workspace and what leads it, and tells them of the parts that outlive them.
+    void makeInterface();
+    void connectPopOuts();
+    void connectViewport();
+    /// Makes them anew, in the language and the units in force now, around the same document: everything is
+    /// where it was.
+    void remakeInterface();
+    void showCheckedSheet();
+    /// The middle of what the viewport shows.
+    QImage thumbnail();
+    SettingsSheet& showSettings();
     /// Puts the preferences in force.
     void apply(const Preferences& preferences);
+    /// Those that the workspace keeps.
+    void suitHand();
     void followDocument();
     /// Ends whatever is under way.
     void cancelAll();
@@ -86,7 +98,7 @@ private:
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
     std::unique_ptr<LibraryController> m_library;
-    LookController* m_looks = nullptr;
+    std::unique_ptr<LookController> m_looks;
     std::unique_ptr<HelpController> m_help;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/BrushPopOut.h"
 
+#include "model/document/Lengths.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
 #include "panels/Toggle.h"
@@ -60,10 +61,7 @@ BrushPopOut::BrushPopOut(const TreeDocument& document, ViewSettings& settings, Q
 void BrushPopOut::showValues()
 {
     const ViewValues& values = m_settings.values();
-    const double centimetres = values.brushRadius * 100.0;
-    m_number->setText(values.brushRadius >= 1.0
-                          ? tr("%L1 m").arg(values.brushRadius, 0, 'f', 2)
-                          : tr("%L1 cm").arg(centimetres, 0, 'f', centimetres < 10.0 ? 1 : 0));
+    m_number->setText(lengthText(values.brushRadius));
     const bool draws = values.brushRadius < m_document.parameters().growth.internodeLength;
     m_meaning->setText(draws ? tr("draws a branch") : tr("grows a crown"));
     m_slider->setRadius(values.brushRadius);
