@@ -9,6 +9,7 @@
 #include "app/SettingsSheet.h"
 #include "app/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
+#include "panels/BrushPanel.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
@@ -99,7 +100,9 @@ MainWindow::MainWindow(QWidget* parent)
     setCentralWidget(m_workspace.get());
     setMinimumSize(920, 680);
     setAcceptDrops(true);
-    m_viewSettings.setValues(m_settings.viewValues());
+    ViewValues view = m_settings.viewValues();
+    view.isThemeLight = theme::isLight();
+    m_viewSettings.setValues(view);
     // The program has its colours already.
     m_preferences.look = m_settings.preferences().look;
     m_library = std::make_unique<LibraryController>(m_workspace->library(), *m_files, m_workspace->notice(),
@@ -247,16 +250,21 @@ void MainWindow::connectView()
         show();
     }
 
-    const ActionId sheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet,
-                               ActionId::Background};
     auto* group = new QActionGroup(this);
     group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-    for (const ActionId id : sheets)
+    for (const ActionId id : Actions::sheets())
         group->addAction(m_actions[id]);
     connect(group, &QActionGroup::triggered, this, [this, group] {
         m_workspace->showSheet(static_cast<int>(group->actions().indexOf(group->checkedAction())));
     });
 
+    connect(&m_workspace->brushSheet(), &BrushPanel::pressureExponentEdited, this, [this](double exponent) {
+        Preferences preferences = m_preferences;
+        preferences.pressureExponent = exponent;
+        prefer(preferences);
+        if (auto* open = findChild<SettingsSheet*>())
+            open->setPreferences(preferences);
+    });
     connect(m_actions[ActionId::HideInterface], &QAction::toggled, m_workspace.get(),
             &Workspace::setInterfaceHidden);
     connect(m_actions[ActionId::History], &QAction::toggled, m_workspace.get(), &Workspace::showHistory);
@@ -294,11 +302,14 @@ void MainWindow::showSettings()
     }
     auto* sheet = new SettingsSheet(m_preferences, this);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
-    connect(sheet, &SettingsSheet::preferencesEdited, this, [this](const Preferences& preferences) {
-        m_settings.setPreferences(preferences);
-        apply(preferences);
-    });
+    connect(sheet, &SettingsSheet::preferencesEdited, this, &MainWindow::prefer);
     sheet->show();
+}
+
+void MainWindow::prefer(const Preferences& preferences)
+{
+    m_settings.setPreferences(preferences);
+    apply(preferences);
 }
 
 void MainWindow::apply(const Preferences& preferences)
@@ -306,11 +317,13 @@ void MainWindow::apply(const Preferences& preferences)
     const Preferences before = std::exchange(m_preferences, preferences);
     if (preferences.look != before.look) {
         theme::apply(*qApp, preferences.look);
+        m_viewSettings.set(&ViewValues::isThemeLight, theme::isLight());
         m_workspace->help().showPage(m_workspace->help().page());
     }
     m_workspace->setToolsRight(preferences.areToolsRight);
     m_workspace->viewport().setMouseScheme(preferences.mouse);
     m_workspace->viewport().setPressureExponent(preferences.pressureExponent);
+    m_workspace->brushSheet().setPressureExponent(preferences.pressureExponent);
     m_files->autosave().setInterval(preferences.autosaveInterval);
     if (preferences.libraryFolder != before.libraryFolder)
         m_library->setFolder(m_settings.libraryFolder());
@@ -411,8 +424,7 @@ void MainWindow::cancel()
         m_document.setCompetitors({});
         return;
     }
-    for (const ActionId id :
-         {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet, ActionId::Background}) {
+    for (const ActionId id : Actions::sheets()) {
         if (m_actions[id]->isChecked())
             m_actions[id]->trigger();
     }
@@ -433,10 +445,12 @@ void MainWindow::updateEnabled()
     m_workspace->growPopOut().setEnabled(!m_recipeRunner.isRunning() &&
                                          !m_workspace->viewport().isGestureActive());
     for (int i = 0; i < Workspace::kSheetCount; ++i) {
-        // What changes the view alone is never in the way.
-        if (&m_workspace->sheet(i) != &m_workspace->background())
-            m_workspace->sheet(i).setEnabled(!isBusy());
+        // What changes the view or the hand alone is never in the way.
+        Bar& sheet = m_workspace->sheet(i);
+        if (&sheet != &m_workspace->background() && &sheet != &m_workspace->brushSheet())
+            sheet.setEnabled(!isBusy());
     }
+    m_workspace->brushSheet().setParametersEnabled(!isBusy());
     m_workspace->history().setEnabled(!isBusy());
     m_workspace->library().setMayKeep(!isBusy());
 }

@@ -56,6 +56,8 @@ private:
     void connectView();
     void connectLibrary();
     void showSettings();
+    /// The person prefers these from now on.
+    void prefer(const Preferences& preferences);
     /// Puts the preferences in force.
     void apply(const Preferences& preferences);
     void followDocument();

@@ -94,8 +94,8 @@ void LanguagesTest::texts_haveRoom()
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     QStringList cut;
-    for (const char* name : {"architecture", "leafSheet", "branchSheet", "background", "grow", "bend",
-                             "lasso", "history", "library"}) {
+    for (const char* name : {"architecture", "brushSheet", "leafSheet", "branchSheet", "background", "grow",
+                             "bend", "lasso", "history", "library"}) {
         auto* action = window.findChild<QAction*>(QLatin1String(name));
         QVERIFY2(action, name);
         action->trigger();
