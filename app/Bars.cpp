@@ -74,6 +74,7 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
         addButton(id, *files);
     files->addSpacing(14);
     files->addWidget(m_title, 1);
+    files->addSpacing(10);
     line->addLayout(files, 1);
     for (const ActionId id : Actions::sheets())
         line->addWidget(new BarButton(BarButton::Look::Tab, actions[id], this));

@@ -18,7 +18,7 @@ ViewRow* makeViewRow(const ViewField& field, ViewSettings& settings, QWidget* pa
         settings.setValues(values);
     });
     QObject::connect(&settings, &ViewSettings::changed, row, follow);
-    follow();
+    row->setValue(field.get(settings.values()));
     return row;
 }
 

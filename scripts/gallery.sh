@@ -22,7 +22,7 @@ wanted() {
 
 # The size is that of the screen; a scale makes the window smaller by as much, in its own pixels.
 take() {
-    local width="$1" height="$2" scale="$3" theme language name
+    local width="$1" height="$2" scale="$3" theme language name small
     for theme in dark light; do
         for language in en de; do
             name="${width}x$height-$theme-$language-$scale"
@@ -36,8 +36,11 @@ take() {
                 QT_SCALE_FACTOR="$scale" \
                 xvfb-run -a -s "-screen 0 ${width}x${height}x24 +extension GLX -noreset" \
                 build/release/bin/window_gallery "$size" "$theme" "$language" "$root/$name" >/dev/null
-            montage "$root/$name"/*.png -tile 3x -geometry "$((width > 1600 ? 1600 : width))x+6+6" \
-                -background "#808080" -quality 88 "$root/$name.jpg"
+            # Made small one by one: all of the large ones at once are too much for ImageMagick.
+            small="$(mktemp -d)"
+            mogrify -path "$small" -resize "1200x>" "$root/$name"/*.png
+            montage "$small"/*.png -tile 3x -geometry +6+6 -background "#808080" -quality 88 "$root/$name.jpg"
+            rm -r "$small"
         done
     done
 }

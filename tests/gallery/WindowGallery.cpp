@@ -65,6 +65,7 @@ public:
             action(id)->trigger();
             shoot(action(id)->objectName());
         }
+        shootAtWork();
         action(ActionId::Brush)->trigger();
         action(ActionId::Help)->trigger();
         shoot(QStringLiteral("help"));
@@ -96,6 +97,53 @@ public:
 
 private:
     QAction* action(ActionId id) { return m_window->actions()[id]; }
+
+    /// What tools show over the tree.
+    void shootAtWork()
+    {
+        const QPoint middle = m_window->rect().center();
+        const int reach = m_window->height() / 5;
+        QWindow* handle = m_window->windowHandle();
+        action(ActionId::Brush)->trigger();
+        m_window->viewSettings().set(&ViewValues::brushRadius, 0.06); // For a tree as small as this
+        QTest::mousePress(handle, Qt::LeftButton, {}, middle + QPoint(reach, 0));
+        for (int i = 0; i < 12; ++i)
+            QTest::mouseMove(handle, middle + QPoint(reach + 5 * i, -4 * i), 20);
+        shoot(QStringLiteral("at-work-brush"));
+        QTest::keyClick(handle, Qt::Key_Escape);
+        QTest::mouseRelease(handle, Qt::LeftButton, {}, middle);
+        m_window->viewSettings().set(&ViewValues::brushRadius, ViewValues().brushRadius);
+        action(ActionId::Lasso)->trigger();
+        QTest::mousePress(handle, Qt::LeftButton, {}, middle + QPoint(0, reach));
+        for (int i = 0; i < 30; ++i) {
+            const double turn = 0.2 * i;
+            QTest::mouseMove(handle,
+                             middle + QPointF(reach * std::sin(turn), reach * std::cos(turn)).toPoint(), 5);
+        }
+        shoot(QStringLiteral("at-work-lasso"));
+        QTest::keyClick(handle, Qt::Key_Escape);
+        QTest::mouseRelease(handle, Qt::LeftButton, {}, middle);
+        action(ActionId::Bend)->trigger();
+        const QPoint trunk = placeOf(Vec3(0.0F, 0.06F, 0.0F));
+        QTest::mousePress(handle, Qt::LeftButton, {}, trunk);
+        for (int i = 0; i < 8; ++i)
+            QTest::mouseMove(handle, trunk + QPoint(5 * i, 0), 10);
+        shoot(QStringLiteral("at-work-bend"));
+        QTest::keyClick(handle, Qt::Key_Escape);
+        QTest::mouseRelease(handle, Qt::LeftButton, {}, trunk);
+        for (const ActionId tool : {ActionId::Width, ActionId::Prune, ActionId::SelectBud}) {
+            action(tool)->trigger();
+            QTest::mouseMove(handle, trunk + QPoint(1, 1));
+            QTest::mouseMove(handle, trunk);
+            shoot(QStringLiteral("at-work-") + action(tool)->objectName());
+        }
+    }
+
+    QPoint placeOf(const Vec3& point)
+    {
+        Viewport& viewport = m_window->workspace().viewport();
+        return viewport.mapTo(m_window.get(), viewport.camera().project(point).value_or(QPointF()).toPoint());
+    }
 
     void shootMenu()
     {

@@ -278,6 +278,8 @@ void ParameterPanelTest::background_changesTheViewAndFollowsIt()
     BackgroundPanel panel(settings);
     panel.resize(panel.sizeHint());
     panel.show();
+    auto* right = panel.row("view.tracing.right")->findChild<QSlider*>();
+    QCOMPARE(right->value(), (right->minimum() + right->maximum()) / 2);
     auto* slider = panel.row("view.sunElevation")->findChild<QSlider*>();
     drag(*slider, 0.5, 0.9);
     QVERIFY(settings.values().sunElevation > radians(70));
