@@ -1,64 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/GrowRunner.h"
 
-#include <limits>
+#include "commands/GrowGesture.h"
 
 namespace espalier {
 
-GrowRunner::GrowRunner(TreeDocument& document, QObject* parent) : QObject(parent), m_document(document)
+GrowRunner::GrowRunner(TreeDocument& document, QObject* parent) : GrowthRunner(document, parent)
 {
-    m_timer.setTimerType(Qt::PreciseTimer);
-    connect(&m_timer, &QTimer::timeout, this, &GrowRunner::step);
+    connect(this, &GrowthRunner::finished, this, [this] {
+        if (m_asked.empty())
+            return;
+        const int steps = m_asked.front();
+        m_asked.pop_front();
+        start({steps, 0});
+    });
 }
 
 void GrowRunner::begin()
 {
-    start(std::numeric_limits<int>::max(), static_cast<int>(1000.0 / kStepsPerSecond));
+    if (isRunning())
+        return;
+    m_asked.clear();
+    start({kEndless, 1000 / kStepsPerSecond});
 }
 
 void GrowRunner::run(int steps)
 {
-    start(steps, 0);
-}
-
-void GrowRunner::start(int steps, int interval)
-{
-    if (isRunning())
+    if (isRunning()) {
+        m_asked.push_back(steps);
         return;
-    m_gesture = std::make_unique<GrowGesture>(m_document, m_document.competitors());
-    m_stepsLeft = steps;
-    m_timer.start(interval);
-    Q_EMIT runningChanged(true);
-    step();
-}
-
-void GrowRunner::step()
-{
-    if (!m_gesture->step()) {
-        end();
-        Q_EMIT exhausted();
-    } else if (--m_stepsLeft == 0) {
-        end();
     }
+    m_asked.clear();
+    start({steps, 0});
 }
 
-void GrowRunner::end()
+void GrowRunner::start(Pace pace)
 {
-    if (!isRunning())
-        return;
-    m_timer.stop();
-    const auto gesture = std::move(m_gesture);
-    gesture->finish();
-    Q_EMIT runningChanged(false);
-}
-
-void GrowRunner::cancel()
-{
-    if (!isRunning())
-        return;
-    m_timer.stop();
-    m_gesture.reset();
-    Q_EMIT runningChanged(false);
+    const auto gesture = [this] {
+        return std::make_unique<GrowGesture>(document(), document().competitors());
+    };
+    GrowthRunner::start(gesture(), pace, gesture);
 }
 
 } // namespace espalier

@@ -14,7 +14,7 @@ void GrowTool::begin(const PointerSample&)
 void GrowTool::end(const PointerSample&)
 {
     if (std::exchange(m_holds, false))
-        m_runner.end();
+        m_runner.release();
 }
 
 void GrowTool::cancel()

@@ -88,7 +88,7 @@ void LassoTool::add(const QPointF& screen)
 void LassoTool::paint(Overlay& overlay) const
 {
     const ViewValues& view = context().viewSettings().values();
-    if (const LassoGesture* gesture = m_runner.gesture(); gesture && view.markersShown)
+    if (const GrowthGesture* gesture = m_runner.gesture(); gesture && view.markersShown)
         overlay.addDots(gesture->markers(), theme::kHandle, 2.5F, 0.5F);
     if (view.envelopeShown) {
         m_standing.show(context().document().tree().lassosInForce());

@@ -168,13 +168,13 @@ void MainWindow::connectTools()
     connect(m_actions[ActionId::LargerBrush], &QAction::triggered, this, [resize] { resize(1.0); });
     connect(m_actions[ActionId::Cancel], &QAction::triggered, this, &MainWindow::cancel);
     connect(m_actions[ActionId::GrowStep], &QAction::triggered, this, [this] {
-        if (!isBusy())
+        if (!isBusy() || (m_growRunner.isRunning() && !m_workspace->viewport().isGestureActive()))
             m_growRunner.run(1);
     });
 
     GrowPopOut& growPopOut = m_workspace->growPopOut();
     connect(&growPopOut, &GrowPopOut::holdBegins, &m_growRunner, &GrowRunner::begin);
-    connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::end);
+    connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::release);
     connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
     connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
     connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
@@ -338,6 +338,14 @@ void MainWindow::followDocument()
     });
     QUndoStack& stack = m_document.undoStack();
     connect(m_actions[ActionId::Undo], &QAction::triggered, this, [this, &stack] {
+        // What grows is taken back before what was done.
+        for (GrowthRunner* runner : {static_cast<GrowthRunner*>(&m_growRunner),
+                                     static_cast<GrowthRunner*>(&m_lassoRunner)}) {
+            if (runner->isRunning() && !m_workspace->viewport().isGestureActive()) {
+                runner->cancel();
+                return;
+            }
+        }
         if (!isBusy())
             stack.undo();
     });
@@ -442,15 +450,19 @@ void MainWindow::updateEnabled()
     for (const ActionId id : Actions::tools())
         m_actions[id]->setEnabled(isIdle);
     // Only one thing at a time may change the document.
+    m_workspace->viewport().setGrowing(m_growRunner.isRunning() || m_lassoRunner.isRunning() ||
+                                       m_recipeRunner.isRunning());
     m_workspace->growPopOut().setEnabled(!m_recipeRunner.isRunning() &&
                                          !m_workspace->viewport().isGestureActive());
+    // Parameters may change while the tree grows: growth knows how to wait for them.
+    const bool isGrowing = m_growRunner.isRunning() || m_lassoRunner.isRunning();
     for (int i = 0; i < Workspace::kSheetCount; ++i) {
         // What changes the view or the hand alone is never in the way.
         Bar& sheet = m_workspace->sheet(i);
         if (&sheet != &m_workspace->background() && &sheet != &m_workspace->brushSheet())
-            sheet.setEnabled(!isBusy());
+            sheet.setEnabled(isGrowing || !isBusy());
     }
-    m_workspace->brushSheet().setParametersEnabled(!isBusy());
+    m_workspace->brushSheet().setParametersEnabled(isGrowing || !isBusy());
     m_workspace->history().setEnabled(!isBusy());
     m_workspace->library().setMayKeep(!isBusy());
 }

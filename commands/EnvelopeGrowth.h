@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/GrowthProcess.h"
 #include "model/envelope/EnvelopeSet.h"
-#include "model/growth/GrowthStep.h"
 
 #include <optional>
-#include <span>
 
 namespace espalier {
 
@@ -14,7 +13,7 @@ namespace espalier {
 /// more densely: there are no branches behind that would close the gaps. Where no bud perceives the markers
 /// that are left, a bare shoot leads there from the nearest bud: a seedling's trunk into a crown above it, a
 /// branch from one part of a topiary to the next.
-class EnvelopeGrowth {
+class EnvelopeGrowth : public GrowthProcess {
 public:
     /// Growth ends after that many steps, whatever is left.
     static constexpr int kMostSteps = 600;
@@ -22,12 +21,8 @@ public:
     /// Only the buds that @p competitors names may grow.
     EnvelopeGrowth(EnvelopeSet envelopes, const Tree& tree, Competitors competitors = {});
 
-    /// The next step; empty if growth has come to its end.
-    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth);
-
-    /// World positions of the living markers.
-    std::span<const Vec3> markers() const { return m_markers.positions; }
-    const EnvelopeSet& envelopes() const { return m_envelopes; }
+    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth) override;
+    std::span<const Vec3> markers() const override { return m_markers.positions; }
 
 private:
     /// A shoot on its way to markers that no bud perceives.

@@ -2,6 +2,7 @@
 #include "commands/LassoGesture.h"
 
 #include "commands/DeltaCommand.h"
+#include "commands/EnvelopeGrowth.h"
 #include "model/envelope/LassoLoop.h"
 
 #include <QCoreApplication>
@@ -57,7 +58,7 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
     delta->lassos.push_back({document.rememberLasso(kept), true});
     document.apply(delta);
     return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes),
-                                                          competitors, {}, std::move(delta), before));
+                                                          competitors, {}, {std::move(delta)}, before));
 }
 
 LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
@@ -86,56 +87,28 @@ LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
     }
     document.apply(delta);
     return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Regrow"), std::move(*envelopes),
-                                                          {}, std::move(replaced), std::move(delta),
+                                                          {}, std::move(replaced), {std::move(delta)},
                                                           lassoCount(document)));
 }
 
-LassoGesture::LassoGesture(TreeDocument& document, QString text, EnvelopeSet envelopes,
-                           Competitors competitors, Journal replaced, std::shared_ptr<TreeDelta> first,
+LassoGesture::Begun LassoGesture::goOn(TreeDocument& document, Competitors competitors)
+{
+    if (document.tree().lassos().inForce.empty())
+        return Error{Error::Kind::Input, Text::tr("There is no envelope to fill.")};
+    Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(document.tree().lassosInForce());
+    if (!envelopes)
+        return envelopes.error();
+    return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes),
+                                                          competitors, {}, {}, lassoCount(document)));
+}
+
+LassoGesture::LassoGesture(TreeDocument& document, const QString& text, EnvelopeSet envelopes,
+                           Competitors competitors, Journal replaced, Journal first,
                            std::uint32_t lassosBefore)
-    : m_document(document),
-      m_text(std::move(text)),
-      m_growth(std::move(envelopes), document.tree(), competitors),
-      m_replaced(std::move(replaced)),
-      m_deltas{std::move(first)},
-      m_lassosBefore(lassosBefore)
+    : GrowthGesture(document, text,
+                    std::make_unique<EnvelopeGrowth>(std::move(envelopes), document.tree(), competitors),
+                    std::move(replaced), std::move(first), lassosBefore)
 {
-}
-
-LassoGesture::~LassoGesture()
-{
-    cancel();
-}
-
-bool LassoGesture::step()
-{
-    if (m_ended)
-        return false;
-    TreeDelta delta = m_growth.step(m_document.tree(), m_document.index(), m_document.growthIndex());
-    if (delta.isEmpty())
-        return false;
-    m_deltas.push_back(std::make_shared<TreeDelta>(std::move(delta)));
-    m_document.apply(m_deltas.back());
-    return true;
-}
-
-void LassoGesture::finish()
-{
-    if (std::exchange(m_ended, true))
-        return;
-    m_document.undoStack().push(
-        new DeltaCommand(m_document, m_text, std::move(m_deltas), std::move(m_replaced)));
-}
-
-void LassoGesture::cancel()
-{
-    if (std::exchange(m_ended, true))
-        return;
-    revertAll(m_document, m_deltas);
-    applyAll(m_document, m_replaced);
-    m_deltas.clear();
-    m_replaced.clear();
-    m_document.forgetLassosFrom(m_lassosBefore);
 }
 
 bool removeEnvelopes(TreeDocument& document)

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/EnvelopeGrowth.h"
-#include "model/document/TreeDocument.h"
+#include "commands/GrowthGesture.h"
+#include "model/envelope/EnvelopeSet.h"
 
 #include <memory>
 
 namespace espalier {
 
-/// Growth into what lassos enclose: each step shows at once; finish() makes all of it, and the envelope, one
-/// undo step, whether growth has come to its end or not; cancel() takes it back, and so does destroying the
-/// gesture unfinished.
-class LassoGesture {
+/// Growth into what lassos enclose. A new envelope and what grows into it are one undo step.
+class LassoGesture : public GrowthGesture {
 public:
     using Begun = Result<std::unique_ptr<LassoGesture>>;
 
@@ -23,31 +21,13 @@ public:
     /// too. An Error, and nothing changed, if there is no envelope.
     static Begun regrow(TreeDocument& document);
 
-    ~LassoGesture();
-    LassoGesture(const LassoGesture&) = delete;
-    LassoGesture& operator=(const LassoGesture&) = delete;
-
-    /// Grows one step; false, and nothing changed, if growth has come to its end.
-    bool step();
-    void finish();
-    void cancel();
-
-    /// The living markers of free space, for showing them.
-    std::span<const Vec3> markers() const { return m_growth.markers(); }
-    const EnvelopeSet& envelopes() const { return m_growth.envelopes(); }
+    /// Goes on filling the envelopes in force, with the parameters that are in force now. An Error, and
+    /// nothing changed, if there is no envelope.
+    static Begun goOn(TreeDocument& document, Competitors competitors = {});
 
 private:
-    /// @p first stands applied.
-    LassoGesture(TreeDocument& document, QString text, EnvelopeSet envelopes, Competitors competitors,
-                 Journal replaced, std::shared_ptr<TreeDelta> first, std::uint32_t lassosBefore);
-
-    TreeDocument& m_document;
-    QString m_text;
-    EnvelopeGrowth m_growth;
-    Journal m_replaced;
-    Journal m_deltas;
-    std::uint32_t m_lassosBefore;
-    bool m_ended = false;
+    LassoGesture(TreeDocument& document, const QString& text, EnvelopeSet envelopes, Competitors competitors,
+                 Journal replaced, Journal first, std::uint32_t lassosBefore);
 };
 
 /// Takes the envelopes in force away, as one undo step; the tree stays as it grew. False if there are none.

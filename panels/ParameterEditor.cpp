@@ -52,11 +52,13 @@ ParameterEditor::ParameterEditor(TreeDocument& document, QObject* parent)
 {
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRest);
+    connect(&m_rest, &QTimer::timeout, this, [this] { hold(false); });
     connect(&document, &TreeDocument::changed, this, [this](const TreeChange& change) {
         const bool parametersMoved =
             !change.delta || change.delta->parametersBefore != change.delta->parametersAfter;
         if (!parametersMoved || m_isOwnChange)
             return;
+        hold(false);
         Q_EMIT overtaken();
         show(m_document.parameters());
     });
@@ -74,6 +76,7 @@ void ParameterEditor::begin()
 {
     m_gesture.finish();
     m_nudgedBy = nullptr;
+    hold(false);
 }
 
 void ParameterEditor::show(const TreeParameters& parameters)
@@ -89,8 +92,16 @@ void ParameterEditor::show(const char* key, double value)
     show(parameters);
 }
 
+void ParameterEditor::hold(bool held)
+{
+    if (std::exchange(m_holds, held) != held)
+        m_document.holdParameters(held);
+}
+
 void ParameterEditor::putInForce(const QString& text)
 {
+    if (m_shown != m_document.parameters())
+        hold(true);
     const QScopedValueRollback quiet(m_isOwnChange, true);
     m_gesture.tryOut(m_shown, text);
 }
@@ -98,6 +109,7 @@ void ParameterEditor::putInForce(const QString& text)
 void ParameterEditor::finish(const QString& text)
 {
     putInForce(text);
+    hold(false);
     show(m_document.parameters());
 }
 
@@ -107,6 +119,7 @@ void ParameterEditor::cancel()
         const QScopedValueRollback quiet(m_isOwnChange, true);
         m_gesture.cancel();
     }
+    hold(false);
     show(m_document.parameters());
 }
 

@@ -18,6 +18,7 @@ class ParameterEditor : public QObject {
 
 public:
     explicit ParameterEditor(TreeDocument& document, QObject* parent = nullptr);
+    ~ParameterEditor() override { hold(false); }
 
     /// What controls are to show: the document's parameters, or those of the gesture that goes on.
     const TreeParameters& shown() const { return m_shown; }
@@ -51,10 +52,13 @@ Q_SIGNALS:
     void overtaken();
 
 private:
+    void hold(bool held);
+
     TreeDocument& m_document;
     ParameterGesture m_gesture;
     TreeParameters m_shown;
     bool m_isOwnChange = false;
+    bool m_holds = false; ///< See TreeDocument::holdParameters
     const QObject* m_nudgedBy = nullptr; ///< Compared, never followed
     QTimer m_rest;
 };

@@ -233,8 +233,10 @@ bool ParameterRow::eventFilter(QObject* watched, QEvent* event)
         break;
     case QEvent::EnabledChange:
         // Something else begins to change the document.
-        if (!m_slider->isEnabled() && std::exchange(m_isDragging, false))
+        if (!m_slider->isEnabled() && std::exchange(m_isDragging, false)) {
+            m_editor.begin();
             m_editor.show(m_editor.inForce());
+        }
         break;
     case QEvent::ShortcutOverride:
         if (m_isDragging && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {

@@ -200,6 +200,11 @@ bool Viewport::keyForTool(int key)
     return !isGestureActive() && tool.keyPressed(key);
 }
 
+void Viewport::setGrowing(bool growing)
+{
+    m_isGrowing = growing;
+}
+
 void Viewport::cancelGesture()
 {
     m_gestures.cancel();
@@ -208,7 +213,7 @@ void Viewport::cancelGesture()
 bool Viewport::needsTicks() const
 {
     return m_hand->wantsTicks() || areRingsExpanding() || m_flight.isFlying() || m_keys.isAnyHeld() ||
-           m_pacer.isPhasingIn() || isRefining();
+           m_pacer.isPhasingIn() || isRefining() || (m_scene.isBehind() && !m_pictureIsOld);
 }
 
 bool Viewport::areRingsExpanding() const
@@ -230,12 +235,15 @@ void Viewport::timerEvent(QTimerEvent* event)
         tick();
     } else if (event->timerId() == m_restTimer.timerId()) {
         m_restTimer.stop();
-        if (m_gestures.isBusy() || needsTicks()) {
+        if (m_gestures.isBusy() || m_isGrowing || needsTicks()) {
             m_restTimer.start(kRestAfter, this);
             return;
         }
+        if (!m_scene.settleSome()) {
+            m_restTimer.start(kTick, this);
+            return;
+        }
         m_pacer.rest();
-        m_scene.settle();
         m_pictureIsOld = true;
         update();
         startTicking();
@@ -268,6 +276,10 @@ void Viewport::tick()
         m_passIsDue = true;
         update();
     }
+    if (m_scene.isBehind()) {
+        m_pictureIsOld = true;
+        update();
+    }
     if (!needsTicks())
         m_ticks.stop();
 }
@@ -295,6 +307,8 @@ void Viewport::initializeGL()
 
 QImage Viewport::grabPicture()
 {
+    if (!m_isGrowing)
+        m_scene.prepare();
     grabFramebuffer(); // draws what has not been drawn
     makeCurrent();
     QImage picture = m_picture->readImage();

@@ -67,6 +67,9 @@ public:
     /// Where the ball is that moves the sun, px; it is in hand while the pointer is on it.
     QPointF sunPlace() const;
 
+    /// Something goes on that changes the tree again and again: it is not drawn at its best until that ends.
+    void setGrowing(bool growing);
+
     /// While a tool's gesture is under way, the document must not be changed from elsewhere: cancel it
     /// before.
     bool isGestureActive() const { return m_hand->isActive(); }
@@ -167,6 +170,7 @@ private:
     Overlay m_overlay;
 
     FramePacer m_pacer;
+    bool m_isGrowing = false;
     bool m_pictureIsOld = true;
     int m_passes = 0; ///< That the picture shown is the mean of
     bool m_passIsDue = false;

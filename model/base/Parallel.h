@@ -3,8 +3,11 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace espalier {
 
@@ -22,6 +25,15 @@ void parallelFor(std::size_t count, std::size_t grain, Body&& body)
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, grain),
         [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+}
+
+/// Calls @p work() with all the threads that the program may use but one, which is left to whoever waits for
+/// the window; returns what it returns.
+template <class Work>
+auto leavingOneThread(Work&& work)
+{
+    const int threads = tbb::this_task_arena::max_concurrency();
+    return tbb::task_arena(std::max(1, threads - 1)).execute(std::forward<Work>(work));
 }
 
 } // namespace espalier

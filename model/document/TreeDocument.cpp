@@ -70,6 +70,14 @@ void TreeDocument::setCompetitors(const Competitors& competitors)
     Q_EMIT competitorsChanged();
 }
 
+void TreeDocument::holdParameters(bool held)
+{
+    const bool before = areParametersHeld();
+    m_parameterHolds += held ? 1 : -1;
+    if (areParametersHeld() != before)
+        Q_EMIT parametersHeld(held);
+}
+
 void TreeDocument::tell(const TreeChange& change)
 {
     const InternodeId node = m_competitors.node;

@@ -46,6 +46,11 @@ public:
         m_growthIndex.settle(m_tree, m_index);
         return m_growthIndex;
     }
+    /// Brings it a part of the way, about so many nodes; returns whether it is up to date.
+    bool prepareGrowthIndex(std::size_t nodes) const
+    {
+        return m_growthIndex.settleSome(m_tree, m_index, nodes);
+    }
     const TreeParameters& parameters() const { return m_tree.parameters(); }
     /// All that was done up to the moment shown, first to last.
     const Journal& journal() const { return m_journal; }
@@ -55,6 +60,11 @@ public:
     /// comes of it. A mode, not part of the tree; it ends when its node dies.
     const Competitors& competitors() const { return m_competitors; }
     void setCompetitors(const Competitors& competitors);
+    /// Whether hands are trying parameters out. What grows by itself waits meanwhile: the trials of a hand are
+    /// one undo step, and only what grows afterwards is grown with them.
+    bool areParametersHeld() const { return m_parameterHolds > 0; }
+    /// One hand more or less.
+    void holdParameters(bool held);
     QUndoStack& undoStack() { return m_undoStack; }
     const QUndoStack& undoStack() const { return m_undoStack; }
 
@@ -89,6 +99,7 @@ public:
 Q_SIGNALS:
     void changed(const espalier::TreeChange& change);
     void competitorsChanged();
+    void parametersHeld(bool held);
 
 private:
     Tree m_tree;
@@ -99,6 +110,7 @@ private:
     Journal m_journal;
     Journal m_future;
     Competitors m_competitors;
+    int m_parameterHolds = 0;
     QUndoStack m_undoStack;
 };
 

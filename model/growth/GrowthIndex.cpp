@@ -3,7 +3,9 @@
 
 #include "model/growth/Buds.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace espalier {
@@ -62,18 +64,25 @@ void GrowthIndex::follow(const Tree& tree, const TreeIndex& index, const TreeDel
 
 void GrowthIndex::settle(const Tree& tree, const TreeIndex& index)
 {
+    settleSome(tree, index, std::numeric_limits<std::size_t>::max());
+}
+
+bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size_t nodes)
+{
     if (settingsOf(tree.parameters().growth) != m_settings) {
         rebuild(tree, index);
-        return;
+        return true;
     }
     if (m_noted.empty())
-        return;
+        return true;
     m_place.resize(tree.size(), kNowhere);
     m_sensed.resize(tree.size(), 0);
     m_own.resize(tree.size(), 0);
     m_basipetal.resize(tree.size(), 0);
     m_pending.resize(tree.size(), 0);
-    for (const InternodeId id : m_noted) {
+    const std::span<const InternodeId> noted =
+        std::span(m_noted).last(std::min(nodes, m_noted.size()));
+    for (const InternodeId id : noted) {
         m_isNoted[id] = 0;
         const Vec3& position = index.nodePosition(id);
         const bool isAlive = tree.isAlive(id);
@@ -86,14 +95,15 @@ void GrowthIndex::settle(const Tree& tree, const TreeIndex& index)
     }
     // Light follows with the shadows cast below; buds that came or went, or turned, change their node's sum
     // where the light does not.
-    for (const InternodeId id : m_noted) {
+    for (const InternodeId id : noted) {
         m_sensed[id] = sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id))));
         refresh(tree, index, id);
     }
-    m_noted.clear();
+    m_noted.resize(m_noted.size() - noted.size());
     castAndSweep(tree, index);
     if (m_space.isOverfull())
         rebuild(tree, index);
+    return m_noted.empty();
 }
 
 void GrowthIndex::castAndSweep(const Tree& tree, const TreeIndex& index)

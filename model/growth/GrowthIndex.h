@@ -28,6 +28,8 @@ public:
     /// once.
     void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
     void settle(const Tree& tree, const TreeIndex& index);
+    /// Works out a part of it, about so many nodes; returns whether nothing is left.
+    bool settleSome(const Tree& tree, const TreeIndex& index, std::size_t nodes);
 
     const VoxelSpace& space() const { return m_space; }
 

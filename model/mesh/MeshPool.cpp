@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace espalier {
 
@@ -75,7 +76,6 @@ void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
     m_vertices.clear();
     m_indices.clear();
     m_leaves.clear();
-    m_allIsDirty = false;
     m_parameters = tree.parameters();
     m_widths.emplace(tree, index);
     startRound();
@@ -90,10 +90,11 @@ void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
 void MeshPool::follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
     const TreeParameters& now = tree.parameters();
-    m_allIsDirty =
-        m_allIsDirty || m_parameters.widths != now.widths || m_parameters.bark.scale != now.bark.scale;
-    if (m_allIsDirty)
+    if (!m_widths)
         return;
+    m_hasChanged = true;
+    const bool areWidthsOthers = m_parameters.widths != now.widths;
+    m_woodIsDirty = m_woodIsDirty || areWidthsOthers || m_parameters.bark.scale != now.bark.scale;
     m_leavesAreDirty = m_leavesAreDirty || m_parameters.leaves != now.leaves ||
                        m_parameters.growth.irregularity != now.growth.irregularity;
     m_parameters = now;
@@ -101,7 +102,7 @@ void MeshPool::follow(const Tree& tree, const TreeIndex& index, const TreeDelta&
     // With neither these nor a base diameter, they do not depend on the tree.
     if (!tree.widthConstraints().empty() || !delta.widths.empty())
         m_widthsAreStale = true;
-    else if (now.widths.baseDiameter > 0.0)
+    else if (now.widths.baseDiameter > 0.0 || areWidthsOthers)
         m_widths.emplace(tree, index);
     resize(tree.size());
     ++m_update;
@@ -111,25 +112,57 @@ void MeshPool::follow(const Tree& tree, const TreeIndex& index, const TreeDelta&
 
 void MeshPool::finish(const Tree& tree, const TreeIndex& index)
 {
-    if (m_allIsDirty) {
+    finishSome(tree, index, std::numeric_limits<std::size_t>::max());
+}
+
+bool MeshPool::finishSome(const Tree& tree, const TreeIndex& index, std::size_t tubes)
+{
+    if (!m_widths) {
         rebuild(tree, index);
-        return;
+        return true;
     }
-    followWidths(tree, index);
-    meshDirty(tree, index);
-    if (std::exchange(m_leavesAreDirty, false))
-        meshTubes(tree, index, tubesOf(tree, index), false);
+    const bool hasChanged = std::exchange(m_hasChanged, false);
+    if (hasChanged)
+        followWidths(tree, index);
+    if (std::exchange(m_woodIsDirty, false)) {
+        m_dirty = tubesOf(tree, index);
+        startRound();
+    }
+    if (hasChanged || !m_dirty.empty())
+        collectWaiting(tree);
+    if (std::exchange(m_leavesAreDirty, false)) {
+        m_bare = tubesOf(tree, index);
+        std::ranges::reverse(m_bare);
+    }
+    const auto take = [&tubes](std::vector<InternodeId>& from) {
+        const auto first = from.end() - static_cast<std::ptrdiff_t>(std::min(tubes, from.size()));
+        std::vector<InternodeId> taken(first, from.end());
+        from.erase(first, from.end());
+        tubes -= taken.size();
+        return taken;
+    };
+    const std::vector<InternodeId> wood = take(m_waiting);
+    releaseInner(wood);
+    meshTubes(tree, index, wood, true);
+    if (m_waiting.empty())
+        meshTubes(tree, index, take(m_bare), false);
+    return m_waiting.empty() && m_bare.empty();
 }
 
 bool MeshPool::settle(const Tree& tree, const TreeIndex& index)
 {
     finish(tree, index);
+    const bool found = noteInexact(tree, index);
+    finish(tree, index);
+    return found;
+}
+
+bool MeshPool::noteInexact(const Tree& tree, const TreeIndex& index)
+{
     ++m_update;
     collectRange(tree, index, {0, tree.size()}, 0.0F);
-    const bool found = !m_dirty.empty();
-    meshDirty(tree, index);
     startRound();
-    return found;
+    return !m_dirty.empty();
 }
 
 const MeshPool::Tube* MeshPool::tube(InternodeId base) const
@@ -291,29 +324,45 @@ void MeshPool::forget(InternodeId id)
     m_bears[id] = 0;
 }
 
-void MeshPool::meshDirty(const Tree& tree, const TreeIndex& index)
+/// Turns what has been noted since into tubes that wait behind the others. Where the tree has changed, those
+/// may be no tubes any more, so all are looked for anew.
+void MeshPool::collectWaiting(const Tree& tree)
 {
-    std::vector<InternodeId> bases;
+    std::vector<InternodeId> noted(m_waiting.rbegin(), m_waiting.rend());
+    noted.insert(noted.end(), m_dirty.begin(), m_dirty.end());
+    m_dirty.clear();
+    m_waiting.clear();
     ++m_update;
-    for (const InternodeId id : m_dirty) {
+    for (const InternodeId id : noted) {
         if (!tree.isAlive(id))
             continue; // died since it was noted
-        const InternodeId parent = tree.parent(id);
-        if (parent != kNoInternode && m_continuation[parent] == id)
-            release(m_tubes[id]);
         // Down to the base of its tube, or to where another went down before.
         InternodeId place = id;
         while (std::exchange(m_visited[place], m_update) != m_update) {
             const InternodeId below = tree.parent(place);
             if (below == kNoInternode || m_continuation[below] != place) {
-                bases.push_back(place);
+                m_waiting.push_back(place);
                 break;
             }
             place = below;
         }
     }
-    m_dirty.clear();
-    meshTubes(tree, index, bases, true);
+    std::ranges::reverse(m_waiting);
+    std::erase_if(m_bare, [&](InternodeId id) {
+        const InternodeId below = tree.parent(id);
+        return !tree.isAlive(id) || (below != kNoInternode && m_continuation[below] == id);
+    });
+}
+
+/// Tubes that have become a part of another's go when that is meshed.
+void MeshPool::releaseInner(std::span<const InternodeId> bases)
+{
+    for (const InternodeId base : bases) {
+        for (InternodeId id = m_continuation[base]; id != kNoInternode; id = m_continuation[id]) {
+            if (m_tubes[id].vertices.capacity > 0)
+                release(m_tubes[id]);
+        }
+    }
 }
 
 void MeshPool::meshTubes(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> bases,

@@ -34,8 +34,13 @@ public:
     void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
     /// Meshes what follow() has noted.
     void finish(const Tree& tree, const TreeIndex& index);
+    /// Meshes some of it, at most so many tubes, those that have waited longest first; the others stay as they
+    /// were. Returns whether nothing is left. What has died is gone at once.
+    bool finishSome(const Tree& tree, const TreeIndex& index, std::size_t tubes);
     /// Meshes anew what is within the tolerance but not exact; returns whether there was any.
     bool settle(const Tree& tree, const TreeIndex& index);
+    /// Notes the same for finish(), which must have nothing left; returns whether there is any.
+    bool noteInexact(const Tree& tree, const TreeIndex& index);
 
     std::span<const MeshVertex> vertices() const { return m_vertices; }
     std::span<const VertexIndex> indices() const { return m_indices; }
@@ -85,7 +90,8 @@ private:
     void startRound();
     void followWidths(const Tree& tree, const TreeIndex& index);
     void forget(InternodeId id);
-    void meshDirty(const Tree& tree, const TreeIndex& index);
+    void collectWaiting(const Tree& tree);
+    void releaseInner(std::span<const InternodeId> bases);
     void meshTubes(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> bases,
                    bool withWood);
     void reserve(Tube& tube, const Needs& needs, bool withWood);
@@ -120,8 +126,11 @@ private:
     std::vector<std::uint32_t> m_visited;
     std::uint32_t m_update = 0;
     // Until finish()
-    std::vector<InternodeId> m_dirty; ///< Internodes whose tubes must be meshed
-    bool m_allIsDirty = true;
+    std::vector<InternodeId> m_dirty;   ///< Internodes whose tubes must be meshed
+    std::vector<InternodeId> m_waiting; ///< First internodes of such tubes, the last of them first
+    std::vector<InternodeId> m_bare;    ///< First internodes of tubes that wait for their leaves alone, likewise
+    bool m_hasChanged = false;          ///< The tree, since collectWaiting()
+    bool m_woodIsDirty = false;         ///< All tubes must be meshed
     bool m_leavesAreDirty = false;
 };
 

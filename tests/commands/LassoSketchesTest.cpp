@@ -107,7 +107,8 @@ void LassoSketchesTest::crown_fillsTheSilhouetteAndKeepsToIt()
     while ((*begun)->step())
         ++steps;
     QVERIFY(steps < EnvelopeGrowth::kMostSteps);
-    const Envelope envelope = (*begun)->envelopes().envelopes().front();
+    const Envelope envelope =
+        EnvelopeSet::fromStrokes(document.tree().lassosInForce())->envelopes().front();
     (*begun)->finish();
     const auto [covered, outside] = crownSilhouette(document, envelope);
     qInfo("%.1f %% covered, %.1f %% outside, %d steps, %u internodes, %lld ms", 100.0 * covered,

@@ -45,8 +45,9 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
     TreeDelta delta = TreeDelta::startingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
     delta.born = {tree.size(), static_cast<std::uint32_t>(internodes.size())};
-    delta.rows = std::make_unique<InternodeColumns>();
-    InternodeColumns& rows = *delta.rows;
+    auto columns = std::make_shared<InternodeColumns>();
+    InternodeColumns& rows = *columns;
+    delta.rows = columns;
     const auto newBuds =
         static_cast<BudMask>(kTerminalBud | ((1U << tree.parameters().growth.lateralsPerNode) - 1U));
     for (const NewInternode& internode : internodes) {

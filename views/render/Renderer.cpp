@@ -111,7 +111,10 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
 {
     const QSize size(static_cast<int>(camera.viewSize().width()),
                      static_cast<int>(camera.viewSize().height()));
-    scene.prepare();
+    if (options.mayLag)
+        scene.prepareSome();
+    else
+        scene.prepare();
     m_shadowsAreOld = m_tree.follow(scene) || m_shadowsAreOld;
     if (options.view.shadowsShown && options.shadowStrength > 0.0 && !options.isPlain)
         updateShadows(scene, camera, options);

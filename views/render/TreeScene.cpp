@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TreeScene.h"
 
+#include <QElapsedTimer>
+
 #include <utility>
 
 namespace espalier {
@@ -34,6 +36,9 @@ void TreeScene::follow(const TreeChange& change)
         rebuild();
         return;
     }
+    m_isBehind = true;
+    m_isSettling = false;
+    m_isExact = false;
     const TreeDelta& delta = *change.delta;
     m_mesh.follow(m_document.tree(), m_document.index(), delta);
     const auto relight = [&](InternodeId id) { m_relit.extend(m_document.index().nodePosition(id)); };
@@ -48,11 +53,17 @@ void TreeScene::follow(const TreeChange& change)
     m_lightWaits = m_lightWaits || !delta.frames.empty();
 }
 
-bool TreeScene::settle()
+bool TreeScene::settleSome()
 {
-    if (std::exchange(m_lightWaits, false))
-        m_lightIsOld = true;
-    return m_mesh.settle(m_document.tree(), m_document.index());
+    if (m_isExact || !prepareSome())
+        return m_isExact;
+    if (!std::exchange(m_isSettling, true)) {
+        m_mesh.noteInexact(m_document.tree(), m_document.index());
+        m_lightIsOld = m_lightIsOld || std::exchange(m_lightWaits, false);
+    }
+    m_isSettling = !workSome();
+    m_isExact = !m_isSettling;
+    return m_isExact;
 }
 
 std::vector<Vec3> TreeScene::outline() const
@@ -77,19 +88,55 @@ std::vector<Vec3> TreeScene::outline() const
 void TreeScene::prepare()
 {
     m_mesh.finish(m_document.tree(), m_document.index());
-    if (!m_lightWaits) {
-        const VoxelSpace& space = m_document.growthIndex().space();
-        if (m_lightIsOld)
-            m_light.rebuild(space);
-        else
-            m_light.update(space, m_relit);
-        m_lightIsOld = false;
-        m_relit.setEmpty();
-    }
+    updateLight();
+    updateBounds();
+    m_isBehind = false;
+}
 
-    if (!m_boundsAreOld)
+bool TreeScene::prepareSome()
+{
+    updateBounds();
+    m_isBehind = m_isBehind && !workSome();
+    return !m_isBehind;
+}
+
+/// A slice of what waits; returns whether nothing is left.
+bool TreeScene::workSome()
+{
+    constexpr std::size_t tubes = 512;
+    constexpr std::size_t nodes = 4096;
+    QElapsedTimer timer;
+    timer.start();
+    while (timer.elapsed() < kSlice) {
+        if (!m_mesh.finishSome(m_document.tree(), m_document.index(), tubes))
+            continue;
+        if (!m_lightWaits) {
+            if (!m_document.prepareGrowthIndex(nodes))
+                continue;
+            updateLight();
+        }
+        return true;
+    }
+    return false;
+}
+
+void TreeScene::updateLight()
+{
+    if (m_lightWaits)
         return;
-    m_boundsAreOld = false;
+    const VoxelSpace& space = m_document.growthIndex().space();
+    if (m_lightIsOld)
+        m_light.rebuild(space);
+    else
+        m_light.update(space, m_relit);
+    m_lightIsOld = false;
+    m_relit.setEmpty();
+}
+
+void TreeScene::updateBounds()
+{
+    if (!std::exchange(m_boundsAreOld, false))
+        return;
     const Tree& tree = m_document.tree();
     m_bounds = Box3(Vec3::Zero());
     for (InternodeId id = 0; id < tree.size(); ++id) {

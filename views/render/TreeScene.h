@@ -11,16 +11,24 @@ namespace espalier {
 /// of each change, it follows at a cost of what changed; one renderer takes its changes.
 class TreeScene {
 public:
+    /// A part of a frame, ms.
+    static constexpr int kSlice = 8;
+
     /// Shows the tree as it is. @p document outlives the scene.
     explicit TreeScene(const TreeDocument& document);
 
     /// Follows a change that the document has just told.
     void follow(const TreeChange& change);
-    /// Brings everything to its exact form, when there is time; returns whether that changed anything.
-    bool settle();
     /// Brings up to date what several changes need only once; before mesh(), light() and
     /// bounds().
     void prepare();
+    /// Brings some of it up to date, for about kSlice; returns whether nothing is left. What has waited longest
+    /// comes first, so that a large tree that goes on growing is followed a little late, but followed.
+    bool prepareSome();
+    /// When there is time: brings everything to its exact form, likewise.
+    bool settleSome();
+    /// Whether there is something left to prepare.
+    bool isBehind() const { return m_isBehind; }
 
     /// Tells scenes apart, also those that lived at the same place.
     std::uint64_t number() const { return m_number; }
@@ -36,6 +44,9 @@ public:
 
 private:
     void rebuild();
+    bool workSome();
+    void updateLight();
+    void updateBounds();
 
     const TreeDocument& m_document;
     std::uint64_t m_number;
@@ -44,7 +55,10 @@ private:
     Box3 m_bounds;
     Box3 m_relit; ///< Where nodes came or went since prepare()
     bool m_lightIsOld = false;
-    bool m_lightWaits = false; ///< Until settle()
+    bool m_lightWaits = false; ///< Until settleSome()
+    bool m_isBehind = false;
+    bool m_isSettling = false;
+    bool m_isExact = true;
     bool m_boundsAreOld = false;
 };
 

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void seedling_hasFullLight();
     void lightSensitivity_isTheExponentOfLight();
     void gravimorphism_leavesTerminalBudsAlone();
+    void workedOutInParts_itIsTheSame();
 };
 
 namespace {
@@ -182,6 +183,34 @@ void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
             if (light[i] > 0.01)
                 QVERIFY(std::abs(q - std::pow(light[i], exponent)) < 1e-5);
             ++i;
+        });
+    }
+}
+
+void GrowthIndexTest::workedOutInParts_itIsTheSame()
+{
+    for (std::uint64_t seed = 100; seed < 106; ++seed) {
+        TreeDocument document;
+        GrowthIndex parts(document.tree(), document.index());
+        Random random(seed, 5, 0, Purpose::Direction);
+        int unfinished = 0;
+        connect(&document, &TreeDocument::changed, &document, [&](const TreeChange& change) {
+            if (change.kind == TreeChange::Kind::Reset)
+                parts.rebuild(document.tree(), document.index());
+            else
+                parts.follow(document.tree(), document.index(), *change.delta);
+            unfinished += parts.settleSome(document.tree(), document.index(), random.bits() % 4) ? 0 : 1;
+        });
+        growAtRandom(document, seed, 80, 300);
+        QVERIFY2(unfinished > 2, qPrintable(QString::number(unfinished)));
+        while (!parts.settleSome(document.tree(), document.index(), 5)) {
+        }
+        const GrowthIndex& whole = document.growthIndex();
+        forEachLiving(document.tree(), [&](InternodeId id) {
+            const Vec3& position = document.index().nodePosition(id);
+            QCOMPARE(parts.space().shadow(parts.space().cellAt(position)),
+                     whole.space().shadow(whole.space().cellAt(position)));
+            QCOMPARE(parts.basipetal(id), whole.basipetal(id));
         });
     }
 }

@@ -21,6 +21,7 @@ private Q_SLOTS:
     void pool_followsGrowthPruningAndReversal_data();
     void pool_followsGrowthPruningAndReversal();
     void finish_afterManyChanges_isAsAfterEach();
+    void finishedInParts_itIsTheSame();
     void pool_followsParameters();
     void pool_followsWidthConstraints();
     void widthConstraint_meshesWhatItChangesAlone();
@@ -318,6 +319,46 @@ void MeshPoolTest::finish_afterManyChanges_isAsAfterEach()
                 QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
             }
         }
+    }
+}
+
+void MeshPoolTest::finishedInParts_itIsTheSame()
+{
+    for (const double baseDiameter : {0.0, 0.25}) {
+        TreeParameters parameters;
+        parameters.widths.baseDiameter = baseDiameter;
+        parameters.growth.lateralsPerNode = 2;
+        Follower follower(400, 21, parameters);
+        follower.waits = true;
+        const auto some = [&](std::size_t tubes) {
+            return follower.pool.finishSome(follower.builder.tree, follower.builder.index, tubes);
+        };
+        int unfinished = 0;
+        for (int step = 0; step < 400; ++step) {
+            follower.actAtRandom();
+            if (step % 40 == 20) {
+                follower.undone.clear();
+                TreeParameters changed = follower.builder.tree.parameters();
+                changed.leaves.perNode = 1 + step / 40 % 4;
+                changed.widths.tipDiameter *= step % 80 == 20 ? 1.1 : 1.0;
+                changed.bark.scale *= step % 120 == 20 ? 1.5 : 1.0;
+                follower.apply(parameterChange(follower.builder.tree, changed));
+            }
+            // The tree changes while tubes of what it was wait.
+            unfinished += some(follower.random.bits() % 12) ? 0 : 1;
+            if (step % 25 == 24) {
+                while (!some(7)) {
+                }
+                QCOMPARE(faultOf(follower.pool, follower.builder, MeshPool::kTolerance + 0.001F), QString());
+            }
+            if (step % 50 == 49) {
+                follower.pool.noteInexact(follower.builder.tree, follower.builder.index);
+                while (!some(7)) {
+                }
+                QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
+            }
+        }
+        QVERIFY(unfinished > 100);
     }
 }
 

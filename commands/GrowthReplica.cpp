@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/GrowthReplica.h"
+
+namespace espalier {
+
+GrowthReplica::GrowthReplica(const Tree& tree, std::unique_ptr<GrowthProcess> process)
+    : m_tree(tree), m_process(std::move(process))
+{
+}
+
+GrownStep GrowthReplica::grow()
+{
+    if (!std::exchange(m_hasIndices, true)) {
+        m_index.rebuild(m_tree);
+        m_growthIndex.rebuild(m_tree, m_index);
+    }
+    m_growthIndex.settle(m_tree, m_index);
+    TreeDelta delta = m_process->step(m_tree, m_index, m_growthIndex);
+    TreeDelta own = delta;
+    m_tree.apply(own);
+    m_index.update(m_tree, own);
+    m_growthIndex.follow(m_tree, m_index, own);
+    return {std::move(delta), {m_process->markers().begin(), m_process->markers().end()}};
+}
+
+} // namespace espalier
