@@ -25,7 +25,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kRowHeight = 42;
+constexpr int kRowHeight = theme::kTarget;
 
 /// Takes the wheel only while it has the focus: a panel is scrolled past it.
 class PatientChoice : public QComboBox {
@@ -157,6 +157,7 @@ void ParameterRow::makeChoice()
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(label, 1);
+    m_choice->setFixedHeight(kRowHeight);
     line->addWidget(m_choice);
     setFixedHeight(kRowHeight);
     connect(m_choice, &QComboBox::activated, this, [this](int index) { choose(index); });

@@ -252,6 +252,7 @@ void HelpTest::sheetPages_haveEveryParameter()
 {
     for (const ParameterSection& section : parameterSections()) {
         const char* name = section.sheet == ParameterSheet::Architecture ? "architecture"
+                           : section.sheet == ParameterSheet::Brush      ? "brush"
                            : section.sheet == ParameterSheet::Leaves     ? "leafSheet"
                                                                          : "branchSheet";
         const QString page =
@@ -328,7 +329,7 @@ void HelpTest::f1InASheet_opensItsPage()
 {
     action(ActionId::LeafSheet)->trigger();
     QTest::keyClick(handle(), Qt::Key_F6);
-    QTRY_VERIFY(workspace().sheet(1).isAncestorOf(QApplication::focusWidget()));
+    QTRY_VERIFY(workspace().sheet(2).isAncestorOf(QApplication::focusWidget()));
     QTest::keyClick(handle(), Qt::Key_F1);
     QTRY_VERIFY(help().isVisible());
     QCOMPARE(help().page(), QStringLiteral("leafSheet"));

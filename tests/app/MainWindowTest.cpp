@@ -749,20 +749,20 @@ void MainWindowTest::sheets_opensOneAtATime()
     action(ActionId::Architecture)->trigger();
     QVERIFY(workspace.sheet(0).isVisible());
     action(ActionId::LeafSheet)->trigger();
-    QVERIFY(!workspace.sheet(0).isVisible() && workspace.sheet(1).isVisible());
+    QVERIFY(!workspace.sheet(0).isVisible() && workspace.sheet(2).isVisible());
     action(ActionId::Background)->trigger();
-    QVERIFY(!workspace.sheet(1).isVisible() && workspace.background().isVisible());
+    QVERIFY(!workspace.sheet(2).isVisible() && workspace.background().isVisible());
     action(ActionId::LeafSheet)->trigger();
     QVERIFY(!workspace.background().isVisible());
     QTest::keyClick(handle(), Qt::Key_Escape);
-    QTRY_VERIFY(!workspace.sheet(1).isVisible());
+    QTRY_VERIFY(!workspace.sheet(2).isVisible());
 }
 
 void MainWindowTest::f6_leadsTheKeysToThePanelsAndBack()
 {
     action(ActionId::LeafSheet)->trigger();
     QTest::keyClick(handle(), Qt::Key_F6);
-    Bar& sheet = m_window->workspace().sheet(1);
+    Bar& sheet = m_window->workspace().sheet(2);
     QTRY_VERIFY(sheet.isAncestorOf(QApplication::focusWidget()));
     QWidget* const first = QApplication::focusWidget();
     QTest::keyClick(handle(), Qt::Key_Tab);

@@ -148,11 +148,24 @@ void ArchitecturePanelTest::drag(const Place& place, const QPoint& by, bool letG
         QTest::mouseRelease(place.diagram, Qt::LeftButton, {}, from + by);
 }
 
+namespace {
+
+ParameterSheet sheetOf(std::string_view key)
+{
+    const auto has = [key](const ParameterSection& section) {
+        return std::ranges::any_of(section.parameters,
+                                   [key](const ParameterText& text) { return key == text.key; });
+    };
+    return std::ranges::find_if(parameterSections(), has)->sheet;
+}
+
+} // namespace
+
 void ArchitecturePanelTest::everyParameterOfGrowth_hasAControlThatShowsIt()
 {
     int shown = 0;
     visitParameters(parameters(), [&](const ParameterInfo& info, const auto& field) {
-        if (std::strncmp(info.key, "growth.", 7) != 0)
+        if (std::strncmp(info.key, "growth.", 7) != 0 || sheetOf(info.key) != ParameterSheet::Architecture)
             return;
         ++shown;
         const ParameterRow* row = m_panel->row(info.key);
@@ -164,7 +177,7 @@ void ArchitecturePanelTest::everyParameterOfGrowth_hasAControlThatShowsIt()
         else
             QVERIFY2(std::abs(number->number().value() - value) < 0.005, info.key);
     });
-    QCOMPARE(shown, 28);
+    QCOMPARE(shown, 25);
 }
 
 void ArchitecturePanelTest::everyControl_explainsItself()
@@ -622,13 +635,10 @@ void ArchitecturePanelTest::rows_slidersSwitchesAndMore()
     QVERIFY(parameters().growth.apicalDominance > 0.9);
     QCOMPARE(steps(), 1);
 
-    for (const char* key : {"growth.tropismFromStroke", "growth.uprightTrunk"}) {
-        auto* toggle = m_panel->row(key)->findChild<QAbstractButton*>();
-        toggle->click();
-        QCOMPARE(m_panel->row(key)->value(), 1.0);
-    }
-    QVERIFY(parameters().growth.tropismFromStroke && parameters().growth.uprightTrunk);
-    QCOMPARE(steps(), 3);
+    m_panel->row("growth.uprightTrunk")->findChild<QAbstractButton*>()->click();
+    QCOMPARE(m_panel->row("growth.uprightTrunk")->value(), 1.0);
+    QVERIFY(parameters().growth.uprightTrunk);
+    QCOMPARE(steps(), 2);
 
     QVERIFY(!m_panel->row("growth.internodeLength")->isVisible());
     QTest::mouseClick(m_panel->findChild<QAbstractButton*>(QStringLiteral("moreGrowth")), Qt::LeftButton);
