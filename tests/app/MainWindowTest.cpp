@@ -11,6 +11,7 @@
 #include "panels/architecture/ArchitecturePanel.h"
 #include "panels/architecture/Diagram.h"
 #include "panels/architecture/DiagramHandle.h"
+#include "tests/support/OwnImages.h"
 #include "views/Viewport.h"
 #include "views/render/GlResources.h"
 
@@ -59,6 +60,8 @@ private Q_SLOTS:
     void architecture_isDraggedOverTheLiveTree();
     void recipe_isPlayedAndHandedOver();
     void droppedFile_isOpened();
+    void droppedImage_becomesLeafOrBark();
+    void imageThatIsNone_isRefusedInOneSentence();
     void recentFiles_listWhatWasSaved();
     void crash_losesNothingThatWasFinished();
     void export_writesTheFileInTheBackground();
@@ -824,6 +827,73 @@ void MainWindowTest::recipe_isPlayedAndHandedOver()
     QCOMPARE(m_window->document().undoStack().count(), 3);
 }
 
+namespace {
+
+void dropFile(QWidget& on, const QString& name)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(name)});
+    QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&on, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&on, &drop);
+}
+
+void writeTo(const QString& name, const QByteArray& content)
+{
+    QFile file(name);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(content);
+}
+
+} // namespace
+
+void MainWindowTest::droppedImage_becomesLeafOrBark()
+{
+    const TreeDocument& document = m_window->document();
+    const QString leaf = m_folder->filePath(QStringLiteral("leaf.png"));
+    const QString bark = m_folder->filePath(QStringLiteral("Oak_Color.png"));
+    writeTo(leaf, test::pngOf(test::drawnLeaf(Qt::white)));
+    writeTo(bark, test::pngOf(test::repeatingBark(64, 64)));
+    writeTo(m_folder->filePath(QStringLiteral("Oak_NormalGL.png")), test::pngOf(test::repeatingBark(64, 32)));
+
+    // Anywhere on the window: it asks what the image shall be.
+    dropFile(*m_window, leaf);
+    QVERIFY(notice().contains(QStringLiteral("leaf.png")));
+    const auto* const yes = m_window->workspace().notice().findChild<QPushButton*>();
+    QVERIFY(yes);
+    QTest::mouseClick(const_cast<QPushButton*>(yes), Qt::LeftButton);
+    QTRY_VERIFY(!document.parameters().leaves.image.isNull());
+    QVERIFY(std::abs(document.parameters().leaves.aspect - 0.5) < 0.05);
+    QCOMPARE(document.undoStack().count(), 1);
+
+    // On the sheet of branches: it is bark, with what lies beside it.
+    dropFile(m_window->workspace().sheet(2), bark);
+    QTRY_VERIFY(!document.parameters().bark.image.isNull());
+    QCOMPARE(document.parameters().bark.normalImage.name(), QStringLiteral("Oak_NormalGL.png"));
+    QVERIFY(document.parameters().bark.roughnessImage.isNull());
+    QCOMPARE(document.undoStack().count(), 2);
+    m_window->document().undoStack().undo();
+    QVERIFY(document.parameters().bark.image.isNull());
+    QVERIFY(!document.parameters().leaves.image.isNull());
+}
+
+void MainWindowTest::imageThatIsNone_isRefusedInOneSentence()
+{
+    const TreeParameters before = m_window->document().parameters();
+    const QString name = m_folder->filePath(QStringLiteral("broken.png"));
+    writeTo(name, "no image");
+    dropFile(m_window->workspace().sheet(1), name);
+    QTRY_VERIFY(m_window->workspace().notice().isWarning());
+    QCOMPARE(notice(), QStringLiteral("broken.png: it is neither a PNG nor a JPEG image"));
+    writeTo(name, test::pngOf(test::repeatingBark(64, 64)));
+    dropFile(m_window->workspace().sheet(1), name);
+    QTRY_VERIFY(notice().startsWith(QStringLiteral("broken.png: there is no telling the leaf")));
+    QVERIFY(m_window->document().parameters() == before);
+    QCOMPARE(m_window->document().undoStack().count(), 0);
+}
+
 void MainWindowTest::droppedFile_isOpened()
 {
     brush();
@@ -841,7 +911,7 @@ void MainWindowTest::droppedFile_isOpened()
     QCoreApplication::sendEvent(m_window.get(), &drop);
     QVERIFY(m_window->document().tree() == tree);
 
-    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/picture.jpg"))});
+    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/picture.txt"))});
     QDragEnterEvent other(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
     other.ignore();
     QCoreApplication::sendEvent(m_window.get(), &other);
