@@ -148,7 +148,7 @@ QString Actions::groupTitle(ActionGroup group)
 Actions::Actions(QWidget& window) : QObject(&window)
 {
     for (const ActionEntry& entry : table()) {
-        auto* action = new QAction(QCoreApplication::translate("Actions", entry.text), &window);
+        auto* action = new QAction(&window);
         action->setObjectName(QString::fromLatin1(entry.name));
         action->setShortcuts(QKeySequence::listFromString(QString::fromLatin1(entry.shortcuts)));
         action->setShortcutContext(Qt::WindowShortcut);
@@ -157,6 +157,17 @@ Actions::Actions(QWidget& window) : QObject(&window)
         action->setCheckable(entry.checkable);
         if (*entry.icon != '\0')
             action->setIcon(icon(QString::fromLatin1(entry.icon)));
+        window.addAction(action);
+        m_actions[static_cast<std::size_t>(entry.id)] = action;
+    }
+    setTexts();
+}
+
+void Actions::setTexts()
+{
+    for (const ActionEntry& entry : table()) {
+        QAction* action = (*this)[entry.id];
+        action->setText(QCoreApplication::translate("Actions", entry.text));
         QString key = action->shortcut().toString(QKeySequence::NativeText);
         if (!key.isEmpty())
             key = QStringLiteral(" &nbsp;<span style='color:%1'>%2</span>")
@@ -164,8 +175,6 @@ Actions::Actions(QWidget& window) : QObject(&window)
         action->setToolTip(QStringLiteral("<b>%1</b>%2<br>%3")
                                .arg(action->text().toHtmlEscaped(), key,
                                     QCoreApplication::translate("Actions", entry.tip).toHtmlEscaped()));
-        window.addAction(action);
-        m_actions[static_cast<std::size_t>(entry.id)] = action;
     }
 }
 

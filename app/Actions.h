@@ -75,6 +75,8 @@ class Actions : public QObject {
 
 public:
     explicit Actions(QWidget& window);
+    /// Gives all of them their texts in the language in force now.
+    void setTexts();
 
     QAction* operator[](ActionId id) const { return m_actions[static_cast<std::size_t>(id)]; }
 

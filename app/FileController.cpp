@@ -51,7 +51,7 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_window(window),
       m_document(document),
       m_settings(settings),
-      m_notice(notice),
+      m_notice(&notice),
       m_thumbnail(std::move(thumbnail)),
       m_file(document),
       m_autosave(document, m_file, settings.preferences().autosaveInterval)
@@ -59,10 +59,10 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
     connect(&m_file, &DocumentFile::saved, this, &FileController::showSaved);
     connect(&m_file, &DocumentFile::saveFailed, this, [this](const QString& sentence) {
         m_keeping.clear();
-        m_notice.showWarning(tr("Not saved. %1").arg(sentence));
+        m_notice->showWarning(tr("Not saved. %1").arg(sentence));
     });
     connect(&m_autosave, &Autosave::failed, this, [this](const QString& sentence) {
-        m_notice.showWarning(tr("The tree cannot be kept safe from a crash: %1").arg(sentence));
+        m_notice->showWarning(tr("The tree cannot be kept safe from a crash: %1").arg(sentence));
     });
 }
 
@@ -96,7 +96,7 @@ void FileController::startFrom(const QString& fileName)
             if (parameters)
                 startWith(*parameters);
             else
-                m_notice.showWarning(parameters.error().message);
+                m_notice->showWarning(parameters.error().message);
         });
 }
 
@@ -117,7 +117,7 @@ void FileController::keepIn(const QString& fileName)
             if (written)
                 Q_EMIT kept(fileName);
             else
-                m_notice.showWarning(tr("Not saved. %1").arg(written.error().message));
+                m_notice->showWarning(tr("Not saved. %1").arg(written.error().message));
         });
 }
 
@@ -152,11 +152,11 @@ void FileController::openProject(const QString& fileName)
     const Result<void> opened = m_file.open(fileName);
     QGuiApplication::restoreOverrideCursor();
     if (!opened) {
-        m_notice.showWarning(opened.error().message);
+        m_notice->showWarning(opened.error().message);
         return;
     }
     m_autosave.clear();
-    m_notice.finish();
+    m_notice->finish();
     m_settings.addRecentFile(fileName);
     rememberFolder(fileName);
 }
@@ -165,7 +165,7 @@ void FileController::openRecipe(const QString& fileName)
 {
     Result<Recipe> recipe = readRecipe(fileName);
     if (!recipe) {
-        m_notice.showWarning(recipe.error().message);
+        m_notice->showWarning(recipe.error().message);
         return;
     }
     if (recipe->name.isEmpty())
@@ -174,7 +174,7 @@ void FileController::openRecipe(const QString& fileName)
         return;
     Q_EMIT aboutToReplace();
     rememberFolder(fileName);
-    m_notice.finish();
+    m_notice->finish();
     Q_EMIT recipeOpened(*recipe);
 }
 
@@ -193,7 +193,7 @@ void FileController::saveTo(const QString& fileName)
     m_file.save(fileName, m_thumbnail());
     QTimer::singleShot(kSlowSaving, this, [this] {
         if (m_file.isSaving())
-            m_notice.showProgress(tr("Saving %1").arg(m_file.displayName()), -1.0);
+            m_notice->showProgress(tr("Saving %1").arg(m_file.displayName()), -1.0);
     });
 }
 
@@ -245,14 +245,14 @@ void FileController::exportTo(const QString& fileName)
 
     const QString shortName = QFileInfo(fileName).fileName();
     const auto cancel = [cancelled] { *cancelled = true; };
-    m_notice.showProgress(tr("Writing %1").arg(shortName), 0.0, cancel);
+    m_notice->showProgress(tr("Writing %1").arg(shortName), 0.0, cancel);
     const auto tell = [this, guard = QPointer<FileController>(this), cancelled, cancel,
                        shortName](double share) {
         QMetaObject::invokeMethod(
             QCoreApplication::instance(),
             [this, guard, cancelled, cancel, shortName, share] {
                 if (guard && m_exportCancelled == cancelled && !*cancelled)
-                    m_notice.showProgress(tr("Writing %1").arg(shortName), share, cancel);
+                    m_notice->showProgress(tr("Writing %1").arg(shortName), share, cancel);
             },
             Qt::QueuedConnection);
         return !*cancelled;
@@ -267,11 +267,11 @@ void FileController::exportTo(const QString& fileName)
                 return;
             m_exportCancelled.reset();
             if (written)
-                m_notice.showInformation(tr("Wrote %1").arg(shortName));
+                m_notice->showInformation(tr("Wrote %1").arg(shortName));
             else if (written.error().kind == Error::Kind::Cancelled)
-                m_notice.showInformation(tr("%1 was not written.").arg(shortName));
+                m_notice->showInformation(tr("%1 was not written.").arg(shortName));
             else
-                m_notice.showWarning(tr("Not exported. %1").arg(written.error().message));
+                m_notice->showWarning(tr("Not exported. %1").arg(written.error().message));
         });
 }
 
@@ -279,7 +279,7 @@ void FileController::showSaved(const QString& fileName)
 {
     m_settings.addRecentFile(fileName);
     rememberFolder(fileName);
-    m_notice.showInformation(tr("Saved %1").arg(QFileInfo(fileName).fileName()));
+    m_notice->showInformation(tr("Saved %1").arg(QFileInfo(fileName).fileName()));
     if (std::exchange(m_keeping, {}) == fileName)
         Q_EMIT kept(fileName);
 }
@@ -321,13 +321,13 @@ void FileController::offerRecovery()
     const Leftover& latest = leftovers.front();
     const QString name =
         latest.original.isEmpty() ? tr("A tree that was never saved") : QFileInfo(latest.original).fileName();
-    m_notice.ask(tr("Espalier ended unexpectedly. %1 can be brought back as it was.").arg(name),
-                 tr("Bring Back"), tr("Discard"), [this, latest](bool wanted) {
-                     if (wanted)
-                         recover(latest);
-                     else
-                         Autosave::discard(latest);
-                 });
+    m_notice->ask(tr("Espalier ended unexpectedly. %1 can be brought back as it was.").arg(name),
+                  tr("Bring Back"), tr("Discard"), [this, latest](bool wanted) {
+                      if (wanted)
+                          recover(latest);
+                      else
+                          Autosave::discard(latest);
+                  });
 }
 
 void FileController::recover(const Leftover& leftover)
@@ -336,7 +336,7 @@ void FileController::recover(const Leftover& leftover)
         return;
     Result<Project> project = loadProject(leftover.fileName);
     if (!project) {
-        m_notice.showWarning(project.error().message);
+        m_notice->showWarning(project.error().message);
         Autosave::discard(leftover);
         return;
     }

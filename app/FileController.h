@@ -30,6 +30,8 @@ public:
                    std::function<QImage()> thumbnail);
     /// Cancels an export.
     ~FileController() override;
+    /// Tells of everything there from now on.
+    void setNotice(Notice& notice) { m_notice = &notice; }
 
     DocumentFile& file() { return m_file; }
     Autosave& autosave() { return m_autosave; }
@@ -77,7 +79,7 @@ private:
     QWidget& m_window;
     TreeDocument& m_document;
     Settings& m_settings;
-    Notice& m_notice;
+    Notice* m_notice;
     std::function<QImage()> m_thumbnail;
     DocumentFile m_file;
     Autosave m_autosave;

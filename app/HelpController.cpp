@@ -12,11 +12,12 @@
 
 namespace espalier {
 
-HelpController::HelpController(MainWindow& window, Settings& settings)
+HelpController::HelpController(MainWindow& window, Settings& settings, bool isSample)
     : m_window(window),
       m_settings(settings),
       m_tour(std::make_unique<Tour>(window.workspace(), window.actions(), window.document(),
-                                    window.viewSettings()))
+                                    window.viewSettings())),
+      m_isSample(isSample)
 {
     HelpPanel& help = window.workspace().help();
     connect(window.actions()[ActionId::Help], &QAction::triggered, this, &HelpController::toggle);

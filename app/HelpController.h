@@ -16,11 +16,13 @@ class HelpController : public QObject {
     Q_OBJECT
 
 public:
-    /// Both outlive it; the window is complete.
-    HelpController(MainWindow& window, Settings& settings);
+    /// Both outlive it; the window is complete. @p isSample is what the one before it says.
+    HelpController(MainWindow& window, Settings& settings, bool isSample = false);
     ~HelpController() override;
 
     Tour& tour() { return *m_tour; }
+    /// Whether what the recipe runner plays is a sample.
+    bool isSample() const { return m_isSample; }
 
     /// Opens the help at the page of what is at hand; closes it if that is what it shows.
     void toggle();
@@ -42,7 +44,7 @@ private:
     MainWindow& m_window;
     Settings& m_settings;
     std::unique_ptr<Tour> m_tour;
-    bool m_isSample = false; ///< What the recipe runner plays
+    bool m_isSample;
 };
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 
 #include "app/GrowTool.h"
 #include "app/HelpController.h"
+#include "app/Language.h"
 #include "app/LassoTool.h"
 #include "app/LibraryPanel.h"
 #include "app/RecipeTool.h"
@@ -13,7 +14,6 @@
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
-#include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "views/Viewport.h"
@@ -35,19 +35,8 @@ namespace espalier {
 
 namespace {
 
-constexpr int kThumbnailEdge = 256;
 /// ms between two looks at whether a growing tree is still in sight.
 constexpr int kFollowInterval = 400;
-
-/// The middle of what the viewport shows.
-QImage thumbnailOf(Viewport& viewport)
-{
-    const QImage whole = viewport.grabPicture();
-    const int edge = std::min(whole.width(), whole.height());
-    const QRect middle((whole.width() - edge) / 2, (whole.height() - edge) / 2, edge, edge);
-    return whole.copy(middle).scaled(kThumbnailEdge, kThumbnailEdge, Qt::KeepAspectRatio,
-                                     Qt::SmoothTransformation);
-}
 
 QString droppedFile(const QMimeData& data)
 {
@@ -91,28 +80,26 @@ MainWindow::MainWindow(QWidget* parent)
       m_lassoRunner(m_document),
       m_timeRunner(m_document),
       m_recipeRunner(m_document),
-      m_actions(*this),
-      m_workspace(std::make_unique<Workspace>(m_document, m_viewSettings, m_actions,
-                                              [this](QMenu& menu) { m_files->fillRecentFiles(menu); })),
-      m_files(std::make_unique<FileController>(*this, m_document, m_settings, m_workspace->notice(),
-                                               [this] { return thumbnailOf(m_workspace->viewport()); }))
+      m_actions(*this)
 {
-    setCentralWidget(m_workspace.get());
     setMinimumSize(920, 680);
     setAcceptDrops(true);
     ViewValues view = m_settings.viewValues();
     view.isThemeLight = theme::isLight();
     m_viewSettings.setValues(view);
-    // The program has its colours already.
-    m_preferences.look = m_settings.preferences().look;
-    m_library = std::make_unique<LibraryController>(m_workspace->library(), *m_files, m_workspace->notice(),
-                                                    Library(m_settings.libraryFolder()));
+    // The program has its colours and its language already.
+    const Preferences preferences = m_settings.preferences();
+    m_preferences.look = preferences.look;
+    m_preferences.language = preferences.language;
+    m_preferences.units = preferences.units;
+    setUnits(preferences.units);
+    makeInterface();
     connectFiles();
     connectTools();
     connectView();
     connectLibrary();
     followDocument();
-    apply(m_settings.preferences());
+    apply(preferences);
     m_files->startNew();
     m_actions[ActionId::Brush]->trigger();
     updateTitle();
@@ -144,7 +131,7 @@ void MainWindow::connectFiles()
     on(ActionId::Save, false, &FileController::save);
     on(ActionId::SaveAs, false, &FileController::saveAs);
     on(ActionId::Export, false, &FileController::exportTree);
-    connect(m_actions[ActionId::Settings], &QAction::triggered, this, &MainWindow::showSettings);
+    connect(m_actions[ActionId::Settings], &QAction::triggered, this, [this] { showSettings(); });
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
     connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
     connect(m_files.get(), &FileController::recipeOpened, this,
@@ -171,40 +158,11 @@ void MainWindow::connectTools()
         if (!isBusy() || (m_growRunner.isRunning() && !m_workspace->viewport().isGestureActive()))
             m_growRunner.run(1);
     });
-
-    GrowPopOut& growPopOut = m_workspace->growPopOut();
-    connect(&growPopOut, &GrowPopOut::holdBegins, &m_growRunner, &GrowRunner::begin);
-    connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::release);
-    connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
-    connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
-    connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
-    connect(&growPopOut, &GrowPopOut::playToggled, this,
-            [this](bool plays) { plays ? m_timeRunner.play() : m_timeRunner.stop(); });
-    connect(&m_timeRunner, &TimeRunner::runningChanged, this, [this, &growPopOut] {
-        growPopOut.setPlaying(m_timeRunner.isPlaying());
-        updateEnabled();
-    });
+    connect(&m_timeRunner, &TimeRunner::runningChanged, this, &MainWindow::updateEnabled);
     connect(&m_growRunner, &GrowRunner::exhausted, this,
             [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
     connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
-
-    LassoPopOut& lassoPopOut = m_workspace->lassoPopOut();
-    connect(&lassoPopOut, &LassoPopOut::regrowAsked, this, [this] {
-        if (!isBusy())
-            m_lassoRunner.regrow();
-    });
-    connect(&lassoPopOut, &LassoPopOut::removeAsked, this, [this] {
-        if (!isBusy())
-            removeEnvelopes(m_document);
-    });
-    connect(&lassoPopOut, &LassoPopOut::stopAsked, &m_lassoRunner, &LassoRunner::end);
-    connect(&m_lassoRunner, &LassoRunner::runningChanged, &lassoPopOut, &LassoPopOut::setGrowing);
     connect(&m_lassoRunner, &LassoRunner::runningChanged, this, &MainWindow::updateEnabled);
-    // An eraser or another hand's gesture must find the tree at rest.
-    connect(&m_workspace->viewport(), &Viewport::gestureActiveChanged, &m_lassoRunner, [this](bool active) {
-        if (active)
-            m_lassoRunner.end();
-    });
     connect(&m_lassoRunner, &LassoRunner::refused, this,
             [this](const QString& why) { m_workspace->notice().showInformation(why); });
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
@@ -219,24 +177,6 @@ void MainWindow::connectTools()
 
 void MainWindow::connectView()
 {
-    Viewport& viewport = m_workspace->viewport();
-    // A hand at work ends a film that is playing; it goes on from what is seen.
-    connect(&viewport, &Viewport::gestureActiveChanged, &m_timeRunner, &TimeRunner::release);
-    // Likewise growth, unless the hand holds it: what two make at once could not be undone apart.
-    connect(&viewport, &Viewport::gestureActiveChanged, this, [this, &viewport](bool active) {
-        if (active && !(toolInHand() == ActionId::Grow && viewport.tool().isActive()))
-            m_growRunner.end();
-    });
-    connect(&viewport, &Viewport::gestureActiveChanged, this, &MainWindow::updateEnabled);
-    connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
-    const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},
-                                                    {ActionId::SideView, NamedView::Side},
-                                                    {ActionId::TopView, NamedView::Top},
-                                                    {ActionId::ThreeQuarterView, NamedView::ThreeQuarter}};
-    for (const auto& [id, view] : views)
-        connect(m_actions[id], &QAction::triggered, &viewport,
-                [&viewport, side = view] { viewport.showFrom(side); });
-
     const std::pair<ActionId, bool ViewValues::*> switches[] = {
         {ActionId::Markers, &ViewValues::markersShown}, {ActionId::Leaves, &ViewValues::leavesShown}};
     for (const auto& [id, field] : switches) {
@@ -254,21 +194,7 @@ void MainWindow::connectView()
     group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     for (const ActionId id : Actions::sheets())
         group->addAction(m_actions[id]);
-    connect(group, &QActionGroup::triggered, this, [this, group] {
-        m_workspace->showSheet(static_cast<int>(group->actions().indexOf(group->checkedAction())));
-    });
-
-    connect(&m_workspace->brushSheet(), &BrushPanel::pressureExponentEdited, this, [this](double exponent) {
-        Preferences preferences = m_preferences;
-        preferences.pressureExponent = exponent;
-        prefer(preferences);
-        if (auto* open = findChild<SettingsSheet*>())
-            open->setPreferences(preferences);
-    });
-    connect(m_actions[ActionId::HideInterface], &QAction::toggled, m_workspace.get(),
-            &Workspace::setInterfaceHidden);
-    connect(m_actions[ActionId::History], &QAction::toggled, m_workspace.get(), &Workspace::showHistory);
-    connect(m_actions[ActionId::NextPane], &QAction::triggered, m_workspace.get(), &Workspace::focusNextPane);
+    connect(group, &QActionGroup::triggered, this, &MainWindow::showCheckedSheet);
     connect(m_actions[ActionId::FullScreen], &QAction::triggered, this, [this](bool on) {
         setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
     });
@@ -276,7 +202,6 @@ void MainWindow::connectView()
 
 void MainWindow::connectLibrary()
 {
-    LibraryPanel& panel = m_workspace->library();
     QAction* action = m_actions[ActionId::Library];
     connect(action, &QAction::toggled, this, [this](bool shown) {
         if (shown) {
@@ -290,20 +215,28 @@ void MainWindow::connectLibrary()
         m_workspace->showLibrary(shown);
     });
     connect(m_actions[ActionId::Help], &QAction::triggered, action, [action] { action->setChecked(false); });
-    connect(&panel, &LibraryPanel::closeAsked, action, [action] { action->setChecked(false); });
     connect(m_files.get(), &FileController::aboutToReplace, action, [action] { action->setChecked(false); });
 }
 
-void MainWindow::showSettings()
+void MainWindow::showCheckedSheet()
+{
+    const std::span<const ActionId> sheets = Actions::sheets();
+    const auto checked =
+        std::ranges::find_if(sheets, [this](ActionId id) { return m_actions[id]->isChecked(); });
+    m_workspace->showSheet(checked == sheets.end() ? -1 : static_cast<int>(checked - sheets.begin()));
+}
+
+SettingsSheet& MainWindow::showSettings()
 {
     if (auto* open = findChild<SettingsSheet*>()) {
         open->activateWindow();
-        return;
+        return *open;
     }
     auto* sheet = new SettingsSheet(m_preferences, this);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
     connect(sheet, &SettingsSheet::preferencesEdited, this, &MainWindow::prefer);
     sheet->show();
+    return *sheet;
 }
 
 void MainWindow::prefer(const Preferences& preferences)
@@ -320,13 +253,24 @@ void MainWindow::apply(const Preferences& preferences)
         m_viewSettings.set(&ViewValues::isThemeLight, theme::isLight());
         m_workspace->help().showPage(m_workspace->help().page());
     }
-    m_workspace->setToolsRight(preferences.areToolsRight);
-    m_workspace->viewport().setMouseScheme(preferences.mouse);
-    m_workspace->viewport().setPressureExponent(preferences.pressureExponent);
-    m_workspace->brushSheet().setPressureExponent(preferences.pressureExponent);
+    if (preferences.language != before.language)
+        speakLanguage(preferences.language);
+    setUnits(preferences.units);
+    // The sheet of settings, which is made anew as well, is telling of it.
+    if (preferences.language != before.language || preferences.units != before.units)
+        QMetaObject::invokeMethod(this, &MainWindow::remakeInterface, Qt::QueuedConnection);
+    suitHand();
     m_files->autosave().setInterval(preferences.autosaveInterval);
     if (preferences.libraryFolder != before.libraryFolder)
         m_library->setFolder(m_settings.libraryFolder());
+}
+
+void MainWindow::suitHand()
+{
+    m_workspace->setToolsRight(m_preferences.areToolsRight);
+    m_workspace->viewport().setMouseScheme(m_preferences.mouse);
+    m_workspace->viewport().setPressureExponent(m_preferences.pressureExponent);
+    m_workspace->brushSheet().setPressureExponent(m_preferences.pressureExponent);
 }
 
 void MainWindow::followDocument()
@@ -339,8 +283,8 @@ void MainWindow::followDocument()
     QUndoStack& stack = m_document.undoStack();
     connect(m_actions[ActionId::Undo], &QAction::triggered, this, [this, &stack] {
         // What grows is taken back before what was done.
-        for (GrowthRunner* runner : {static_cast<GrowthRunner*>(&m_growRunner),
-                                     static_cast<GrowthRunner*>(&m_lassoRunner)}) {
+        for (GrowthRunner* runner :
+             {static_cast<GrowthRunner*>(&m_growRunner), static_cast<GrowthRunner*>(&m_lassoRunner)}) {
             if (runner->isRunning() && !m_workspace->viewport().isGestureActive()) {
                 runner->cancel();
                 return;

@@ -17,6 +17,7 @@
 namespace espalier {
 
 class HelpController;
+class SettingsSheet;
 
 /// The program's window: puts the parts together and tells them of each other.
 class MainWindow : public QMainWindow {
@@ -55,11 +56,23 @@ private:
     void connectTools();
     void connectView();
     void connectLibrary();
-    void showSettings();
+    /// Makes the workspace and what leads it, and tells them of the parts that outlive them.
+    void makeInterface();
+    void connectPopOuts();
+    void connectViewport();
+    /// Makes them anew, in the language and the units in force now, around the same document: everything is
+    /// where it was.
+    void remakeInterface();
+    void showCheckedSheet();
+    /// The middle of what the viewport shows.
+    QImage thumbnail();
+    SettingsSheet& showSettings();
     /// The person prefers these from now on.
     void prefer(const Preferences& preferences);
     /// Puts the preferences in force.
     void apply(const Preferences& preferences);
+    /// Those that the workspace keeps.
+    void suitHand();
     void followDocument();
     /// Ends whatever is under way.
     void cancelAll();

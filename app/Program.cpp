@@ -6,6 +6,7 @@
 #include "app/Demo.h"
 #include "app/Display.h"
 #include "app/HelpController.h"
+#include "app/Language.h"
 #include "app/MainWindow.h"
 #include "app/Settings.h"
 #include "panels/Notice.h"
@@ -14,8 +15,6 @@
 
 #include <QApplication>
 #include <QIcon>
-#include <QLibraryInfo>
-#include <QTranslator>
 
 #include <tbb/global_control.h>
 
@@ -34,22 +33,6 @@ void nameProgram()
     QCoreApplication::setApplicationVersion(QStringLiteral(ESPALIER_VERSION));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Espalier"));
     QGuiApplication::setDesktopFileName(QStringLiteral("espalier"));
-}
-
-/// The program's own texts and Qt's, in the language that the person chose, or else the system's, as far as
-/// there are any.
-void installTranslations(QCoreApplication& application)
-{
-    if (const QString language = Settings().preferences().language; !language.isEmpty())
-        QLocale::setDefault(QLocale(language));
-    const QLocale locale;
-    auto* own = new QTranslator(&application);
-    if (own->load(locale, QStringLiteral("espalier"), QStringLiteral("_"), QStringLiteral(":/translations")))
-        QCoreApplication::installTranslator(own);
-    auto* qts = new QTranslator(&application);
-    if (qts->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
-                  QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-        QCoreApplication::installTranslator(qts);
 }
 
 /// Without a window the standard error is for this program's own one line: what Qt has to say about the
@@ -131,7 +114,7 @@ int runProgram(int argc, char** argv)
         qInstallMessageHandler(onlyFatal);
     if (!line || !line->needsDisplay()) {
         QCoreApplication application(argc, argv);
-        installTranslations(application);
+        speakLanguage(Settings().preferences().language);
         return runWithoutWindow(arguments);
     }
     if (const QString problem = displayProblem(); !problem.isEmpty()) {
@@ -141,11 +124,11 @@ int runProgram(int argc, char** argv)
     QSurfaceFormat::setDefaultFormat(surfaceFormat());
     if (!opensWindow) {
         QGuiApplication application(argc, argv);
-        installTranslations(application);
+        speakLanguage(Settings().preferences().language);
         return runWithoutWindow(arguments);
     }
     QApplication application(argc, argv);
-    installTranslations(application);
+    speakLanguage(Settings().preferences().language);
     return runWindow(*line, application);
 }
 

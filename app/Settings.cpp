@@ -24,6 +24,7 @@ const QString kUndoSteps = QStringLiteral("hand/undoSteps");
 const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
 const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kLanguage = QStringLiteral("window/language");
+const QString kUnits = QStringLiteral("window/units");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
 
 /// Calls @p visit(key, field) for each value that is remembered. Of the leaves it is not: a tree without them
@@ -69,6 +70,7 @@ Preferences Settings::preferences() const
     };
     read(kLook, values.look, static_cast<int>(theme::Look::System));
     read(kMouse, values.mouse, static_cast<int>(MouseScheme::Maya));
+    read(kUnits, values.units, static_cast<int>(Units::Imperial));
     values.areToolsRight = store.value(kToolsRight, values.areToolsRight).toBool();
     bool isNumber = false;
     const double exponent = store.value(kPressureExponent, values.pressureExponent).toDouble(&isNumber);
@@ -95,6 +97,7 @@ void Settings::setPreferences(const Preferences& preferences)
     store.setValue(kUndoSteps, preferences.undoSteps);
     store.setValue(kLibraryFolder, preferences.libraryFolder);
     store.setValue(kLanguage, preferences.language);
+    store.setValue(kUnits, static_cast<int>(preferences.units));
 }
 
 QStringList Settings::languages()

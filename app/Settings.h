@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/document/Lengths.h"
 #include "model/document/ViewSettings.h"
 #include "panels/Theme.h"
 #include "views/input/MouseScheme.h"
@@ -26,7 +27,8 @@ struct Preferences {
     int undoSteps = 0;         ///< As many can be taken back, 0...kMostUndoSteps; 0 for all
     QString
         libraryFolder{}; ///< Where the library keeps its trees; empty for a folder among the program's data
-    QString language{};  ///< One of Settings::languages(), from the next start on; empty for the system's
+    Units units = Units::Metric;
+    QString language{}; ///< One of Settings::languages(); empty for the system's
 
     bool operator==(const Preferences&) const = default;
 };

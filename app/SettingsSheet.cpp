@@ -64,7 +64,7 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
       m_look(new QComboBox(this)),
       m_side(new QComboBox(this)),
       m_language(new QComboBox(this)),
-      m_nextStart(makeNote(tr("The language changes with the next start."))),
+      m_units(new QComboBox(this)),
       m_curve(new PressureCurve(Preferences::kSoftest, Preferences::kFirmest, this)),
       m_softness(new QSlider(Qt::Horizontal, this)),
       m_mouse(new QComboBox(this)),
@@ -100,7 +100,7 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
     all->addLayout(buttons);
     all->setSizeConstraint(QLayout::SetFixedSize);
 
-    for (QComboBox* box : {m_look, m_side, m_language, m_mouse}) {
+    for (QComboBox* box : {m_look, m_side, m_language, m_units, m_mouse}) {
         box->setMinimumHeight(kControl);
         connect(box, &QComboBox::currentIndexChanged, this, &SettingsSheet::edit);
     }
@@ -158,8 +158,9 @@ QLayout* SettingsSheet::makeAppearance()
         m_language->addItem(locale.nativeLanguageName(), code);
     }
     form->addRow(makeLabel(tr("Language"), m_language), m_language);
-    m_nextStart->hide();
-    form->addRow(m_nextStart);
+    m_units->addItems({tr("Metres, centimetres"), tr("Feet, inches")});
+    m_units->setObjectName(QStringLiteral("units"));
+    form->addRow(makeLabel(tr("Lengths"), m_units), m_units);
     return form;
 }
 
@@ -228,6 +229,7 @@ void SettingsSheet::display(const Preferences& preferences)
     m_look->setCurrentIndex(static_cast<int>(preferences.look));
     m_side->setCurrentIndex(preferences.areToolsRight ? 1 : 0);
     m_language->setCurrentIndex(std::max(0, m_language->findData(preferences.language)));
+    m_units->setCurrentIndex(static_cast<int>(preferences.units));
     m_curve->setExponent(preferences.pressureExponent);
     m_softness->setValue(sliderOf(preferences.pressureExponent));
     m_mouse->setCurrentIndex(static_cast<int>(preferences.mouse));
@@ -250,7 +252,7 @@ void SettingsSheet::edit()
     edited.look = static_cast<theme::Look>(m_look->currentIndex());
     edited.areToolsRight = m_side->currentIndex() == 1;
     edited.language = m_language->currentData().toString();
-    m_nextStart->setVisible(edited.language != m_preferences.language || m_nextStart->isVisible());
+    edited.units = static_cast<Units>(m_units->currentIndex());
     edited.pressureExponent = m_curve->exponent();
     edited.mouse = static_cast<MouseScheme>(m_mouse->currentIndex());
     edited.autosaveInterval = m_autosave->value();

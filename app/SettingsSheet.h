@@ -48,7 +48,7 @@ private:
     QComboBox* m_look;
     QComboBox* m_side;
     QComboBox* m_language;
-    QLabel* m_nextStart; ///< Says when a language that was chosen counts
+    QComboBox* m_units;
     PressureCurve* m_curve;
     QSlider* m_softness;
     QComboBox* m_mouse;

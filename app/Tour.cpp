@@ -118,9 +118,9 @@ void Tour::watch(const Actions& actions)
     connect(actions[ActionId::Help], &QAction::triggered, this, [this] { did(HelpStep); });
 }
 
-void Tour::start()
+void Tour::start(int step)
 {
-    showStep(BrushStep);
+    showStep(step);
     m_following.start();
 }
 

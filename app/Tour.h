@@ -27,7 +27,7 @@ public:
     Tour(Workspace& workspace, const Actions& actions, TreeDocument& document, ViewSettings& settings,
          QObject* parent = nullptr);
 
-    void start();
+    void start(int step = 0);
     void stop();
     bool isRunning() const { return m_step >= 0; }
     /// 0...stepCount() - 1, or -1 while it does not run.

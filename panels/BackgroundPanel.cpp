@@ -28,7 +28,7 @@ template <double TracingImage::*Member>
 constexpr ViewField tracingField(const char* key, const char* label, const char* tip, double least,
                                  double most, ParameterText::Scale scale, const char* unit)
 {
-    return {{key, Number, least, most},
+    return {{key, *unit == '\0' ? Number : Metres, least, most},
             {key, label, "", tip, scale, 2, unit},
             [](const ViewValues& values) { return values.tracing.*Member; },
             [](ViewValues& values, double value) { values.tracing.*Member = value; }};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/BrushControls.h"
 
+#include "model/document/Lengths.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
 #include "panels/ViewField.h"
@@ -70,9 +71,7 @@ BrushRadius::BrushRadius(const TreeDocument& document, ViewSettings& settings, Q
 void BrushRadius::showValues()
 {
     const double radius = m_settings.values().brushRadius;
-    const double centimetres = radius * 100.0;
-    m_number->setText(radius >= 1.0 ? tr("%L1 m").arg(radius, 0, 'f', 2)
-                                    : tr("%L1 cm").arg(centimetres, 0, 'f', centimetres < 10.0 ? 1 : 0));
+    m_number->setText(lengthText(radius));
     const bool draws = radius < m_document.parameters().growth.internodeLength;
     m_meaning->setText(draws ? tr("draws a branch") : tr("grows a crown"));
     m_slider->setRadius(radius);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterNumber.h"
 
+#include "model/document/Lengths.h"
+
 #include <QKeyEvent>
 #include <QSignalBlocker>
 #include <QTimer>
@@ -11,15 +13,20 @@
 
 namespace espalier {
 
+namespace {
+/// Of a length: what was typed in another unit counts as it was typed.
+constexpr int kKeptDecimals = 9;
+} // namespace
+
 ParameterNumber::ParameterNumber(const ParameterScale& scale, QWidget* parent)
-    : QDoubleSpinBox(parent), m_factor(scale.text().factor)
+    : QDoubleSpinBox(parent), m_scale(scale), m_factor(scale.text().factor)
 {
     const ParameterText& text = scale.text();
     setProperty("bare", true);
     setButtonSymbols(QAbstractSpinBox::NoButtons);
     setFrame(false);
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    setDecimals(text.decimals);
+    setDecimals(scale.info().quantity == Quantity::Metres ? kKeptDecimals : text.decimals);
     setRange(scale.info().minimum * m_factor, scale.info().maximum * m_factor);
     setSingleStep(std::pow(10.0, -text.decimals));
     setStepType(text.scale == ParameterText::Scale::Linear ? QAbstractSpinBox::DefaultStepType
@@ -40,6 +47,38 @@ void ParameterNumber::show(double value)
 {
     const QSignalBlocker quiet(this);
     setValue(value * m_factor);
+}
+
+QString ParameterNumber::textFromValue(double value) const
+{
+    return numberText(value, m_scale.text().decimals);
+}
+
+double ParameterNumber::valueFromText(const QString& text) const
+{
+    // What is shown has fewer digits than what is meant.
+    if (text == textFromValue(value()) + suffix() || text == specialValueText())
+        return value();
+    const std::optional<double> typed = m_scale.typed(text);
+    return typed ? *typed * m_factor : value();
+}
+
+QValidator::State ParameterNumber::validate(QString& text, int&) const
+{
+    return m_scale.typed(text) ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+void ParameterNumber::stepBy(int steps)
+{
+    if (m_scale.info().quantity != Quantity::Metres) {
+        QDoubleSpinBox::stepBy(steps);
+        return;
+    }
+    double stepped = value() / m_factor;
+    for (int i = 0; i < std::abs(steps); ++i)
+        stepped = m_scale.stepped(stepped, steps, ParameterScale::Stride::Normal);
+    setValue(stepped * m_factor);
+    selectAll();
 }
 
 void ParameterNumber::focusInEvent(QFocusEvent* event)

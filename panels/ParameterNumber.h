@@ -7,8 +7,8 @@
 
 namespace espalier {
 
-/// A parameter's number with its unit, which a tap lets a person type over. It has no buttons, and takes the
-/// wheel only while it has the focus: a panel is scrolled past it.
+/// A parameter's number with its unit, which a tap lets a person type over: a length in any unit. It has no
+/// buttons, and takes the wheel only while it has the focus: a panel is scrolled past it.
 class ParameterNumber : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -17,6 +17,11 @@ public:
 
     /// In the surface unit.
     void show(double value);
+
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& cursor) const override;
+    void stepBy(int steps) override;
 
 Q_SIGNALS:
     /// A person has typed or stepped to another value (surface unit).
@@ -29,6 +34,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    ParameterScale m_scale;
     double m_factor;
 };
 

@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterScale.h"
 
+#include "model/document/Lengths.h"
 #include "panels/ParameterValue.h"
-
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
 
 namespace espalier {
+
+ParameterScale::ParameterScale(const ParameterInfo& info, const ParameterText& text)
+    : m_info(info), m_text(text)
+{
+    if (info.quantity != Quantity::Metres || units() == Units::Metric)
+        return;
+    // As many decimals as tell as much.
+    m_text.decimals += std::max(0, static_cast<int>(std::lround(std::log10(text.factor))) - 1);
+    const bool areMetres = text.factor == 1.0;
+    m_text.unit = areMetres ? "ft" : "in";
+    m_text.factor = 1.0 / (areMetres ? kFoot : kInch);
+}
 
 ParameterScale ParameterScale::of(const char* key)
 {
@@ -100,7 +111,28 @@ QString ParameterScale::shown(double value) const
 {
     if (*m_text.least != '\0' && value <= m_info.minimum)
         return parameterTr(m_text.least);
-    return QLocale().toString(value * m_text.factor, 'f', m_text.decimals) + suffix();
+    return numberText(value * m_text.factor, m_text.decimals) + suffix();
+}
+
+std::optional<double> ParameterScale::typed(const QString& text) const
+{
+    QString number = text.trimmed();
+    if (*m_text.least != '\0' && number == parameterTr(m_text.least))
+        return m_info.minimum;
+    // A unit that stands behind what was typed with another.
+    const QString unit = QString::fromUtf8(m_text.unit);
+    if (!unit.isEmpty() && number.endsWith(unit) && parsed(number.chopped(unit.size())))
+        number.chop(unit.size());
+    const std::optional<double> value = parsed(number);
+    return value ? std::optional(std::clamp(*value, m_info.minimum, m_info.maximum)) : std::nullopt;
+}
+
+std::optional<double> ParameterScale::parsed(const QString& number) const
+{
+    if (m_info.quantity == Quantity::Metres)
+        return parseLength(number, 1.0 / m_text.factor);
+    const std::optional<double> shown = parseNumber(number);
+    return shown ? std::optional(*shown / m_text.factor) : std::nullopt;
 }
 
 } // namespace espalier

@@ -9,7 +9,8 @@
 namespace espalier {
 
 /// The values that a parameter may have, as a person meets them: their order along a slider, the grain they
-/// are shown with, the strides that keys make. All in ParameterInfo's surface unit.
+/// are shown with, the strides that keys make. All in ParameterInfo's surface unit. Lengths are shown in the
+/// units in force when it was made.
 class ParameterScale {
 public:
     /// What a key adds or takes away.
@@ -19,7 +20,7 @@ public:
         Coarse, ///< A tenth of it
     };
 
-    ParameterScale(const ParameterInfo& info, const ParameterText& text) : m_info(info), m_text(text) {}
+    ParameterScale(const ParameterInfo& info, const ParameterText& text);
     /// Of the parameter of that key, which has to exist.
     static ParameterScale of(const char* key);
 
@@ -40,9 +41,13 @@ public:
     QString shown(double value) const;
     /// The unit as it follows a number: a space before it, or none.
     QString suffix() const;
+    /// What a person means by a text, within the limits: a length in any unit, another number with its own or
+    /// none. Nothing if it is no number.
+    std::optional<double> typed(const QString& text) const;
 
 private:
     double grain() const; ///< Steps of a unit
+    std::optional<double> parsed(const QString& number) const;
 
     ParameterInfo m_info;
     ParameterText m_text;

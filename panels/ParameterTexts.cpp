@@ -176,6 +176,13 @@ constexpr ParameterText kLeafForm[] = {
 constexpr ParameterText kLeafPlace[] = {
     {"leaves.perNode", QT_TRANSLATE_NOOP("Parameters", "At a node"), "",
      QT_TRANSLATE_NOOP("Parameters", "How many leaves grow together."), Linear, 0},
+    {"leaves.arrangement", QT_TRANSLATE_NOOP("Parameters", "Arrangement"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How leaves stand around a shoot: as its buds do; in a spiral; together, "
+                       "each pair or whorl across the one before; or flat in two rows, as on "
+                       "beech and hemlock."),
+     Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Leaf phyllotaxis: spiral, decussate or verticillate, distichous.")},
     {"leaves.maxTips", QT_TRANSLATE_NOOP("Parameters", "How far inward"), "",
      QT_TRANSLATE_NOOP("Parameters", "Branches that carry more twigs than this are bare."), Logarithmic, 0},
     {"leaves.reach", QT_TRANSLATE_NOOP("Parameters", "Only near the tips"), "",
@@ -259,6 +266,8 @@ constexpr ParameterSection kSections[] = {
     QT_TRANSLATE_NOOP("Parameters", "fascicle"), QT_TRANSLATE_NOOP("Parameters", "frond"),
     QT_TRANSLATE_NOOP("Parameters", "cherry"),   QT_TRANSLATE_NOOP("Parameters", "mottled"),
     QT_TRANSLATE_NOOP("Parameters", "fibrous"),  QT_TRANSLATE_NOOP("Parameters", "ringed"),
+    QT_TRANSLATE_NOOP("Parameters", "shoot"),    QT_TRANSLATE_NOOP("Parameters", "spiral"),
+    QT_TRANSLATE_NOOP("Parameters", "opposite"), QT_TRANSLATE_NOOP("Parameters", "flat"),
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/RadiusSlider.h"
 
+#include "model/document/Lengths.h"
 #include "panels/Theme.h"
 
 #include <QMouseEvent>
@@ -48,8 +49,7 @@ void RadiusSlider::sliderChange(SliderChange change)
 {
     if (change == SliderValueChange) {
         const double t = value() / static_cast<double>(kSteps);
-        // Whole millimetres; a person reads centimetres.
-        m_radius = std::round(m_maximum * t * t * t * 1000.0) / 1000.0;
+        m_radius = std::min(roundedLength(m_maximum * t * t * t), m_maximum);
         if (!signalsBlocked())
             Q_EMIT radiusEdited(m_radius);
     }

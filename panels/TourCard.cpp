@@ -139,8 +139,9 @@ void TourCard::pointAt(const QRect& target)
 {
     if (target.isEmpty()) {
         m_ring->hide();
+        // The tree stands in the middle.
         const QRect room = parentWidget()->rect();
-        move(room.center() - QPoint(width() / 2, height() / 2));
+        move(room.center().x() - width() / 2, room.bottom() - height() - kTop);
     } else {
         move(placeBeside(target));
         m_ring->span(target, geometry());

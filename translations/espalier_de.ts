@@ -931,6 +931,34 @@
         <translation>Wie viele Blätter zusammen wachsen.</translation>
     </message>
     <message>
+        <source>Arrangement</source>
+        <translation>Anordnung</translation>
+    </message>
+    <message>
+        <source>How leaves stand around a shoot: as its buds do; in a spiral; together, each pair or whorl across the one before; or flat in two rows, as on beech and hemlock.</source>
+        <translation>Wie Blätter um einen Trieb stehen: wie seine Knospen; in einer Spirale; zusammen, jedes Paar oder jeder Quirl quer zum vorigen; oder flach in zwei Reihen wie bei Buche und Hemlocktanne.</translation>
+    </message>
+    <message>
+        <source>Leaf phyllotaxis: spiral, decussate or verticillate, distichous.</source>
+        <translation>Blattstellung: zerstreut, gekreuzt-gegenständig oder quirlig, zweizeilig.</translation>
+    </message>
+    <message>
+        <source>shoot</source>
+        <translation>Trieb</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>Spirale</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>gekreuzt</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>flach</translation>
+    </message>
+    <message>
         <source>How far inward</source>
         <translation>Wie weit innen</translation>
     </message>
@@ -2647,6 +2675,18 @@ geschrieben werden konnte.
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Metres, centimetres</source>
+        <translation>Meter, Zentimeter</translation>
+    </message>
+    <message>
+        <source>Feet, inches</source>
+        <translation>Fuß, Zoll</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
     </message>
 </context>
 <context>

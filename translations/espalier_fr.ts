@@ -1163,6 +1163,34 @@
         <translation>Nombre de feuilles qui poussent ensemble.</translation>
     </message>
     <message>
+        <source>Arrangement</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>How leaves stand around a shoot: as its buds do; in a spiral; together, each pair or whorl across the one before; or flat in two rows, as on beech and hemlock.</source>
+        <translation>Comment les feuilles se placent autour d’une pousse : comme ses bourgeons ; en spirale ; ensemble, chaque paire ou verticille en croix avec le précédent ; ou à plat sur deux rangs, comme chez le hêtre et la pruche.</translation>
+    </message>
+    <message>
+        <source>Leaf phyllotaxis: spiral, decussate or verticillate, distichous.</source>
+        <translation>Phyllotaxie des feuilles : spiralée, décussée ou verticillée, distique.</translation>
+    </message>
+    <message>
+        <source>shoot</source>
+        <translation>pousse</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>spirale</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>opposée</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>à plat</translation>
+    </message>
+    <message>
         <source>How far inward</source>
         <translation>Vers l’intérieur</translation>
     </message>
@@ -2646,6 +2674,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Language</source>
         <translation>Langue</translation>
+    </message>
+    <message>
+        <source>Metres, centimetres</source>
+        <translation>Mètres, centimètres</translation>
+    </message>
+    <message>
+        <source>Feet, inches</source>
+        <translation>Pieds, pouces</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
     </message>
 </context>
 <context>

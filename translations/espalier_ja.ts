@@ -1163,6 +1163,34 @@
         <translation>まとまってつく葉の枚数です。</translation>
     </message>
     <message>
+        <source>Arrangement</source>
+        <translation>並び方</translation>
+    </message>
+    <message>
+        <source>How leaves stand around a shoot: as its buds do; in a spiral; together, each pair or whorl across the one before; or flat in two rows, as on beech and hemlock.</source>
+        <translation>シュートのまわりの葉の並び方です。芽と同じ、らせん状、節ごとにまとまって前の対や輪と交差、またはブナやツガのように平らに 2 列。</translation>
+    </message>
+    <message>
+        <source>Leaf phyllotaxis: spiral, decussate or verticillate, distichous.</source>
+        <translation>葉序：らせん葉序、十字対生または輪生、二列互生。</translation>
+    </message>
+    <message>
+        <source>shoot</source>
+        <translation>シュート</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>らせん</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>対生</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>平ら</translation>
+    </message>
+    <message>
         <source>How far inward</source>
         <translation>内側まで</translation>
     </message>
@@ -2646,6 +2674,18 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <message>
         <source>Language</source>
         <translation>言語</translation>
+    </message>
+    <message>
+        <source>Metres, centimetres</source>
+        <translation>メートル、センチメートル</translation>
+    </message>
+    <message>
+        <source>Feet, inches</source>
+        <translation>フィート、インチ</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>長さ</translation>
     </message>
 </context>
 <context>

@@ -1163,6 +1163,34 @@
         <translation>Ile liści wyrasta razem.</translation>
     </message>
     <message>
+        <source>Arrangement</source>
+        <translation>Ułożenie</translation>
+    </message>
+    <message>
+        <source>How leaves stand around a shoot: as its buds do; in a spiral; together, each pair or whorl across the one before; or flat in two rows, as on beech and hemlock.</source>
+        <translation>Jak liście stoją wokół pędu: tak jak jego pąki; spiralnie; razem, każda para lub okółek w poprzek poprzedniego; albo płasko w dwóch rzędach, jak u buka i choiny.</translation>
+    </message>
+    <message>
+        <source>Leaf phyllotaxis: spiral, decussate or verticillate, distichous.</source>
+        <translation>Ulistnienie: skrętoległe, nakrzyżległe lub okółkowe, dwurzędowe.</translation>
+    </message>
+    <message>
+        <source>shoot</source>
+        <translation>pęd</translation>
+    </message>
+    <message>
+        <source>spiral</source>
+        <translation>spirala</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>naprzeciw</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <translation>płasko</translation>
+    </message>
+    <message>
         <source>How far inward</source>
         <translation>Jak głęboko</translation>
     </message>
@@ -2646,6 +2674,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Language</source>
         <translation>Język</translation>
+    </message>
+    <message>
+        <source>Metres, centimetres</source>
+        <translation>Metry, centymetry</translation>
+    </message>
+    <message>
+        <source>Feet, inches</source>
+        <translation>Stopy, cale</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Długości</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,7 @@ enum class Purpose : std::uint32_t {
     InternodeLength,
     Texture,
     LassoMarker,
+    LeafPlane,
 };
 
 /// Counter-based random numbers: a pure function of (seed, step, id, purpose, counter), never of the order of

@@ -19,6 +19,11 @@ constexpr float kMostJitter = 0.36F;
 constexpr float kSmallestSize = 0.1F;
 /// How much darker the leaves of the weakest shoots are, at full effect of vigour on colour.
 constexpr double kWeakDarkening = 0.1;
+/// Radians between one leaf and the next of a spiral.
+constexpr double kGoldenAngle = std::numbers::pi * (3.0 - 2.2360679774997896964);
+/// How much an upright shoot's own plane counts beside the level one, which it has the more of the more it
+/// leans.
+constexpr float kOwnPlane = 0.25F;
 /// Hues from here on shift through magenta, the others through green and yellow.
 constexpr double kBlue = radians(240);
 
@@ -62,8 +67,10 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
     m_jitter = kMostJitter * static_cast<float>(tree.parameters().growth.irregularity);
     m_cosine = static_cast<float>(std::cos(m_parameters.angle));
     m_sine = static_cast<float>(std::sin(m_parameters.angle));
-    // Needles clothe the whole shoot; leaves sit at its nodes.
-    m_alongInternode = m_parameters.shape == LeafShape::Needles;
+    // Needles clothe the whole shoot, and so do leaves that stand one by one; others sit at its nodes.
+    m_alongInternode = m_parameters.shape == LeafShape::Needles ||
+                       m_parameters.arrangement == LeafArrangement::Spiral ||
+                       m_parameters.arrangement == LeafArrangement::Flat;
     for (int i = 0; i < perNode; ++i) {
         const double azimuth = 2.0 * std::numbers::pi * i / perNode;
         m_azimuths[static_cast<std::size_t>(i)] =
@@ -71,13 +78,67 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
     }
 }
 
-void LeafPlacer::place(InternodeId id, std::span<LeafInstance> leaves) const
+/// How many nodes its axis has below that of @p id.
+std::uint32_t LeafPlacer::nodesBelow(InternodeId id) const
+{
+    std::uint32_t count = 0;
+    if (m_parameters.arrangement == LeafArrangement::Shoot)
+        return count;
+    for (const InternodeId first = m_index.axis(id); id != first; id = m_tree.parent(id))
+        ++count;
+    return count;
+}
+
+/// Unit vector across the shoot, in the plane of the twig; it never vanishes, and turns slowly along a shoot.
+Vec3 LeafPlacer::side(InternodeId id, const Vec3& axis) const
+{
+    const double azimuth =
+        Random(m_tree.seed(), 0, m_index.axis(id), Purpose::LeafPlane).uniform(0.0, 2.0 * std::numbers::pi);
+    const Vec3 own(static_cast<float>(std::cos(azimuth)), 0.0F, static_cast<float>(std::sin(azimuth)));
+    Vec3 level = axis.cross(up());
+    if (level.dot(own) < 0.0F)
+        level = -level;
+    return (level + kOwnPlane * across(own, axis)).normalized();
+}
+
+LeafPlacer::Stand LeafPlacer::stand(std::uint32_t i, std::uint32_t below, const Eigen::Matrix3f& frame,
+                                    const Vec3& side) const
+{
+    const Vec3 axis = frame.col(1);
+    const float along = m_alongInternode ? static_cast<float>(i) / static_cast<float>(m_perNode) : 0.0F;
+    // Counted from the axis's foot; on an internode the first leaf is the uppermost.
+    const std::uint32_t number = below * m_perNode + (m_perNode - 1 - i);
+    double azimuth = 0.0;
+    switch (m_parameters.arrangement) {
+    case LeafArrangement::Shoot:
+        return {frame.col(0) * m_azimuths[i].x() + frame.col(2) * m_azimuths[i].y(), axis, along};
+    case LeafArrangement::Flat: {
+        // A level spray looks to the sky, the leaves of an upright shoot look along it.
+        const Vec3 normal = side.cross(axis);
+        const Vec3 face = normal.y() * normal + (1.0F - std::abs(normal.y())) * axis;
+        return {number % 2 == 0 ? side : Vec3(-side), face, along};
+    }
+    case LeafArrangement::Spiral:
+        azimuth = std::fmod(kGoldenAngle * number, 2.0 * std::numbers::pi);
+        break;
+    case LeafArrangement::Opposite:
+        azimuth = std::numbers::pi * (2 * i + below % 2) / m_perNode;
+        break;
+    }
+    const Vec3 third = side.cross(axis);
+    return {static_cast<float>(std::cos(azimuth)) * side + static_cast<float>(std::sin(azimuth)) * third,
+            axis, along};
+}
+
+void LeafPlacer::place(InternodeId id, std::uint32_t below, std::span<LeafInstance> leaves) const
 {
     assert(leaves.size() == m_perNode);
     Random random(m_tree.seed(), 0, id, Purpose::Leaf);
     const Vec3 node = m_index.nodePosition(id);
     const Eigen::Matrix3f frame = m_index.rotation(id).toRotationMatrix();
     const Vec3 axis = frame.col(1);
+    const Vec3 twigSide =
+        m_parameters.arrangement == LeafArrangement::Shoot ? Vec3(frame.col(0)) : side(id, axis);
     const float length = m_tree.length(id);
     const auto droop = static_cast<float>(m_parameters.droop);
     const auto upward = static_cast<float>(m_parameters.upward);
@@ -88,15 +149,15 @@ void LeafPlacer::place(InternodeId id, std::span<LeafInstance> leaves) const
     for (std::uint32_t i = 0; i < m_perNode; ++i) {
         const std::array<float, 4> spread = fourSigned(random);
         const std::array<float, 4> variation = fourSigned(random);
-        const Vec3 outward = frame.col(0) * m_azimuths[i].x() + frame.col(2) * m_azimuths[i].y();
+        const auto [outward, face, along] = stand(i, below, frame, twigSide);
         Vec3 direction = m_cosine * axis + m_sine * outward;
         direction = (1.0F - droop) * direction - droop * up();
         direction += m_jitter * Vec3(spread[0], spread[1], spread[2]);
         const float norm = direction.norm();
         direction = norm > 1e-3F ? Vec3(direction / norm) : outward;
 
-        // The upper face looks along the shoot by nature, and to the sky as far as the leaf can turn.
-        Vec3 normal = across(axis, direction);
+        // The upper face turns from where it looks by nature to the sky as far as the leaf can turn.
+        Vec3 normal = across(face, direction);
         if (normal.squaredNorm() < 1e-6F)
             normal = across(-outward, direction);
         normal.normalize();
@@ -114,7 +175,6 @@ void LeafPlacer::place(InternodeId id, std::span<LeafInstance> leaves) const
         turned.col(2) = normal;
         const Rotation rotation(turned);
 
-        const auto along = m_alongInternode ? static_cast<float>(i) / static_cast<float>(m_perNode) : 0.0F;
         const float size =
             std::max(kSmallestSize, 1.0F + static_cast<float>(m_parameters.sizeVariation) * variation[0]);
         const auto leafLength = static_cast<float>(m_parameters.length) * size;
@@ -141,10 +201,14 @@ std::uint32_t LeafPlacer::count(InternodeId base) const
 void LeafPlacer::placeTube(InternodeId base, std::span<LeafInstance> leaves) const
 {
     std::size_t done = 0;
-    for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(m_index, id)) {
+    std::uint32_t below = nodesBelow(base);
+    for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(m_index, id), ++below) {
+        // Where a lateral continues the tube, another axis begins.
+        if (m_index.axis(id) == id)
+            below = 0;
         if (!bears(id))
             continue;
-        place(id, leaves.subspan(done, m_perNode));
+        place(id, below, leaves.subspan(done, m_perNode));
         done += m_perNode;
     }
     assert(done == leaves.size());

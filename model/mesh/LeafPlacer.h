@@ -39,8 +39,10 @@ double shootWeakness(double vigour, double reference = kFullVigour);
 /// purple through magenta, never through blue. All in rad; the result may be above 2π.
 double shiftedLeafHue(double hue, double amount);
 
-/// Leaves on young shoots, by the LeafParameters in force and the frames that the shoots grew with: at each
-/// node of an internode that carries few tips, evenly around, the first above the first lateral bud. Random
+/// Leaves on young shoots, by the LeafParameters in force: at each node of an internode that carries few
+/// tips. LeafArrangement::Shoot goes by the frames that the shoots grew with: evenly around, the first above
+/// the first lateral bud. The others count along the axis from its first internode, and start from the plane
+/// of the twig: that which is level across it, where it leans; one of the axis's own, where it stands. Random
 /// spread is a function of the tree's seed and the internode alone, and its amount that of
 /// GrowthParameters::irregularity: at 0 the arrangement is exact.
 class LeafPlacer {
@@ -57,7 +59,7 @@ public:
     std::uint32_t leavesPerInternode() const { return m_perNode; }
 
     /// Writes the leaves of one internode that bears into a span of leavesPerInternode().
-    void place(InternodeId id, std::span<LeafInstance> leaves) const;
+    void place(InternodeId id, std::span<LeafInstance> leaves) const { place(id, nodesBelow(id), leaves); }
 
     /// Leaves of the tube (see Tubes.h) that begins with the living internode @p base: how many, and they
     /// themselves in a span of that size.
@@ -65,6 +67,18 @@ public:
     void placeTube(InternodeId base, std::span<LeafInstance> leaves) const;
 
 private:
+    /// Where a leaf stands on its internode.
+    struct Stand {
+        Vec3 outward; ///< Unit vector across the shoot
+        Vec3 face;    ///< Where the blade looks by nature
+        float along;  ///< From the internode's node (0) down to the one below (1)
+    };
+
+    void place(InternodeId id, std::uint32_t below, std::span<LeafInstance> leaves) const;
+    std::uint32_t nodesBelow(InternodeId id) const;
+    Vec3 side(InternodeId id, const Vec3& axis) const;
+    Stand stand(std::uint32_t i, std::uint32_t below, const Eigen::Matrix3f& frame, const Vec3& side) const;
+
     const Tree& m_tree;
     const TreeIndex& m_index;
     LeafParameters m_parameters;

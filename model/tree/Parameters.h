@@ -78,6 +78,15 @@ enum class LeafShape : int {
 };
 inline constexpr int kLeafShapeCount = 10;
 
+/// How leaves stand around their shoot.
+enum class LeafArrangement : int {
+    Shoot,    ///< As its buds do, evenly around each node
+    Spiral,   ///< One by one along the shoot, the golden angle apart
+    Opposite, ///< Together at the node, each pair or whorl in the gaps of the one before (decussate)
+    Flat,     ///< One by one, left and right, in the plane of the twig (distichous)
+};
+inline constexpr int kLeafArrangementCount = 4;
+
 /// Leaves on young shoots.
 struct LeafParameters {
     bool visible = true;
@@ -96,6 +105,7 @@ struct LeafParameters {
     double saturation = 1.0;          ///< of the texture's: 0 grey, 1 as painted
     double brightness = 1.0;          ///< of the texture's
     double vigourHue = 0.25;          ///< 0...1, shift of weak shoots' leaves toward yellow and red
+    LeafArrangement arrangement = LeafArrangement::Shoot;
 
     bool operator==(const LeafParameters&) const = default;
 };
@@ -194,6 +204,9 @@ void visitParameters(Parameters& p, Visit&& visit)
     visit(ParameterInfo{"leaves.saturation", Number, 0, 1.5}, f.saturation);
     visit(ParameterInfo{"leaves.brightness", Number, 0.2, 2.5}, f.brightness);
     visit(ParameterInfo{"leaves.vigourHue", Number, 0, 1}, f.vigourHue);
+    visit(ParameterInfo{"leaves.arrangement", Choice, 0, kLeafArrangementCount - 1,
+                        "shoot spiral opposite flat"},
+          f.arrangement);
 
     auto& b = p.bark;
     visit(ParameterInfo{"bark.kind", Choice, 0, kBarkKindCount - 1,

@@ -19,5 +19,5 @@ layout(std140) uniform Frame {
     vec4 backgroundOuter;   // as shown (sRGB), or upper
     vec4 ground;            // albedo; w: radius of the ground, m
     vec4 foot;              // x: radius of the trunk at the ground, m; y: 1 shows the ground; z: 1 shows its grid
-    vec4 pass;              // xy: place within the pixel, -0.5...0.5; z: bias of the textures' levels
+    vec4 pass;              // xy: place within the pixel, -0.5...0.5; z: bias of the textures' levels; w: its share of lots, 0...1, or -1 if there is but one pass
 } frame;

@@ -8,6 +8,7 @@
 uniform sampler2D leafNormals; // tangent space
 
 in vec2 leafUv;
+flat in float leafLot;
 #ifdef PLAIN
 in vec3 received;
 #else
@@ -24,8 +25,9 @@ out vec4 colour;
 void main()
 {
     vec4 texel = texture(leafColour, leafUv, frame.pass.z);
-    float alpha = leafAlpha(leafUv, texel.a);
-    if (alpha < 0.5)
+    // Passes share out the lots among themselves; where there is but one, pixels do.
+    float lot = fract(leafLot + (frame.pass.w < 0.0 ? pixelLot(gl_FragCoord.xy) : frame.pass.w));
+    if (isGap(leafUv, texel.a, lot))
         discard;
 #ifdef PLAIN
     colour = vec4(developed(texel.rgb * received), 1.0);

@@ -15,6 +15,12 @@ vec3 turned(vec3 v)
     return v + leafRotation.w * twice + cross(leafRotation.xyz, twice);
 }
 
+// 0...1, another for each leaf.
+float lotOfLeaf()
+{
+    return fract(sin(dot(leafPlace.xyz + leafRotation.xyz, vec3(157.3, 241.9, 87.1))) * 43758.5453);
+}
+
 vec3 leafPosition()
 {
     return leafPlace.xyz + turned(cardPosition * vec3(leafLook.x, leafPlace.w, leafLook.x));

@@ -8,6 +8,7 @@
 uniform float saturation; // of the texture, 0...1: what is grey has no hue to turn
 
 out vec2 leafUv;
+flat out float leafLot;
 #ifdef PLAIN
 out vec3 received;
 #else
@@ -49,6 +50,7 @@ void main()
     tint *= vec3(0.84, 0.63, 0.80);
     tint = mix(vec3(dot(tint, vec3(0.21, 0.72, 0.07))), tint, saturation);
     leafUv = cardUv;
+    leafLot = lotOfLeaf();
     gl_Position = frame.viewProjection * vec4(place, 1.0);
 #ifdef PLAIN
     float side = dot(normal, frame.eye.xyz - place) < 0.0 ? -1.0 : 1.0;

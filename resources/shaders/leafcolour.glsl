@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 uniform sampler2D leafColour;
 
-// Small mipmaps lose the thin parts of a leaf: their alpha is raised so that a crown keeps its density from afar.
-float leafAlpha(vec2 uv, float alpha)
+// From afar a texel is a mixture of needles and gaps. A test against half of it would make blobs of them, or nothing; so
+// each leaf draws a lot against which it is tested, and as much of a pixel is covered as there are needles in it. Near
+// leaves keep their edges. @lot: evenly spread in 0...1.
+bool isGap(vec2 uv, float alpha, float lot)
 {
     vec2 texels = uv * vec2(textureSize(leafColour, 0));
     vec2 dx = dFdx(texels);
     vec2 dy = dFdy(texels);
-    float level = max(0.0, 0.5 * log2(max(dot(dx, dx), dot(dy, dy))));
-    return alpha * (1.0 + 0.25 * level);
+    float level = 0.5 * log2(max(dot(dx, dx), dot(dy, dy)));
+    float spread = 0.9 * smoothstep(-0.5, 1.5, level);
+    return alpha < 0.5 + (lot - 0.5) * spread;
+}
+
+// A lot that neighbouring pixels draw as differently as can be (interleaved gradient noise, Jimenez 2014).
+float pixelLot(vec2 place)
+{
+    return fract(52.9829189 * fract(dot(place, vec2(0.06711056, 0.00583715))));
 }

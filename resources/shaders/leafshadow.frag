@@ -3,12 +3,13 @@
 #include "leafcolour.glsl"
 
 in vec2 leafUv;
+flat in float leafLot;
 
 out vec4 coverage;
 
 void main()
 {
-    if (leafAlpha(leafUv, texture(leafColour, leafUv).a) < 0.5)
+    if (isGap(leafUv, texture(leafColour, leafUv).a, fract(leafLot + pixelLot(gl_FragCoord.xy))))
         discard;
     coverage = vec4(1.0);
 }

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/HelpController.h"
+#include "app/Language.h"
 #include "app/MainWindow.h"
 #include "app/SettingsSheet.h"
 #include "app/Workspace.h"
+#include "panels/HelpPanel.h"
 #include "panels/Theme.h"
+#include "views/Viewport.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QToolButton>
 #include <QTranslator>
@@ -18,6 +24,8 @@ class LanguagesTest : public QObject {
 
 private Q_SLOTS:
     void initTestCase();
+    void language_changesAtOnceAndKeepsAll();
+    void language_changesWhileASamplePlays();
     void texts_haveRoom_data();
     void texts_haveRoom();
     void help_isWhole_data();
@@ -60,7 +68,139 @@ QStringList cutOff(const QWidget& window)
     return found;
 }
 
+/// All that a person can read in @p window or hear of it; of the history alone the frame.
+QStringList textsOf(const QWidget& window)
+{
+    QStringList texts{window.windowTitle()};
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        texts << widget->toolTip() << widget->accessibleName() << widget->whatsThis();
+        if (const auto* label = qobject_cast<const QLabel*>(widget))
+            texts << label->text();
+        if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+            texts << button->text();
+        if (const auto* box = qobject_cast<const QComboBox*>(widget)) {
+            for (int i = 0; i < box->count(); ++i)
+                texts << box->itemText(i);
+        }
+        if (const auto* number = qobject_cast<const QDoubleSpinBox*>(widget))
+            texts << number->text();
+    }
+    for (const QAction* action : window.findChildren<QAction*>())
+        texts << action->text() << action->toolTip();
+    texts.sort();
+    texts.removeAll(QString());
+    return texts;
+}
+
+/// Two steps of growth, an open sheet, the history and the help.
+void workIn(MainWindow& window)
+{
+    window.resize(1280, 860);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.document().reset(4);
+    for (int i = 0; i < 2; ++i) {
+        window.growRunner().run(1);
+        QTRY_VERIFY(!window.growRunner().isRunning());
+    }
+    for (const ActionId id :
+         {ActionId::LeafSheet, ActionId::History, ActionId::Bend, ActionId::Help, ActionId::Settings})
+        window.actions()[id]->trigger();
+    window.workspace().viewport().setCamera(window.workspace().viewport().camera().turnedTo(NamedView::Top));
+    // Until the counts are right.
+    QTest::qWait(300);
+}
+
 } // namespace
+
+void LanguagesTest::language_changesAtOnceAndKeepsAll()
+{
+    const QStringList spoken{QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("ja")};
+    QMap<QString, QStringList> expected;
+    for (const QString& language : spoken) {
+        Preferences preferences;
+        preferences.language = language;
+        Settings().setPreferences(preferences);
+        speakLanguage(language);
+        MainWindow window;
+        workIn(window);
+        expected[language] = textsOf(window);
+        window.document().undoStack().setClean();
+    }
+    QVERIFY(expected[QStringLiteral("de")] != expected[QStringLiteral("en")]);
+
+    speakLanguage(QStringLiteral("en"));
+    Settings().setPreferences({.language = QStringLiteral("en")});
+    MainWindow window;
+    workIn(window);
+    QUndoStack& stack = window.document().undoStack();
+    const int steps = stack.count();
+    const std::uint32_t size = window.document().tree().size();
+    QVERIFY(steps == 2 && size > 2);
+    const Camera camera = window.workspace().viewport().camera();
+    const QString page = window.workspace().help().page();
+    const qsizetype objects = window.findChildren<QObject*>().size();
+    for (const char* code : {"de", "ja", "en"}) {
+        const QString language = QString::fromLatin1(code);
+        auto* sheet = window.findChild<SettingsSheet*>();
+        QVERIFY(sheet);
+        auto* box = sheet->findChild<QComboBox*>(QStringLiteral("language"));
+        box->setCurrentIndex(box->findData(language));
+        QTRY_VERIFY(window.findChild<SettingsSheet*>() != nullptr &&
+                    window.actions()[ActionId::Prune]->text() ==
+                        QCoreApplication::translate("Actions", "Prune"));
+        QTest::qWait(300);
+        QCOMPARE(QLocale().name().left(2), language);
+        QCOMPARE(textsOf(window), expected[language]);
+        QVERIFY(window.grab().save(QStringLiteral("languages-switched-%1.png").arg(language)));
+
+        QVERIFY(window.actions()[ActionId::LeafSheet]->isChecked() &&
+                window.workspace().sheet(2).isVisible());
+        QVERIFY(window.actions()[ActionId::Bend]->isChecked());
+        QVERIFY(window.workspace().isHelpShown());
+        QCOMPARE(window.workspace().help().page(), page);
+        QVERIFY(window.workspace().viewport().camera() == camera);
+        // The same tree, and the way back.
+        QCOMPARE(stack.count(), steps);
+        QCOMPARE(window.document().tree().size(), size);
+        window.actions()[ActionId::Undo]->trigger();
+        QCOMPARE(stack.index(), steps - 1);
+        window.actions()[ActionId::Redo]->trigger();
+        QCOMPARE(stack.index(), steps);
+    }
+    // Nothing of the interfaces before is left.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QCOMPARE(window.findChildren<QObject*>().size(), objects);
+    QVERIFY(qApp->findChildren<QTranslator*>().size() <= 2);
+    stack.setClean();
+    QSettings().clear();
+}
+
+void LanguagesTest::language_changesWhileASamplePlays()
+{
+    speakLanguage(QStringLiteral("en"));
+    Settings().setPreferences({.language = QStringLiteral("en")});
+    MainWindow window;
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.help().playSample(QStringLiteral(":/docs/help/recipes/grow.json"));
+    QVERIFY(window.recipeRunner().isRunning());
+    window.actions()[ActionId::Settings]->trigger();
+    auto* box = window.findChild<SettingsSheet*>()->findChild<QComboBox*>(QStringLiteral("language"));
+    box->setCurrentIndex(box->findData(QStringLiteral("fr")));
+    QTRY_COMPARE(window.actions()[ActionId::Prune]->text(), QCoreApplication::translate("Actions", "Prune"));
+    QVERIFY(window.actions()[ActionId::Prune]->text() != QLatin1String("Prune"));
+    // It goes on, and is still nobody's work.
+    QVERIFY(window.recipeRunner().isRunning());
+    QVERIFY(!window.actions()[ActionId::Prune]->isEnabled());
+    QTRY_VERIFY(window.document().undoStack().count() > 0 ||
+                window.recipeRunner().player()->progress() > 0.0);
+    window.recipeRunner().stop();
+    QVERIFY(window.document().undoStack().isClean());
+    QVERIFY(window.actions()[ActionId::Prune]->isEnabled());
+    speakLanguage(QStringLiteral("en"));
+    QSettings().clear();
+}
 
 void LanguagesTest::initTestCase()
 {

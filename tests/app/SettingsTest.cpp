@@ -3,6 +3,7 @@
 #include "app/SettingsSheet.h"
 #include "panels/BrushPopOut.h"
 #include "panels/HistoryPanel.h"
+#include "panels/ParameterRow.h"
 #include "panels/PressureCurve.h"
 #include "tests/support/TestClasses.h"
 #include "views/Viewport.h"
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void nonsense_isTheDefaultOrTheNearest();
     void theme_changesAtOnceAndBack();
     void toolsOnTheRight_areMirrored();
+    void units_changeEverywhereAtOnce();
     void curve_isDrawnToThePointer();
     void curve_showsWhatAPenPresses();
     void pressureExponent_reachesTheBrush();
@@ -195,6 +197,30 @@ void SettingsTest::toolsOnTheRight_areMirrored()
     action(ActionId::History)->setChecked(true);
     QVERIFY(workspace.history().geometry().right() < workspace.width() / 2);
     action(ActionId::History)->setChecked(false);
+}
+
+void SettingsTest::units_changeEverywhereAtOnce()
+{
+    action(ActionId::LeafSheet)->trigger();
+    m_window->viewSettings().set(&ViewValues::brushRadius, 0.5);
+    const auto length = [this] {
+        const auto* row = m_window->findChild<ParameterRow*>(QStringLiteral("leaves.length"));
+        return row->findChild<QDoubleSpinBox*>()->text();
+    };
+    const auto radius = [this] { return m_window->findChild<BrushPopOut*>()->findChild<QLabel*>()->text(); };
+    QCOMPARE(length(), QStringLiteral("9.0 cm"));
+    QCOMPARE(radius(), QStringLiteral("50 cm"));
+    box(open(), "units")->setCurrentIndex(1);
+    QTRY_COMPARE(length(), QStringLiteral("3.54 in"));
+    QCOMPARE(radius(), QStringLiteral("1 ft 8 in"));
+    QCOMPARE(Settings().preferences().units, Units::Imperial);
+    QVERIFY(m_window->workspace().sheet(2).isVisible());
+    // The sheet of settings is still there.
+    auto* sheet = m_window->findChild<SettingsSheet*>();
+    QVERIFY(sheet && sheet->isVisible());
+    box(*sheet, "units")->setCurrentIndex(0);
+    QTRY_COMPARE(length(), QStringLiteral("9.0 cm"));
+    action(ActionId::LeafSheet)->trigger();
 }
 
 void SettingsTest::curve_isDrawnToThePointer()

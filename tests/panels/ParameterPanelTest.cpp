@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterPanel.h"
 
+#include "model/document/Lengths.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
 #include "panels/BrushPopOut.h"
@@ -32,6 +33,9 @@ private Q_SLOTS:
     void doubleClick_bringsTheDefaultBackAsOneStep();
     void keys_stride();
     void typedNumber_isPutInForceAndUndone();
+    void typedLength_isTakenInAnyUnit_data();
+    void typedLength_isTakenInAnyUnit();
+    void feetAndInches_areShownAndStepped();
     void radiusSlider_keepsTheRadiusItIsGiven();
     void brushSheetAndPopOut_shareTheHand();
     void brushSheet_changesParametersAsUndoSteps();
@@ -197,6 +201,82 @@ void ParameterPanelTest::typedNumber_isPutInForceAndUndone()
     document.undoStack().undo();
     QCOMPARE(row->value(), before);
     QCOMPARE(number->value(), before);
+}
+
+void ParameterPanelTest::typedLength_isTakenInAnyUnit_data()
+{
+    QTest::addColumn<bool>("imperial");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<double>("metres");
+    QTest::addColumn<QString>("shown");
+    QTest::newRow("as shown") << false << "12" << 0.12 << "12.0 cm";
+    QTest::newRow("comma") << false << "12,5" << 0.125 << "12.5 cm";
+    QTest::newRow("metres") << false << "0.3m" << 0.3 << "30.0 cm";
+    QTest::newRow("inches, exactly") << false << "4 in" << 0.1016 << "10.2 cm";
+    QTest::newRow("feet") << false << "1'3" << 0.381 << "38.1 cm";
+    QTest::newRow("too much") << false << "9 m" << 2.0 << "200.0 cm";
+    QTest::newRow("nonsense") << false << "twig" << 0.09 << "9.0 cm";
+    QTest::newRow("inches as shown") << true << "4" << 0.1016 << "4.00 in";
+    QTest::newRow("centimetres") << true << "10 cm" << 0.1 << "3.94 in";
+}
+
+void ParameterPanelTest::typedLength_isTakenInAnyUnit()
+{
+    QFETCH(bool, imperial);
+    QFETCH(QString, typed);
+    QFETCH(double, metres);
+    QFETCH(QString, shown);
+    setUnits(imperial ? Units::Imperial : Units::Metric);
+    TreeDocument document;
+    ParameterPanel panel(document, ParameterSheet::Leaves);
+    setUnits(Units::Metric);
+    panel.show();
+    auto* number = panel.row("leaves.length")->findChild<QDoubleSpinBox*>();
+    for (const bool unitToo : {false, true}) {
+        document.reset(1);
+        if (unitToo)
+            number->findChild<QLineEdit*>()->selectAll();
+        else
+            number->selectAll();
+        QTest::keyClicks(number, typed);
+        QTest::keyClick(number, Qt::Key_Return);
+        QVERIFY2(std::abs(document.parameters().leaves.length - metres) < 1e-9,
+                 qPrintable(QString::number(document.parameters().leaves.length)));
+        QCOMPARE(number->text(), shown);
+        // What is not touched again stays as it was meant.
+        QTest::keyClick(number, Qt::Key_Return);
+        QVERIFY(std::abs(document.parameters().leaves.length - metres) < 1e-9);
+    }
+}
+
+void ParameterPanelTest::feetAndInches_areShownAndStepped()
+{
+    setUnits(Units::Imperial);
+    TreeDocument document;
+    ParameterPanel leaves(document, ParameterSheet::Leaves);
+    ParameterPanel branches(document, ParameterSheet::Branches);
+    ViewSettings settings;
+    settings.set(&ViewValues::brushRadius, 0.5);
+    BrushPopOut brush(document, settings);
+    RadiusSlider slider(kMaxBrushRadius);
+    slider.setValue(300);
+    QStringList shown;
+    for (const auto* label : brush.findChildren<QLabel*>())
+        shown << label->text();
+    setUnits(Units::Metric);
+    QVERIFY(shown.contains(QStringLiteral("1 ft 8 in")));
+    const auto numberOf = [](ParameterPanel& panel, const char* key) {
+        return panel.row(key)->findChild<QDoubleSpinBox*>();
+    };
+    QCOMPARE(numberOf(leaves, "leaves.length")->text(), QStringLiteral("3.54 in"));
+    QCOMPARE(numberOf(branches, "widths.tipDiameter")->text(), QStringLiteral("0.118 in"));
+    QCOMPARE(numberOf(branches, "widths.baseDiameter")->text(), QStringLiteral("automatic"));
+    QCOMPARE(numberOf(branches, "bark.scale")->text(), QStringLiteral("19.7 in"));
+    // No parameter has changed by being shown, and a step is a round number of what is shown.
+    QCOMPARE(document.parameters(), TreeParameters());
+    numberOf(leaves, "leaves.length")->stepUp();
+    const double inches = document.parameters().leaves.length / kInch;
+    QVERIFY(inches > 3.55 && std::abs(inches * 100.0 - std::round(inches * 100.0)) < 1e-4);
 }
 
 void ParameterPanelTest::radiusSlider_keepsTheRadiusItIsGiven()

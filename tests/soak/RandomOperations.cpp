@@ -54,6 +54,7 @@ TreeParameters RandomOperations::parameters()
     parameters.widths.baseDiameter = onceIn(3) ? m_random.uniform(0.01, 1.0) : 0.0;
     parameters.leaves.visible = !onceIn(3);
     parameters.leaves.shape = static_cast<LeafShape>(below(kLeafShapeCount));
+    parameters.leaves.arrangement = static_cast<LeafArrangement>(below(kLeafArrangementCount));
     parameters.leaves.length = m_random.uniform(0.02, 0.3);
     parameters.bark.kind = static_cast<BarkKind>(below(kBarkKindCount));
     normaliseDirectionWeights(parameters.growth);

@@ -67,6 +67,8 @@ private Q_SLOTS:
     void ambientLight_isLessInsideTheCrown();
     void samples_smoothEdges();
     void picture_isTheSameAtAnySize();
+    void foliage_coversAsMuchFromAfar_data();
+    void foliage_coversAsMuchFromAfar();
     void sun_throwsTheShadowToItsOtherSide();
     void backdrops_differ();
     void gradient_goesFromColourToColour();
@@ -299,6 +301,56 @@ void RendererTest::picture_isTheSameAtAnySize()
     const double off = distance(small, large);
     QVERIFY2(off < 0.012, qPrintable(QString::number(off)));
     QVERIFY(distance(small, other) > 3.0 * off);
+}
+
+void RendererTest::foliage_coversAsMuchFromAfar_data()
+{
+    QTest::addColumn<LeafShape>("shape");
+    QTest::addColumn<int>("samples");
+    for (const LeafShape shape :
+         {LeafShape::Fascicle, LeafShape::Needles, LeafShape::Pinnate, LeafShape::Ovate}) {
+        for (const int samples : {1, RenderOptions::kBestSamples})
+            QTest::addRow("shape %d, %d samples", static_cast<int>(shape), samples) << shape << samples;
+    }
+}
+
+void RendererTest::foliage_coversAsMuchFromAfar()
+{
+    QFETCH(LeafShape, shape);
+    QFETCH(int, samples);
+    TreeParameters parameters;
+    parameters.leaves.shape = shape;
+    parameters.leaves.length = 0.3;
+    parameters.leaves.perNode = 1;
+    TreeDocument document;
+    document.reset(3, parameters);
+    while (document.index().livingCount() < 60)
+        document.apply(std::make_shared<TreeDelta>(test::randomGrowth(document.tree(), 30)));
+    TreeScene scene(document);
+    RenderOptions options;
+    options.background = QColor(Qt::transparent);
+    options.view.groundShown = false;
+    options.samples = samples;
+    // What share of the picture is covered, at the size that the leaves were painted for and far smaller.
+    const auto covered = [&](int edge) {
+        const Camera camera = pictureCamera(NamedView::Front, scene, {edge, edge});
+        const QImage image = *m_renderer->render(scene, camera, options);
+        image.save(
+            QStringLiteral("foliage-%1-%2-%3.png").arg(static_cast<int>(shape)).arg(samples).arg(edge));
+        double sum = 0.0;
+        for (int y = 0; y < edge; ++y) {
+            for (int x = 0; x < edge; ++x)
+                sum += qAlpha(image.pixel(x, y)) / 255.0;
+        }
+        return sum / (edge * edge);
+    };
+    const double near = covered(1200);
+    QVERIFY(near > 0.02);
+    for (const int edge : {300, 120}) {
+        const double far = covered(edge);
+        QVERIFY2(std::abs(far / near - 1.0) < (samples > 1 ? 0.12 : 0.3),
+                 qPrintable(QStringLiteral("%1 px: %2 of %3").arg(edge).arg(far).arg(near)));
+    }
 }
 
 void RendererTest::sun_throwsTheShadowToItsOtherSide()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/document/Lengths.h"
 #include "model/shape/Widths.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TreeBuilder.h"
@@ -554,7 +555,7 @@ void ShapingToolsTest::labels_saySoInCentimetres()
     };
     QVERIFY(labels().isEmpty());
     QTest::mouseMove(m_view.get(), at(middle(3)));
-    QCOMPARE(labels(), QStringList{Overlay::centimetres(diameter(3))});
+    QCOMPARE(labels(), QStringList{lengthText(diameter(3))});
     setWidth(*m_document, 3, 0.123);
     QTest::mouseMove(m_view.get(), QPoint(20, 20));
     QCOMPARE(labels(), QStringList{QStringLiteral("12 cm")});

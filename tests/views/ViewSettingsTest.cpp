@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/ViewSettings.h"
 
+#include "model/document/Lengths.h"
+
+#include <QLocale>
 #include <QtTest>
+
+#include <cmath>
+#include <limits>
+#include <optional>
 
 using namespace espalier;
 
@@ -12,8 +19,118 @@ private Q_SLOTS:
     void set_tellsOfChangesOnly();
     void values_stayWithinTheirLimits();
     void steppedRadius_goesDownToAnAxisAndUpAgain();
+    void lengths_areTypedInAnyUnit_data();
+    void lengths_areTypedInAnyUnit();
+    void lengths_readAsPeopleWriteThem_data();
+    void lengths_readAsPeopleWriteThem();
+    void lengths_readAgainAreTheSame();
     void studio_followsTheTheme();
 };
+
+void ViewSettingsTest::lengths_areTypedInAnyUnit_data()
+{
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<double>("metres"); // NaN for what is no length
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    const std::pair<const char*, double> rows[] = {
+        {"12", 0.12},
+        {"12 cm", 0.12},
+        {"12cm", 0.12},
+        {"0.3m", 0.3},
+        {"0,3 m", 0.3},
+        {"1 m 20", 1.2},
+        {"1 m 5 cm", 1.05},
+        {"3.5 mm", 0.0035},
+        {",5", 0.005},
+        {"5.", 0.05},
+        {"5 ft 3 in", 1.6002},
+        {"5'3", 1.6002},
+        {"5' 3\"", 1.6002},
+        {"5\u2032 3\u2033", 1.6002},
+        {"4 IN", 0.1016},
+        {"6 feet", 1.8288},
+        {"1.234,5 mm", 1.2345},
+        {"1,234.5 mm", 1.2345},
+        {"-2 m", -2.0},
+        {" 7 ", 0.07},
+        {"", none},
+        {"cm", none},
+        {"5 ft 3 in 2", none},
+        {"4 yards", none},
+        {"1e5", none},
+        {"inf", none},
+        {"nan m", none},
+        {"12 3", none},
+        {"5 m -3 cm", none},
+        {"..", none},
+    };
+    for (const auto& [typed, metres] : rows)
+        QTest::newRow(typed) << QString::fromUtf8(typed) << metres;
+}
+
+void ViewSettingsTest::lengths_areTypedInAnyUnit()
+{
+    QFETCH(QString, typed);
+    QFETCH(double, metres);
+    const std::optional<double> length = parseLength(typed, 0.01);
+    QCOMPARE(length.has_value(), !std::isnan(metres));
+    if (length)
+        QVERIFY2(std::abs(*length - metres) < 1e-12, qPrintable(QString::number(*length, 'g', 15)));
+}
+
+void ViewSettingsTest::lengths_readAsPeopleWriteThem_data()
+{
+    QTest::addColumn<double>("metres");
+    QTest::addColumn<QString>("metric");
+    QTest::addColumn<QString>("imperial");
+    QTest::newRow("nothing") << 0.0 << "0 cm"
+                             << "0 in";
+    QTest::newRow("twig") << 0.0042 << "0.42 cm"
+                          << "0.17 in";
+    QTest::newRow("leaf") << 0.09 << "9.0 cm"
+                          << "3.5 in";
+    QTest::newRow("branch") << 0.254 << "25 cm"
+                            << "10 in";
+    QTest::newRow("just less than a foot") << 0.3047 << "30 cm"
+                                           << "1 ft";
+    QTest::newRow("foot") << 0.3048 << "30 cm"
+                          << "1 ft";
+    QTest::newRow("crown") << 1.25 << "1.25 m"
+                           << "4 ft 1 in";
+}
+
+void ViewSettingsTest::lengths_readAsPeopleWriteThem()
+{
+    QFETCH(double, metres);
+    QFETCH(QString, metric);
+    QFETCH(QString, imperial);
+    QCOMPARE(units(), Units::Metric);
+    QCOMPARE(lengthText(metres), metric);
+    setUnits(Units::Imperial);
+    const QString text = lengthText(metres);
+    setUnits(Units::Metric);
+    QCOMPARE(text, imperial);
+    QLocale::setDefault(QLocale(QStringLiteral("de")));
+    const QString german = lengthText(metres);
+    QLocale::setDefault(QLocale::c());
+    QCOMPARE(german, QString(metric).replace(QLatin1Char('.'), QLatin1Char(',')));
+}
+
+void ViewSettingsTest::lengths_readAgainAreTheSame()
+{
+    for (const Units each : {Units::Metric, Units::Imperial}) {
+        setUnits(each);
+        for (double metres = 0.003; metres < 30.0; metres *= 1.07) {
+            const QString text = lengthText(metres);
+            const std::optional<double> again = parseLength(text, 1.0);
+            QVERIFY2(again && std::abs(*again - metres) < 0.051 * metres, qPrintable(text));
+            QCOMPARE(lengthText(*again), text);
+            // Round is round.
+            QVERIFY(std::abs(roundedLength(roundedLength(metres)) - roundedLength(metres)) < 1e-12);
+        }
+    }
+    setUnits(Units::Metric);
+}
 
 void ViewSettingsTest::set_tellsOfChangesOnly()
 {

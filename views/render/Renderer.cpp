@@ -36,6 +36,13 @@ Vec2 placeInPixel(int pass)
     return {place(0.7548776662466927), place(0.5698402909980532)};
 }
 
+/// What a pass adds to the lots that leaves draw, 0...1: evenly spread, too.
+float lotOf(int pass)
+{
+    const double at = 0.6180339887498949 * pass;
+    return static_cast<float>(at - std::floor(at));
+}
+
 Vector toVector(const Vec3& vector, float last)
 {
     return {vector.x(), vector.y(), vector.z(), last};
@@ -231,7 +238,8 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
     const bool isGridShown = options.view.gridShown && !options.background;
     frame.foot = {foot, options.view.groundShown ? 1.0F : 0.0F, isGridShown ? 1.0F : 0.0F, 0.0F};
     // Among several samples to a pixel there is room for finer detail.
-    frame.pass = {offset.x(), offset.y(), options.samples > 1 ? -0.7F : 0.0F, 0.0F};
+    const bool isOnly = options.samples == 1;
+    frame.pass = {offset.x(), offset.y(), isOnly ? 0.0F : -0.7F, isOnly ? -1.0F : lotOf(pass)};
     sendFrame();
 }
 
@@ -293,7 +301,7 @@ void Renderer::drawTree(const RenderOptions& options, float saturation)
     bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.barkColour());
     bindTexture(kNormalUnit, GL_TEXTURE_2D, m_tree.barkNormal());
     bark.bind();
-    bark.setUniformValue("widening", options.samples > 1 ? 0.2F : 0.4F);
+    bark.setUniformValue("widening", options.samples > 1 ? 0.04F : 0.4F);
     m_tree.drawBark();
 }
 

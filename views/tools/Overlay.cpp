@@ -34,17 +34,6 @@ void Overlay::addDots(std::span<const Vec3> points, const QColor& colour, float 
     m_points.insert(m_points.end(), points.begin(), points.end());
 }
 
-QString Overlay::centimetres(double metres)
-{
-    const double number = 100.0 * metres;
-    int digits = 0;
-    if (number < 1.0)
-        digits = 2;
-    else if (number < 10.0)
-        digits = 1;
-    return tr("%L1 cm").arg(number, 0, 'f', digits);
-}
-
 void Overlay::addCircle(const Vec3& centre, const Vec3& u, const Vec3& v, float radius, const QColor& colour,
                         float width)
 {

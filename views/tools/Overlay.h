@@ -4,7 +4,6 @@
 #include "model/envelope/EnvelopeMesh.h"
 
 #include <QColor>
-#include <QCoreApplication>
 #include <QPointF>
 #include <QString>
 
@@ -18,8 +17,6 @@ namespace espalier {
 /// device-independent pixels. What lies behind the tree is shown fainter, so that one sees where in the
 /// depth it is.
 class Overlay {
-    Q_DECLARE_TR_FUNCTIONS(Overlay)
-
 public:
     /// A translucent ball with an outline.
     struct Sphere {
@@ -85,9 +82,6 @@ public:
     const std::vector<Grid>& grids() const { return m_grids; }
     const std::vector<Label>& labels() const { return m_labels; }
     std::span<const Vec3> points() const { return m_points; }
-
-    /// A width as a person reads it: 0.42 cm, 4.2 cm, 42 cm. @p metres > 0.
-    static QString centimetres(double metres);
 
 private:
     std::vector<Sphere> m_spheres;

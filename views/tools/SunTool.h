@@ -3,6 +3,8 @@
 
 #include "views/tools/Tool.h"
 
+#include <QCoreApplication>
+
 #include <optional>
 
 namespace espalier {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/tools/WidthTool.h"
 
+#include "model/document/Lengths.h"
 #include "model/shape/Widths.h"
 
 #include <array>
@@ -239,7 +240,7 @@ void WidthTool::paintHandle(Overlay& overlay, InternodeId id, bool isLit, bool i
     overlay.addDots(ends, colour, isLit ? 11.0F : 9.0F, isLit ? 0.4F : 0.0F);
     overlay.addDots(std::array{place->centre}, colour, 5.0F);
     if (isLabelled)
-        overlay.addLabel({ends[1], {14.0, 0.0}, Overlay::centimetres(diameter), colour});
+        overlay.addLabel({ends[1], {14.0, 0.0}, lengthText(diameter), colour});
 }
 
 void WidthTool::paint(Overlay& overlay) const
@@ -263,7 +264,7 @@ void WidthTool::paint(Overlay& overlay) const
         }
         overlay.addLabel({place->centre + (bark + beyond) * place->across,
                           {8.0, 0.0},
-                          Overlay::centimetres(2.0 * static_cast<double>(bark)),
+                          lengthText(2.0 * static_cast<double>(bark)),
                           kHintColour});
     }
 }

@@ -29,6 +29,12 @@ private Q_SLOTS:
     void faces_lookUp();
     void sizes_varyAsMuchAsAsked();
     void needles_areAlongTheInternode();
+    void spiral_goesOnAlongTheAxisWhateverTheShoot();
+    void opposite_standsInTheGapsOfTheNodeBelow_data();
+    void opposite_standsInTheGapsOfTheNodeBelow();
+    void flat_liesLeftAndRightOfTheTwig();
+    void flat_ofAnUprightShootKeepsItsPlane();
+    void arrangement_isThatOfTheAxisWhereverATubeBegins();
     void leaves_dependOnSeedAndNodeAlone();
     void leaves_areTheSameOnOneThreadAndMany();
     void hue_shiftsFromGreenToRedWithWeakness();
@@ -278,6 +284,138 @@ void LeafPlacerTest::needles_areAlongTheInternode()
     const float top = builder.index.nodePosition(id).y();
     for (std::size_t i = 0; i < leaves.size(); ++i)
         QVERIFY(std::abs(leaves[i].position[1] - (top - 0.02F * static_cast<float>(i))) < 1e-6F);
+}
+
+void LeafPlacerTest::spiral_goesOnAlongTheAxisWhateverTheShoot()
+{
+    for (const int perNode : {1, 3}) {
+        TreeParameters parameters = exact();
+        parameters.leaves.arrangement = LeafArrangement::Spiral;
+        parameters.leaves.perNode = perNode;
+        TreeBuilder builder(1, parameters);
+        // The buds stand in two rows; the leaves do not care.
+        builder.growAxis(0, kTerminalSlot, continuing(0.0, 0.0, radians(180)), 12,
+                         continuing(0.0, 0.0, radians(180)));
+        std::vector<LeafInstance> upward; // from the foot of the axis
+        for (InternodeId id = 0; id < builder.tree.size(); ++id) {
+            const std::vector<LeafInstance> leaves = leavesOf(builder, id);
+            upward.insert(upward.end(), leaves.rbegin(), leaves.rend());
+        }
+        for (std::size_t i = 1; i < upward.size(); ++i) {
+            const Vec3 before = directionOf(upward[i - 1]);
+            const Vec3 after = directionOf(upward[i]);
+            const double turn =
+                std::remainder(std::atan2(after.z(), after.x()) - std::atan2(before.z(), before.x()),
+                               2.0 * std::numbers::pi);
+            QVERIFY2(std::abs(std::abs(degrees(turn)) - 137.507764) < 0.01,
+                     qPrintable(QString::number(degrees(turn))));
+            QVERIFY(upward[i].position[1] > upward[i - 1].position[1]);
+        }
+    }
+}
+
+void LeafPlacerTest::opposite_standsInTheGapsOfTheNodeBelow_data()
+{
+    QTest::addColumn<int>("perNode");
+    QTest::newRow("alternate") << 1;
+    QTest::newRow("decussate") << 2;
+    QTest::newRow("whorls of three") << 3;
+}
+
+void LeafPlacerTest::opposite_standsInTheGapsOfTheNodeBelow()
+{
+    QFETCH(int, perNode);
+    TreeParameters parameters = exact();
+    parameters.leaves.arrangement = LeafArrangement::Opposite;
+    parameters.leaves.perNode = perNode;
+    TreeBuilder builder(1, parameters);
+    builder.growAxis(0, kTerminalSlot, continuing(0.0, 0.0, radians(137.5)), 6,
+                     continuing(0.0, 0.0, radians(137.5)));
+    const double gap = 2.0 * std::numbers::pi / perNode;
+    for (InternodeId id = 1; id < builder.tree.size(); ++id) {
+        const std::vector<LeafInstance> below = leavesOf(builder, id - 1);
+        for (const LeafInstance& leaf : leavesOf(builder, id)) {
+            QCOMPARE(leaf.position, toArray(builder.index.nodePosition(id)));
+            const Vec3 direction = directionOf(leaf);
+            for (const LeafInstance& other : below) {
+                const double turn = std::atan2(direction.z(), direction.x()) -
+                                    std::atan2(directionOf(other).z(), directionOf(other).x());
+                QVERIFY(std::abs(std::abs(std::remainder(turn, gap)) - gap / 2.0) < 1e-3);
+            }
+        }
+    }
+}
+
+void LeafPlacerTest::flat_liesLeftAndRightOfTheTwig()
+{
+    TreeParameters parameters = exact();
+    parameters.leaves.arrangement = LeafArrangement::Flat;
+    parameters.leaves.perNode = 3;
+    TreeBuilder builder(1, parameters);
+    const InternodeId twig = builder.tree.size();
+    // A level twig whose buds go around it.
+    builder.growAxis(0, 0, branching(radians(90)), 8, continuing(0.0, 0.0, radians(137.5)));
+    const Vec3 axis = builder.index.heading(twig);
+    const Vec3 side = axis.cross(up()).normalized();
+    QVERIFY(std::abs(axis.y()) < 1e-5F);
+    std::vector<LeafInstance> outward;
+    for (InternodeId id = twig; id < builder.tree.size(); ++id) {
+        const std::vector<LeafInstance> leaves = leavesOf(builder, id);
+        outward.insert(outward.end(), leaves.rbegin(), leaves.rend());
+    }
+    QCOMPARE(outward.size(), std::size_t{24});
+    for (std::size_t i = 0; i < outward.size(); ++i) {
+        QVERIFY(std::abs(directionOf(outward[i]).y()) < 1e-4F);
+        QVERIFY(std::abs(normalOf(outward[i]).y() - 1.0F) < 1e-4F);
+        QVERIFY(std::abs(directionOf(outward[i]).dot(axis) - std::cos(parameters.leaves.angle)) < 1e-4);
+        if (i > 0)
+            QVERIFY(directionOf(outward[i]).dot(side) * directionOf(outward[i - 1]).dot(side) < 0.0F);
+    }
+}
+
+void LeafPlacerTest::flat_ofAnUprightShootKeepsItsPlane()
+{
+    TreeParameters parameters = exact();
+    parameters.leaves.arrangement = LeafArrangement::Flat;
+    parameters.leaves.perNode = 1;
+    TreeBuilder builder(1, parameters);
+    // It sways by a few degrees around upright.
+    for (int i = 0; i < 40; ++i)
+        builder.grow({.parent = builder.tree.size() - 1,
+                      .rotation = continuing(radians(4), static_cast<float>(i), radians(137.5))});
+    for (InternodeId id = 1; id < builder.tree.size(); ++id) {
+        if (builder.index.heading(id).y() < std::cos(radians(10)))
+            continue;
+        const Vec3 before = directionOf(leavesOf(builder, id - 1)[0]);
+        const Vec3 after = directionOf(leavesOf(builder, id)[0]);
+        // To the other side, as seen from above.
+        QVERIFY(before.x() * after.x() + before.z() * after.z() < 0.0F);
+    }
+}
+
+void LeafPlacerTest::arrangement_isThatOfTheAxisWhereverATubeBegins()
+{
+    for (const auto arrangement :
+         {LeafArrangement::Spiral, LeafArrangement::Opposite, LeafArrangement::Flat}) {
+        TreeParameters parameters;
+        parameters.leaves.arrangement = arrangement;
+        parameters.leaves.maxTips = 1000;
+        const TreeBuilder builder = randomTree(900, 11, parameters);
+        const LeafPlacer placer(builder.tree, builder.index);
+        bool someTubeBeginsWithinAnAxis = false;
+        for (const InternodeId base : tubesOf(builder.tree, builder.index)) {
+            someTubeBeginsWithinAnAxis |= builder.index.axis(base) != base;
+            std::vector<LeafInstance> tube(placer.count(base));
+            placer.placeTube(base, tube);
+            std::size_t done = 0;
+            for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(builder.index, id)) {
+                for (const LeafInstance& leaf : leavesOf(builder, id))
+                    QVERIFY(leaf == tube[done++]);
+            }
+            QCOMPARE(done, tube.size());
+        }
+        QVERIFY(someTubeBeginsWithinAnAxis);
+    }
 }
 
 void LeafPlacerTest::leaves_dependOnSeedAndNodeAlone()

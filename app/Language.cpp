@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+namespace espalier {
+
+namespace {
+
+const QString kName = QStringLiteral("language");
+
+void install(const QLocale& locale, const QString& texts, const QString& folder)
+{
+    auto* translator = new QTranslator(QCoreApplication::instance());
+    translator->setObjectName(kName);
+    if (translator->load(locale, texts, QStringLiteral("_"), folder))
+        QCoreApplication::installTranslator(translator);
+}
+
+} // namespace
+
+void speakLanguage(const QString& code)
+{
+    // A translator that goes takes its texts along.
+    qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(kName, Qt::FindDirectChildrenOnly));
+    const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
+    QLocale::setDefault(locale);
+    install(locale, QStringLiteral("espalier"), QStringLiteral(":/translations"));
+    install(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+}
+
+} // namespace espalier

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of MainWindow that makes what a person sees, and makes it anew in another language.
+#include "app/HelpController.h"
+#include "app/LibraryPanel.h"
+#include "app/MainWindow.h"
+#include "app/RecipeTool.h"
+#include "app/SettingsSheet.h"
+#include "app/Tour.h"
+#include "panels/BrushPanel.h"
+#include "panels/GrowPopOut.h"
+#include "panels/HelpPanel.h"
+#include "panels/LassoPopOut.h"
+#include "panels/architecture/ArchitecturePanel.h"
+#include "views/Viewport.h"
+
+#include <QImage>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kThumbnailEdge = 256;
+
+} // namespace
+
+QImage MainWindow::thumbnail()
+{
+    const QImage whole = m_workspace->viewport().grabPicture();
+    const int edge = std::min(whole.width(), whole.height());
+    const QRect middle((whole.width() - edge) / 2, (whole.height() - edge) / 2, edge, edge);
+    return whole.copy(middle).scaled(kThumbnailEdge, kThumbnailEdge, Qt::KeepAspectRatio,
+                                     Qt::SmoothTransformation);
+}
+
+void MainWindow::makeInterface()
+{
+    m_workspace = std::make_unique<Workspace>(m_document, m_viewSettings, m_actions,
+                                              [this](QMenu& menu) { m_files->fillRecentFiles(menu); });
+    setCentralWidget(m_workspace.get());
+    if (m_files)
+        m_files->setNotice(m_workspace->notice());
+    else
+        m_files = std::make_unique<FileController>(*this, m_document, m_settings, m_workspace->notice(),
+                                                   [this] { return thumbnail(); });
+    m_library = std::make_unique<LibraryController>(m_workspace->library(), *m_files, m_workspace->notice(),
+                                                    Library(m_settings.libraryFolder()));
+    connectPopOuts();
+    connectViewport();
+}
+
+void MainWindow::remakeInterface()
+{
+    m_workspace->viewport().cancelGesture();
+    auto* sheet = findChild<SettingsSheet*>();
+    const std::optional<QPoint> sheetPlace = sheet ? std::optional(sheet->pos()) : std::nullopt;
+    const QString control = sheet && sheet->focusWidget() ? sheet->focusWidget()->objectName() : QString();
+    delete sheet;
+    const Camera camera = m_workspace->viewport().camera();
+    const QString helpPage = m_workspace->isHelpShown() ? m_workspace->help().page() : QString();
+    const LibraryPanel::Section section = m_workspace->library().section();
+    const bool isMoreShown = m_workspace->architecture().isMoreShown();
+    const int tourStep = m_help->tour().step();
+    const bool isSample = m_help->isSample();
+
+    m_help.reset();
+    m_library.reset();
+    m_workspace.reset();
+    // What is made from now on takes its locale from the window.
+    unsetLocale();
+    m_actions.setTexts();
+    makeInterface();
+    m_help = std::make_unique<HelpController>(*this, m_settings, isSample);
+
+    if (m_recipeRunner.isRunning()) {
+        Viewport& viewport = m_workspace->viewport();
+        viewport.setTool(std::make_unique<RecipeTool>(viewport.toolContext(), m_recipeRunner));
+        updateTip();
+    } else {
+        takeTool();
+    }
+    m_workspace->growPopOut().setPlaying(m_timeRunner.isPlaying());
+    m_workspace->lassoPopOut().setGrowing(m_lassoRunner.isRunning());
+    m_workspace->architecture().showMore(isMoreShown);
+    m_workspace->library().showSection(section);
+    m_workspace->setInterfaceHidden(m_actions[ActionId::HideInterface]->isChecked());
+    m_workspace->showHistory(m_actions[ActionId::History]->isChecked());
+    if (m_actions[ActionId::Library]->isChecked()) {
+        m_library->refresh();
+        m_workspace->showLibrary(true);
+    }
+    showCheckedSheet();
+    if (!helpPage.isEmpty()) {
+        m_workspace->help().showPage(helpPage);
+        m_workspace->showHelp(true);
+    }
+    suitHand();
+    updateTitle();
+    updateEnabled();
+    m_workspace->show();
+    m_workspace->viewport().setCamera(camera);
+    if (tourStep >= 0)
+        m_help->tour().start(tourStep);
+    if (sheetPlace) {
+        SettingsSheet& again = showSettings();
+        again.move(*sheetPlace);
+        if (auto* same = again.findChild<QWidget*>(control))
+            same->setFocus();
+    } else {
+        m_workspace->viewport().setFocus();
+    }
+}
+
+void MainWindow::connectPopOuts()
+{
+    GrowPopOut& growPopOut = m_workspace->growPopOut();
+    connect(&growPopOut, &GrowPopOut::holdBegins, &m_growRunner, &GrowRunner::begin);
+    connect(&growPopOut, &GrowPopOut::holdEnds, &m_growRunner, &GrowRunner::release);
+    connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
+    connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
+    connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
+    connect(&growPopOut, &GrowPopOut::playToggled, this,
+            [this](bool plays) { plays ? m_timeRunner.play() : m_timeRunner.stop(); });
+    connect(&m_timeRunner, &TimeRunner::runningChanged, &growPopOut,
+            [this, &growPopOut] { growPopOut.setPlaying(m_timeRunner.isPlaying()); });
+
+    LassoPopOut& lassoPopOut = m_workspace->lassoPopOut();
+    connect(&lassoPopOut, &LassoPopOut::regrowAsked, this, [this] {
+        if (!isBusy())
+            m_lassoRunner.regrow();
+    });
+    connect(&lassoPopOut, &LassoPopOut::removeAsked, this, [this] {
+        if (!isBusy())
+            removeEnvelopes(m_document);
+    });
+    connect(&lassoPopOut, &LassoPopOut::stopAsked, &m_lassoRunner, &LassoRunner::end);
+    connect(&m_lassoRunner, &LassoRunner::runningChanged, &lassoPopOut, &LassoPopOut::setGrowing);
+}
+
+void MainWindow::connectViewport()
+{
+    Viewport& viewport = m_workspace->viewport();
+    // An eraser or another hand's gesture must find the tree at rest.
+    connect(&viewport, &Viewport::gestureActiveChanged, &m_lassoRunner, [this](bool active) {
+        if (active)
+            m_lassoRunner.end();
+    });
+    // A hand at work ends a film that is playing; it goes on from what is seen.
+    connect(&viewport, &Viewport::gestureActiveChanged, &m_timeRunner, &TimeRunner::release);
+    // Likewise growth, unless the hand holds it: what two make at once could not be undone apart.
+    connect(&viewport, &Viewport::gestureActiveChanged, this, [this, &viewport](bool active) {
+        if (active && !(toolInHand() == ActionId::Grow && viewport.tool().isActive()))
+            m_growRunner.end();
+    });
+    connect(&viewport, &Viewport::gestureActiveChanged, this, &MainWindow::updateEnabled);
+    connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
+    const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},
+                                                    {ActionId::SideView, NamedView::Side},
+                                                    {ActionId::TopView, NamedView::Top},
+                                                    {ActionId::ThreeQuarterView, NamedView::ThreeQuarter}};
+    for (const auto& [id, view] : views)
+        connect(m_actions[id], &QAction::triggered, &viewport,
+                [&viewport, side = view] { viewport.showFrom(side); });
+    connect(m_actions[ActionId::HideInterface], &QAction::toggled, m_workspace.get(),
+            &Workspace::setInterfaceHidden);
+    connect(m_actions[ActionId::History], &QAction::toggled, m_workspace.get(), &Workspace::showHistory);
+    connect(m_actions[ActionId::NextPane], &QAction::triggered, m_workspace.get(), &Workspace::focusNextPane);
+    connect(&m_workspace->brushSheet(), &BrushPanel::pressureExponentEdited, this, [this](double exponent) {
+        Preferences preferences = m_preferences;
+        preferences.pressureExponent = exponent;
+        prefer(preferences);
+        if (auto* open = findChild<SettingsSheet*>())
+            open->setPreferences(preferences);
+    });
+    QAction* library = m_actions[ActionId::Library];
+    connect(&m_workspace->library(), &LibraryPanel::closeAsked, library,
+            [library] { library->setChecked(false); });
+}
+
+} // namespace espalier
