@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/HelpController.h"
 #include "app/LibraryPanel.h"
-#include "app/LibraryView.h"
 #include "app/MainWindow.h"
 #include "app/SettingsSheet.h"
 #include "app/Tour.h"
 #include "commands/GrowGesture.h"
 #include "commands/ParameterGesture.h"
 #include "commands/RecipePlayer.h"
-#include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
-#include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterRow.h"
 #include "panels/RadiusSlider.h"
 #include "panels/RotationStrip.h"
 #include "panels/Theme.h"
-#include "panels/TourCard.h"
 #include "panels/ViewRow.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "panels/architecture/DiagramHandle.h"
@@ -28,6 +24,7 @@
 #include "panels/architecture/ValueField.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WidgetKinds.h"
+#include "tests/support/WindowPanes.h"
 #include "views/Viewport.h"
 
 #include <QtTest>
@@ -50,6 +47,7 @@ private Q_SLOTS:
     void enter_pressesTheButtonThatHasTheKeys();
 
 private:
+    using Pane = test::WindowPanes::Pane;
     /// All that a widget may change.
     struct State {
         TreeParameters parameters;
@@ -60,18 +58,9 @@ private:
 
         bool operator==(const State&) const = default;
     };
-    struct Pane {
-        const char* name;
-        std::function<QWidget*()> open;
-    };
-
-    std::vector<Pane> panes();
     Workspace& workspace() { return m_window->workspace(); }
     TreeDocument& document() { return m_window->document(); }
     QAction* action(ActionId id) { return m_window->actions()[id]; }
-    /// Opens the sheet, or the pop-out of the tool, or whatever the action shows, unless it is open.
-    void have(ActionId id);
-    void shutAll();
     /// A tree with a history: one step can be undone, one be redone.
     void prepareDocument();
     /// So that what @p widget does changes something.
@@ -83,12 +72,11 @@ private:
     void drive(const Pane& pane, const QString& name, int number, Way way);
     /// By Tab, from the first.
     std::set<const QWidget*> reachedByTab(QWidget& pane);
-    QWidget* openSettings();
 
     QTemporaryDir m_folder;
     std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<test::WindowPanes> m_panes;
     std::unique_ptr<test::WindowHand> m_hand;
-    bool m_areSpeciesThere = false;
     int m_driven = 0;
 };
 
@@ -160,6 +148,7 @@ void EveryWidgetTest::initTestCase()
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_panes = std::make_unique<test::WindowPanes>(*m_window);
     m_hand = std::make_unique<test::WindowHand>();
     // What is painted is no matter here, and takes the processor most of its time.
     m_window->setUpdatesEnabled(false);
@@ -167,116 +156,11 @@ void EveryWidgetTest::initTestCase()
 
 void EveryWidgetTest::cleanupTestCase()
 {
-    shutAll();
+    m_panes->shutAll();
     document().undoStack().setClean();
     m_hand.reset();
     m_window.reset();
     QVERIFY2(m_driven > 150, qPrintable(QString::number(m_driven)));
-}
-
-std::vector<EveryWidgetTest::Pane> EveryWidgetTest::panes()
-{
-    const auto of = [this](ActionId id, QWidget& pane) {
-        return [this, id, &pane] {
-            have(id);
-            return &pane;
-        };
-    };
-    return {
-        {"tools", [this] { return workspace().findChild<SideBar*>(); }},
-        {"bar at the top", [this] { return &workspace().topBar(); }},
-        {"rotation strip", [this] { return workspace().findChild<RotationStrip*>(); }},
-        {"architecture", of(ActionId::Architecture, workspace().architecture())},
-        {"more of the architecture",
-         [this] {
-             have(ActionId::Architecture);
-             workspace().architecture().showMore(true);
-             return workspace().architecture().row("growth.shadowFalloff")->parentWidget()->parentWidget();
-         }},
-        {"brush's sheet", of(ActionId::BrushSheet, workspace().sheet(1))},
-        {"leaves", of(ActionId::LeafSheet, workspace().sheet(2))},
-        {"branches", of(ActionId::BranchSheet, workspace().sheet(3))},
-        {"background", of(ActionId::Background, workspace().background())},
-        {"brush's pop-out", of(ActionId::Brush, *workspace().findChild<BrushPopOut*>())},
-        {"grow", of(ActionId::Grow, workspace().growPopOut())},
-        {"bend", of(ActionId::Bend, *workspace().findChild<BendPopOut*>())},
-        {"lasso", of(ActionId::Lasso, workspace().lassoPopOut())},
-        {"history", of(ActionId::History, workspace().history())},
-        {"help",
-         [this]() -> QWidget* {
-             if (!workspace().help().isVisible())
-                 action(ActionId::Help)->trigger();
-             workspace().help().showPage(QStringLiteral("prune"));
-             workspace().help().showPage(QStringLiteral("brush"));
-             return &workspace().help();
-         }},
-        {"library",
-         [this]() -> QWidget* {
-             have(ActionId::Library);
-             // They are read in the background.
-             m_areSpeciesThere =
-                 m_areSpeciesThere || QTest::qWaitFor([this] {
-                     return workspace().library().findChild<CardView*>()->model()->rowCount() > 8;
-                 });
-             return &workspace().library();
-         }},
-        {"settings", [this] { return openSettings(); }},
-        {"notice",
-         [this]() -> QWidget* {
-             if (!workspace().notice().isVisible())
-                 workspace().notice().ask(QStringLiteral("Well?"), QStringLiteral("Yes"),
-                                          QStringLiteral("No"), [](bool) {});
-             return &workspace().notice();
-         }},
-        {"tour",
-         [this]() -> QWidget* {
-             if (!m_window->help().tour().isRunning())
-                 m_window->help().startTour();
-             return workspace().findChild<TourCard*>();
-         }},
-        {"one branch alone",
-         [this]() -> QWidget* {
-             document().setCompetitors({.node = 0});
-             return workspace().findChild<QPushButton*>(QStringLiteral("growAll"));
-         }},
-    };
-}
-
-QWidget* EveryWidgetTest::openSettings()
-{
-    auto* sheet = m_window->findChild<SettingsSheet*>();
-    if (!sheet) {
-        action(ActionId::Settings)->trigger();
-        sheet = m_window->findChild<SettingsSheet*>();
-    }
-    sheet->activateWindow();
-    (void)QTest::qWaitForWindowActive(sheet);
-    return sheet;
-}
-
-void EveryWidgetTest::have(ActionId id)
-{
-    if (!action(id)->isChecked())
-        action(id)->trigger();
-}
-
-void EveryWidgetTest::shutAll()
-{
-    delete m_window->findChild<SettingsSheet*>();
-    m_window->help().tour().stop();
-    workspace().showHelp(false);
-    workspace().architecture().showMore(false);
-    workspace().notice().finish();
-    action(ActionId::HideInterface)->setChecked(false);
-    for (const ActionId id : {ActionId::Library, ActionId::History})
-        action(id)->setChecked(false);
-    for (const ActionId id : Actions::sheets()) {
-        if (action(id)->isChecked())
-            action(id)->trigger();
-    }
-    action(ActionId::Brush)->trigger();
-    m_window->activateWindow();
-    (void)QTest::qWaitForWindowActive(m_window.get());
 }
 
 void EveryWidgetTest::prepareDocument()
@@ -484,15 +368,15 @@ void EveryWidgetTest::widgets_answerToMouseFingerAndKeys_data()
 {
     QTest::addColumn<int>("pane");
     int number = 0;
-    for (const Pane& pane : panes())
+    for (const Pane& pane : m_panes->all())
         QTest::newRow(pane.name) << number++;
 }
 
 void EveryWidgetTest::widgets_answerToMouseFingerAndKeys()
 {
     QFETCH(const int, pane);
-    shutAll();
-    const Pane one = panes()[static_cast<std::size_t>(pane)];
+    m_panes->shutAll();
+    const Pane one = m_panes->all()[static_cast<std::size_t>(pane)];
     QWidget* root = one.open();
     QVERIFY(root && root->isVisible());
     const QList<QWidget*> widgets = test::widgetsToWorkWith(*root);
@@ -521,15 +405,15 @@ void EveryWidgetTest::widgets_answerToMouseFingerAndKeys()
             // A button may have opened something that lies over the rest.
             if (!one.open()->isVisible() || action(ActionId::HideInterface)->isChecked() ||
                 root == &workspace().topBar())
-                shutAll();
+                m_panes->shutAll();
         }
     }
 }
 
 void EveryWidgetTest::enter_pressesTheButtonThatHasTheKeys()
 {
-    shutAll();
-    have(ActionId::BranchSheet);
+    m_panes->shutAll();
+    m_panes->have(ActionId::BranchSheet);
     auto* prune = workspace().findChild<SideBar*>()->findChildren<BarButton*>().at(3);
     prune->setFocus();
     test::WindowHand::key(*prune, Qt::Key_Return);
