@@ -84,14 +84,18 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions", "Show the leaves."), "L", "leaves", true},
         {Architecture, Group::Window, "architecture", QT_TRANSLATE_NOOP("Actions", "Architecture"),
          QT_TRANSLATE_NOOP("Actions", "How the tree grows from now on."), "Ctrl+1", "", true},
+        {BrushSheet, Group::Window, "brushSheet", QT_TRANSLATE_NOOP("Actions", "Brush"),
+         QT_TRANSLATE_NOOP("Actions",
+                           "Size of the brush, pressure of the pen, and the room that it spreads."),
+         "Ctrl+2", "", true},
         {LeafSheet, Group::Window, "leafSheet", QT_TRANSLATE_NOOP("Actions", "Leaves"),
-         QT_TRANSLATE_NOOP("Actions", "What the leaves look like."), "Ctrl+2", "", true},
+         QT_TRANSLATE_NOOP("Actions", "What the leaves look like."), "Ctrl+3", "", true},
         {BranchSheet, Group::Window, "branchSheet", QT_TRANSLATE_NOOP("Actions", "Branches"),
-         QT_TRANSLATE_NOOP("Actions", "How thick branches are, and their bark."), "Ctrl+3", "", true},
+         QT_TRANSLATE_NOOP("Actions", "How thick branches are, and their bark."), "Ctrl+4", "", true},
         {Background, Group::Window, "background", QT_TRANSLATE_NOOP("Actions", "Background"),
          QT_TRANSLATE_NOOP("Actions",
                            "What is around the tree: background, ground, sun, a picture to draw after."),
-         "Ctrl+4", "", true},
+         "Ctrl+5", "", true},
         {History, Group::Window, "history", QT_TRANSLATE_NOOP("Actions", "History"),
          QT_TRANSLATE_NOOP("Actions", "All that you did, step by step; a click goes there."), "Ctrl+H",
          "history", true},
@@ -113,6 +117,13 @@ std::span<const ActionId> Actions::tools()
     static constexpr std::array kTools{ActionId::Brush, ActionId::Lasso, ActionId::Grow,     ActionId::Prune,
                                        ActionId::Bend,  ActionId::Width, ActionId::SelectBud};
     return kTools;
+}
+
+std::span<const ActionId> Actions::sheets()
+{
+    static constexpr std::array kSheets{ActionId::Architecture, ActionId::BrushSheet, ActionId::LeafSheet,
+                                        ActionId::BranchSheet, ActionId::Background};
+    return kSheets;
 }
 
 QString Actions::groupTitle(ActionGroup group)

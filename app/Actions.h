@@ -42,6 +42,7 @@ enum class ActionId {
     Markers,
     Leaves,
     Architecture,
+    BrushSheet,
     LeafSheet,
     BranchSheet,
     Background,
@@ -83,6 +84,8 @@ public:
     static QString groupTitle(ActionGroup group);
     /// The tools that a hand can hold one of, in the order of the side bar.
     static std::span<const ActionId> tools();
+    /// The sheets that the bar at the top pulls down, in its order and that of Workspace::sheet().
+    static std::span<const ActionId> sheets();
 
 private:
     std::array<QAction*, static_cast<std::size_t>(ActionId::Count)> m_actions{};

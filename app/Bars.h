@@ -4,6 +4,7 @@
 #include "app/Actions.h"
 #include "panels/Bar.h"
 
+#include <array>
 #include <functional>
 
 class QLabel;
@@ -31,13 +32,19 @@ public:
     void setTitle(const QString& name, bool modified);
 
 protected:
+    void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     QMenu* makeMenu(const Actions& actions, std::function<void(QMenu&)> fillRecentFiles);
+    void arrange();
     void showTitle();
+    QString mark() const;
+    int titleWidth() const; ///< px that it would like to have
 
     QLabel* m_title;
+    /// Buttons that give way where the window is narrow; as kYielding in the .cpp.
+    std::array<QWidget*, 4> m_yielding{};
     QString m_name;
     bool m_modified = false;
 };

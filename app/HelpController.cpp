@@ -33,10 +33,12 @@ HelpController::~HelpController() = default;
 QString HelpController::pageAtHand() const
 {
     const Actions& actions = m_window.actions();
-    const ActionId sheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet};
     for (int i = 0; i < Workspace::kSheetCount; ++i) {
-        if (m_window.workspace().sheet(i).isAncestorOf(QApplication::focusWidget()))
-            return actions[sheets[i]]->objectName();
+        if (!m_window.workspace().sheet(i).isAncestorOf(QApplication::focusWidget()))
+            continue;
+        const ActionId sheet = Actions::sheets()[static_cast<std::size_t>(i)];
+        // The tool and its sheet are one subject.
+        return actions[sheet == ActionId::BrushSheet ? ActionId::Brush : sheet]->objectName();
     }
     for (const ActionId id : Actions::tools()) {
         if (actions[id]->isChecked())

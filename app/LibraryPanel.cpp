@@ -115,12 +115,12 @@ QLayout* LibraryPanel::makeHeader()
     m_search->setPlaceholderText(tr("Search"));
     m_search->setAccessibleName(tr("Search"));
     m_search->setClearButtonEnabled(true);
-    m_search->setFixedSize(kSearchWidth, theme::kTarget - 6);
+    m_search->setFixedSize(kSearchWidth, theme::kTarget);
     line->addWidget(m_search);
     line->addSpacing(8);
     m_keep->setObjectName(QStringLiteral("keep"));
     m_keep->setToolTip(tr("Save the tree that is open into the library."));
-    m_keep->setMinimumHeight(theme::kTarget - 6);
+    m_keep->setMinimumHeight(theme::kTarget);
     line->addWidget(m_keep);
     auto* close = new BarButton(BarButton::Look::Icon, this);
     close->setIcon(icon(QStringLiteral("close")));

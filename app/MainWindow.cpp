@@ -10,6 +10,7 @@
 #include "app/SettingsSheet.h"
 #include "app/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
+#include "panels/BrushPanel.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
@@ -36,11 +37,6 @@ namespace {
 
 /// ms between two looks at whether a growing tree is still in sight.
 constexpr int kFollowInterval = 400;
-
-/// In the order of Workspace's.
-constexpr ActionId kSheets[] = {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet,
-                                ActionId::Background};
-static_assert(std::size(kSheets) == Workspace::kSheetCount);
 
 QString droppedFile(const QMimeData& data)
 {
@@ -88,7 +84,9 @@ MainWindow::MainWindow(QWidget* parent)
 {
     setMinimumSize(920, 680);
     setAcceptDrops(true);
-    m_viewSettings.setValues(m_settings.viewValues());
+    ViewValues view = m_settings.viewValues();
+    view.isThemeLight = theme::isLight();
+    m_viewSettings.setValues(view);
     // The program has its colours and its language already.
     const Preferences preferences = m_settings.preferences();
     m_preferences.look = preferences.look;
@@ -194,7 +192,7 @@ void MainWindow::connectView()
 
     auto* group = new QActionGroup(this);
     group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-    for (const ActionId id : kSheets)
+    for (const ActionId id : Actions::sheets())
         group->addAction(m_actions[id]);
     connect(group, &QActionGroup::triggered, this, &MainWindow::showCheckedSheet);
     connect(m_actions[ActionId::FullScreen], &QAction::triggered, this, [this](bool on) {
@@ -222,9 +220,10 @@ void MainWindow::connectLibrary()
 
 void MainWindow::showCheckedSheet()
 {
-    const auto* checked =
-        std::ranges::find_if(kSheets, [this](ActionId id) { return m_actions[id]->isChecked(); });
-    m_workspace->showSheet(checked == std::end(kSheets) ? -1 : static_cast<int>(checked - kSheets));
+    const std::span<const ActionId> sheets = Actions::sheets();
+    const auto checked =
+        std::ranges::find_if(sheets, [this](ActionId id) { return m_actions[id]->isChecked(); });
+    m_workspace->showSheet(checked == sheets.end() ? -1 : static_cast<int>(checked - sheets.begin()));
 }
 
 SettingsSheet& MainWindow::showSettings()
@@ -235,12 +234,15 @@ SettingsSheet& MainWindow::showSettings()
     }
     auto* sheet = new SettingsSheet(m_preferences, this);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
-    connect(sheet, &SettingsSheet::preferencesEdited, this, [this](const Preferences& preferences) {
-        m_settings.setPreferences(preferences);
-        apply(preferences);
-    });
+    connect(sheet, &SettingsSheet::preferencesEdited, this, &MainWindow::prefer);
     sheet->show();
     return *sheet;
+}
+
+void MainWindow::prefer(const Preferences& preferences)
+{
+    m_settings.setPreferences(preferences);
+    apply(preferences);
 }
 
 void MainWindow::apply(const Preferences& preferences)
@@ -248,6 +250,7 @@ void MainWindow::apply(const Preferences& preferences)
     const Preferences before = std::exchange(m_preferences, preferences);
     if (preferences.look != before.look) {
         theme::apply(*qApp, preferences.look);
+        m_viewSettings.set(&ViewValues::isThemeLight, theme::isLight());
         m_workspace->help().showPage(m_workspace->help().page());
     }
     if (preferences.language != before.language)
@@ -267,6 +270,7 @@ void MainWindow::suitHand()
     m_workspace->setToolsRight(m_preferences.areToolsRight);
     m_workspace->viewport().setMouseScheme(m_preferences.mouse);
     m_workspace->viewport().setPressureExponent(m_preferences.pressureExponent);
+    m_workspace->brushSheet().setPressureExponent(m_preferences.pressureExponent);
 }
 
 void MainWindow::followDocument()
@@ -372,7 +376,7 @@ void MainWindow::cancel()
         m_document.setCompetitors({});
         return;
     }
-    for (const ActionId id : kSheets) {
+    for (const ActionId id : Actions::sheets()) {
         if (m_actions[id]->isChecked())
             m_actions[id]->trigger();
     }
@@ -397,10 +401,12 @@ void MainWindow::updateEnabled()
     // Parameters may change while the tree grows: growth knows how to wait for them.
     const bool isGrowing = m_growRunner.isRunning() || m_lassoRunner.isRunning();
     for (int i = 0; i < Workspace::kSheetCount; ++i) {
-        // What changes the view alone is never in the way.
-        if (&m_workspace->sheet(i) != &m_workspace->background())
-            m_workspace->sheet(i).setEnabled(isGrowing || !isBusy());
+        // What changes the view or the hand alone is never in the way.
+        Bar& sheet = m_workspace->sheet(i);
+        if (&sheet != &m_workspace->background() && &sheet != &m_workspace->brushSheet())
+            sheet.setEnabled(isGrowing || !isBusy());
     }
+    m_workspace->brushSheet().setParametersEnabled(isGrowing || !isBusy());
     m_workspace->history().setEnabled(!isBusy());
     m_workspace->library().setMayKeep(!isBusy());
 }

@@ -68,6 +68,8 @@ private:
     /// The middle of what the viewport shows.
     QImage thumbnail();
     SettingsSheet& showSettings();
+    /// The person prefers these from now on.
+    void prefer(const Preferences& preferences);
     /// Puts the preferences in force.
     void apply(const Preferences& preferences);
     /// Those that the workspace keeps.

@@ -6,6 +6,7 @@
 #include "app/RecipeTool.h"
 #include "app/SettingsSheet.h"
 #include "app/Tour.h"
+#include "panels/BrushPanel.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
 #include "panels/LassoPopOut.h"
@@ -173,6 +174,13 @@ void MainWindow::connectViewport()
             &Workspace::setInterfaceHidden);
     connect(m_actions[ActionId::History], &QAction::toggled, m_workspace.get(), &Workspace::showHistory);
     connect(m_actions[ActionId::NextPane], &QAction::triggered, m_workspace.get(), &Workspace::focusNextPane);
+    connect(&m_workspace->brushSheet(), &BrushPanel::pressureExponentEdited, this, [this](double exponent) {
+        Preferences preferences = m_preferences;
+        preferences.pressureExponent = exponent;
+        prefer(preferences);
+        if (auto* open = findChild<SettingsSheet*>())
+            open->setPreferences(preferences);
+    });
     QAction* library = m_actions[ActionId::Library];
     connect(&m_workspace->library(), &LibraryPanel::closeAsked, library,
             [library] { library->setChecked(false); });

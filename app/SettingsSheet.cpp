@@ -26,7 +26,7 @@ namespace {
 constexpr int kSteps = 100; ///< Of the slider, to either side
 constexpr int kColumn = 300;
 constexpr int kLabel = 148;
-constexpr int kControl = theme::kTarget - 6;
+constexpr int kControl = theme::kTarget;
 
 /// The slider is logarithmic: its middle is a straight line.
 int sliderOf(double exponent)
@@ -118,8 +118,7 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
     connect(m_curve, &PressureCurve::exponentEdited, this, [this] { edit(); });
     connect(m_defaults, &QPushButton::clicked, this, [this] { take({}); });
     connect(close, &QPushButton::clicked, this, &QDialog::close);
-    m_preferences = preferences;
-    display(preferences);
+    setPreferences(preferences);
 }
 
 QLabel* SettingsSheet::makeNote(const QString& text)
@@ -216,6 +215,12 @@ QLayout* SettingsSheet::makeWork()
     form->addRow(makeLabel(tr("Library"), change), change);
     form->addRow(m_folder);
     return form;
+}
+
+void SettingsSheet::setPreferences(const Preferences& preferences)
+{
+    m_preferences = preferences;
+    display(preferences);
 }
 
 void SettingsSheet::display(const Preferences& preferences)

@@ -24,6 +24,8 @@ public:
     explicit SettingsSheet(const Preferences& preferences, QWidget* parent = nullptr);
 
     const Preferences& preferences() const { return m_preferences; }
+    /// Shows what was preferred elsewhere; no signal.
+    void setPreferences(const Preferences& preferences);
 
 Q_SIGNALS:
     void preferencesEdited(const espalier::Preferences& preferences);

@@ -2,9 +2,11 @@
 #include "app/Workspace.h"
 
 #include "app/LibraryPanel.h"
+#include "app/Settings.h"
 #include "app/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
+#include "panels/BrushPanel.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
@@ -27,6 +29,7 @@ namespace {
 constexpr int kTopBarHeight = 50;
 constexpr int kGap = 10;
 constexpr int kStatusHeight = 60;
+constexpr int kStatusMargin = 20;
 /// ms; a tree that grows under the brush is counted no more often.
 constexpr int kCountInterval = 200;
 
@@ -36,6 +39,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
                      std::function<void(QMenu&)> fillRecentFiles, QWidget* parent)
     : QWidget(parent),
       m_document(document),
+      m_settings(settings),
       m_viewport(new Viewport(document, settings, this)),
       m_topBar(new TopBar(actions, std::move(fillRecentFiles), this)),
       m_sideBar(new SideBar(actions, this)),
@@ -44,6 +48,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
       m_architecture(new ArchitecturePanel(document, this)),
+      m_brushSheet(new BrushPanel(document, settings, Preferences::kSoftest, Preferences::kFirmest, this)),
       m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_library(new LibraryPanel(this)),
@@ -54,13 +59,11 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_counts(new QLabel(this)),
       m_tip(new QLabel(this))
 {
-    m_sheets = {m_architecture, new ParameterPanel(document, ParameterSheet::Leaves, this),
+    m_sheets = {m_architecture, m_brushSheet, new ParameterPanel(document, ParameterSheet::Leaves, this),
                 new ParameterPanel(document, ParameterSheet::Branches, this), m_background};
     connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
-    for (QLabel* label : {m_counts, m_tip}) {
+    for (QLabel* label : {m_counts, m_tip})
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
-        theme::setTone(*label, theme::Tone::OverPicture);
-    }
     m_onlyOne->setObjectName(QStringLiteral("growAll"));
     m_onlyOne->setToolTip(tr("Let all buds grow again"));
     m_onlyOne->setMinimumHeight(theme::kTarget);
@@ -68,6 +71,8 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     connect(&document, &TreeDocument::competitorsChanged, this, &Workspace::arrange);
     connect(m_viewport, &Viewport::cameraChanged, this,
             [this] { m_strip->setAzimuth(static_cast<double>(m_viewport->camera().azimuth())); });
+    connect(&settings, &ViewSettings::changed, this, &Workspace::followBackdrop);
+    followBackdrop();
     connect(m_notice, &Notice::resized, this, &Workspace::arrange);
     m_countTimer.setSingleShot(true);
     m_countTimer.setInterval(kCountInterval);
@@ -177,6 +182,14 @@ void Workspace::showCounts()
     arrange();
 }
 
+void Workspace::followBackdrop()
+{
+    const bool isLight = isBackdropLight(m_settings.values());
+    for (QLabel* label : {m_counts, m_tip})
+        theme::setTone(*label, isLight ? theme::Tone::OverLight : theme::Tone::OverDark);
+    m_strip->setOverLight(isLight);
+}
+
 void Workspace::arrange()
 {
     const bool shown = !m_isHidden && !m_isLibraryShown;
@@ -208,6 +221,7 @@ void Workspace::arrange()
     m_sideBar->setVisible(shown);
     const int x = tools.right() + 1 + kGap;
 
+    QRect sheetPlace;
     for (int i = 0; i < kSheetCount; ++i) {
         Bar& panel = sheet(i);
         panel.setVisible(shown && i == m_sheet);
@@ -221,7 +235,8 @@ void Workspace::arrange()
             const QSize wanted = panel.sizeHint();
             panel.setGeometry(placed({x, y, std::min(wanted.width(), room), wanted.height()}));
         }
-        y = panel.geometry().bottom() + 1 + kGap;
+        sheetPlace = panel.geometry();
+        y = sheetPlace.bottom() + 1 + kGap;
     }
 
     m_viewport->setFrameMargins({0, y - kGap, width() - right, kStatusHeight});
@@ -229,34 +244,44 @@ void Workspace::arrange()
                                                    {m_growPopOut, PopOut::Grow},
                                                    {m_bendPopOut, PopOut::Bend},
                                                    {m_lassoPopOut, PopOut::Lasso}};
+    const int lowestPopOut = height() - Viewport::kStripHeight - 4;
     QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {
-        const QSize size = popOut->sizeHint();
+        const int least = popOut->minimumSizeHint().height();
+        const QSize size(popOut->sizeHint().width(),
+                         std::clamp(lowestPopOut - y, least, popOut->sizeHint().height()));
         popOut->setGeometry(placed(QRect(QPoint(x, y), size)));
-        // A small window has room for a sheet or for a pop-out.
-        popOut->setVisible(shown && kind == m_popOut && y + size.height() + kGap <= height());
+        // A small window has room for a sheet or for a pop-out; the brush's sheet has all of its pop-out.
+        const bool isOnSheet = popOut == m_brushPopOut && m_brushSheet->isVisibleTo(this);
+        popOut->setVisible(shown && kind == m_popOut && !isOnSheet && y + least <= lowestPopOut);
         if (popOut->isVisibleTo(this))
             popOutPlace = popOut->geometry();
     }
 
+    // Beside the sheet, or below one that is as wide as the window.
     const QSize history = m_history->sizeHint();
-    const int historyTop = kTopBarHeight + kGap;
-    m_history->setGeometry(placed({right - history.width() - kGap, historyTop, history.width(),
-                                   std::min(history.height(), lowest - historyTop)}));
+    QRect historyPlace = placed({right - history.width() - kGap, kTopBarHeight + kGap, history.width(), 0});
+    if (sheetPlace.right() + kGap >= historyPlace.left() && sheetPlace.left() - kGap <= historyPlace.right())
+        historyPlace.moveTop(y);
+    historyPlace.setHeight(std::min(history.height(), lowest - historyPlace.top()));
+    m_history->setGeometry(historyPlace);
     m_history->setVisible(shown && m_isHistoryShown);
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
     m_onlyOne->adjustSize();
-    m_onlyOne->move((right - m_onlyOne->width()) / 2, kTopBarHeight + kGap);
+    m_onlyOne->move((right - m_onlyOne->width()) / 2, y);
     m_onlyOne->setVisible(!m_isLibraryShown && !m_document.competitors().areAll());
 
     const int bottom = height() - Viewport::kStripHeight - 2;
     m_counts->adjustSize();
-    m_counts->move(width() - m_counts->width() - 20, bottom - m_counts->height());
-    m_counts->setVisible(shown);
     m_tip->adjustSize();
-    m_tip->move(20, bottom - m_tip->height());
-    m_tip->setVisible(shown && m_tip->geometry().right() + kGap < m_counts->x() &&
+    // Counts stand where no pop-out is, the tip on the side of the tools.
+    QLabel* const left = m_areToolsRight ? m_counts : m_tip;
+    QLabel* const farther = m_areToolsRight ? m_tip : m_counts;
+    left->move(kStatusMargin, bottom - left->height());
+    farther->move(width() - farther->width() - kStatusMargin, bottom - farther->height());
+    m_counts->setVisible(shown);
+    m_tip->setVisible(shown && left->geometry().right() + kGap < farther->x() &&
                       !m_tip->geometry().intersects(popOutPlace));
 
     const int most = std::min(right - 2 * kGap, 860);

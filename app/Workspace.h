@@ -19,6 +19,7 @@ class ArchitecturePanel;
 class BackgroundPanel;
 class Bar;
 class BendPopOut;
+class BrushPanel;
 class BrushPopOut;
 class GrowPopOut;
 class HelpPanel;
@@ -36,7 +37,7 @@ class Workspace : public QWidget {
 
 public:
     enum class PopOut { None, Brush, Grow, Bend, Lasso };
-    static constexpr int kSheetCount = 4;
+    static constexpr int kSheetCount = 5;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
               std::function<void(QMenu&)> fillRecentFiles, QWidget* parent = nullptr);
@@ -49,6 +50,7 @@ public:
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
     ArchitecturePanel& architecture() { return *m_architecture; }
 
+    BrushPanel& brushSheet() { return *m_brushSheet; }
     BackgroundPanel& background() { return *m_background; }
     HistoryPanel& history() { return *m_history; }
     HelpPanel& help() { return *m_help; }
@@ -78,8 +80,11 @@ protected:
 private:
     void arrange();
     void showCounts();
+    /// Words over the picture are legible on whatever stands behind the tree.
+    void followBackdrop();
 
     const TreeDocument& m_document;
+    const ViewSettings& m_settings;
     Viewport* m_viewport;
     TopBar* m_topBar;
     SideBar* m_sideBar;
@@ -88,6 +93,7 @@ private:
     BendPopOut* m_bendPopOut;
     LassoPopOut* m_lassoPopOut;
     ArchitecturePanel* m_architecture;
+    BrushPanel* m_brushSheet;
     BackgroundPanel* m_background;
     std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;

@@ -3,6 +3,7 @@
 
 #include "panels/Sideways.h"
 #include "panels/Theme.h"
+#include "panels/ViewField.h"
 #include "panels/ViewRow.h"
 
 #include <QColorDialog>
@@ -23,26 +24,9 @@ namespace {
 
 using enum Quantity;
 
-/// A value of the view as a row shows it, in surface units.
-struct Field {
-    ParameterInfo info;
-    ParameterText text;
-    double (*get)(const ViewValues&);
-    void (*set)(ViewValues&, double);
-};
-
-template <bool ViewValues::*Member>
-constexpr Field switchField(const char* key, const char* label, const char* tip)
-{
-    return {{key, Switch, 0, 1},
-            {key, label, "", tip},
-            [](const ViewValues& values) { return values.*Member ? 1.0 : 0.0; },
-            [](ViewValues& values, double value) { values.*Member = value != 0.0; }};
-}
-
 template <double TracingImage::*Member>
-constexpr Field tracingField(const char* key, const char* label, const char* tip, double least, double most,
-                             ParameterText::Scale scale, const char* unit)
+constexpr ViewField tracingField(const char* key, const char* label, const char* tip, double least,
+                                 double most, ParameterText::Scale scale, const char* unit)
 {
     return {{key, *unit == '\0' ? Number : Metres, least, most},
             {key, label, "", tip, scale, 2, unit},
@@ -58,7 +42,13 @@ double shownAzimuth(const ViewValues& values)
 
 constexpr auto kLinear = ParameterText::Scale::Linear;
 constexpr auto kLogarithmic = ParameterText::Scale::Logarithmic;
-constexpr int kColumnWidth = 196;     ///< px
+// Widths of columns, px; a window of 1024 has room for all.
+constexpr int kBehindWidth = 190;
+constexpr int kGroundWidth = 112;
+constexpr int kSunWidth = 160;
+constexpr int kTracingWidth = 118;
+constexpr int kPlaceWidth = 150;
+constexpr int kSpacing = 18;
 constexpr double kMostTracing = 20.0; ///< m; sliders go no farther
 
 // In columns, from left to right.
@@ -78,26 +68,28 @@ enum FieldPlace : std::size_t {
     FieldCount
 };
 
-constexpr std::array<Field, FieldCount> kFields{{
-    {{"view.backdrop", Choice, 0, kBackdropCount - 1, "studio horizon plain gradient"},
+constexpr std::array<ViewField, FieldCount> kFields{{
+    {{"view.backdrop", Choice, 0, kBackdropCount - 1,
+      "studio horizon plain gradient dark_studio light_studio"},
      {"view.backdrop", QT_TRANSLATE_NOOP("Parameters", "Behind"), "",
-      QT_TRANSLATE_NOOP("Parameters", "What stands behind the tree.")},
+      QT_TRANSLATE_NOOP("Parameters",
+                        "What stands behind the tree. The studio is dark or light as the program is.")},
      [](const ViewValues& values) { return static_cast<double>(values.backdrop); },
      [](ViewValues& values, double value) {
          values.backdrop = static_cast<Backdrop>(static_cast<int>(value));
      }},
-    switchField<&ViewValues::groundShown>(
+    viewSwitch<&ViewValues::groundShown>(
         "view.groundShown", QT_TRANSLATE_NOOP("Parameters", "Ground"),
         QT_TRANSLATE_NOOP("Parameters", "Ground below the tree, with the tree's shadow.")),
-    switchField<&ViewValues::gridShown>(
+    viewSwitch<&ViewValues::gridShown>(
         "view.gridShown", QT_TRANSLATE_NOOP("Parameters", "Grid"),
         QT_TRANSLATE_NOOP("Parameters", "Lines on the ground, a metre apart.")),
-    switchField<&ViewValues::shadowsShown>("view.shadowsShown", QT_TRANSLATE_NOOP("Parameters", "Shadows"),
-                                           QT_TRANSLATE_NOOP("Parameters", "Shadows of the sun.")),
-    switchField<&ViewValues::sunShown>(
+    viewSwitch<&ViewValues::shadowsShown>("view.shadowsShown", QT_TRANSLATE_NOOP("Parameters", "Shadows"),
+                                          QT_TRANSLATE_NOOP("Parameters", "Shadows of the sun.")),
+    viewSwitch<&ViewValues::sunShown>(
         "view.sunShown", QT_TRANSLATE_NOOP("Parameters", "Show the sun"),
         QT_TRANSLATE_NOOP("Parameters", "Show the sun as a ball that you can drag about the tree.")),
-    switchField<&ViewValues::sunPinned>(
+    viewSwitch<&ViewValues::sunPinned>(
         "view.sunPinned", QT_TRANSLATE_NOOP("Parameters", "Pin the sun"),
         QT_TRANSLATE_NOOP("Parameters", "The sun stays where it is on the screen when the tree is turned; "
                                         "otherwise it turns with the tree.")),
@@ -131,8 +123,9 @@ constexpr std::array<Field, FieldCount> kFields{{
 
 // What choiceNames() asks for
 [[maybe_unused]] constexpr const char* kChoiceNames[] = {
-    QT_TRANSLATE_NOOP("Parameters", "studio"), QT_TRANSLATE_NOOP("Parameters", "horizon"),
-    QT_TRANSLATE_NOOP("Parameters", "plain"), QT_TRANSLATE_NOOP("Parameters", "gradient")};
+    QT_TRANSLATE_NOOP("Parameters", "studio"),      QT_TRANSLATE_NOOP("Parameters", "horizon"),
+    QT_TRANSLATE_NOOP("Parameters", "plain"),       QT_TRANSLATE_NOOP("Parameters", "gradient"),
+    QT_TRANSLATE_NOOP("Parameters", "dark_studio"), QT_TRANSLATE_NOOP("Parameters", "light_studio")};
 
 QIcon swatch(const QColor& colour)
 {
@@ -145,7 +138,7 @@ QPushButton* makeButton(const QString& text, const char* name, QVBoxLayout& colu
 {
     auto* button = new QPushButton(text, parent);
     button->setObjectName(QString::fromLatin1(name));
-    button->setMinimumHeight(theme::kTarget - 8);
+    button->setMinimumHeight(theme::kTarget);
     button->setFocusPolicy(Qt::TabFocus);
     column.addWidget(button);
     return button;
@@ -158,21 +151,21 @@ BackgroundPanel::BackgroundPanel(ViewSettings& settings, QWidget* parent)
 {
     auto* columns = new QHBoxLayout(m_content);
     columns->setContentsMargins(20, 14, 20, 12);
-    columns->setSpacing(18);
+    columns->setSpacing(kSpacing);
 
-    QVBoxLayout* behind = addColumn(tr("Background"));
+    QVBoxLayout* behind = addColumn(tr("Background"), kBehindWidth);
     addRow(*behind, BackdropField);
     m_colour = addColour(*behind, "backgroundColour", tr("The colour, or that at the lower edge."),
                          &ViewValues::backgroundColour);
     m_topColour =
         addColour(*behind, "backgroundTop", tr("The colour at the upper edge."), &ViewValues::backgroundTop);
-    QVBoxLayout* ground = addColumn(tr("Ground"));
+    QVBoxLayout* ground = addColumn(tr("Ground"), kGroundWidth);
     for (const FieldPlace field : {GroundField, GridField, ShadowsField})
         addRow(*ground, field);
-    QVBoxLayout* sun = addColumn(tr("Sun"));
+    QVBoxLayout* sun = addColumn(tr("Sun"), kSunWidth);
     for (const FieldPlace field : {SunShownField, SunPinnedField, AzimuthField, ElevationField})
         addRow(*sun, field);
-    addTracing(*addColumn(tr("Picture to draw after")));
+    addTracing(*addColumn(tr("Picture to draw after"), kTracingWidth + kSpacing + kPlaceWidth));
     for (QVBoxLayout* column : {behind, ground, sun})
         column->addStretch();
 
@@ -183,13 +176,13 @@ BackgroundPanel::BackgroundPanel(ViewSettings& settings, QWidget* parent)
     showValues();
 }
 
-QVBoxLayout* BackgroundPanel::addColumn(const QString& title)
+QVBoxLayout* BackgroundPanel::addColumn(const QString& title, int width)
 {
     auto* columns = static_cast<QHBoxLayout*>(m_content->layout());
     if (columns->count() > 0)
         columns->addWidget(barSeparator(Qt::Vertical, m_content));
     auto* box = new QWidget(m_content);
-    box->setFixedWidth(kColumnWidth);
+    box->setFixedWidth(width);
     auto* column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
@@ -200,14 +193,8 @@ QVBoxLayout* BackgroundPanel::addColumn(const QString& title)
 
 void BackgroundPanel::addRow(QVBoxLayout& column, std::size_t field)
 {
-    auto* row = new ViewRow({kFields[field].info, kFields[field].text}, column.parentWidget());
-    column.addWidget(row);
-    m_rows[field] = row;
-    connect(row, &ViewRow::edited, this, [this, field](double value) {
-        ViewValues values = m_settings.values();
-        kFields[field].set(values, value);
-        m_settings.setValues(values);
-    });
+    m_rows[field] = makeViewRow(kFields[field], m_settings, column.parentWidget());
+    column.addWidget(m_rows[field]);
 }
 
 QPushButton* BackgroundPanel::addColour(QVBoxLayout& column, const char* name, const QString& toolTip,
@@ -222,20 +209,31 @@ QPushButton* BackgroundPanel::addColour(QVBoxLayout& column, const char* name, c
 
 void BackgroundPanel::addTracing(QVBoxLayout& column)
 {
-    QPushButton* choose = makeButton(tr("Choose…"), "tracingChoose", column, column.parentWidget());
+    QWidget* parent = column.parentWidget();
+    auto* line = new QHBoxLayout;
+    line->setSpacing(kSpacing);
+    column.addLayout(line);
+    auto* file = new QVBoxLayout;
+    line->addLayout(file);
+    QPushButton* choose = makeButton(tr("Choose…"), "tracingChoose", *file, parent);
     choose->setToolTip(tr("Choose a picture to show behind the tree, so that you can draw after it."));
     connect(choose, &QPushButton::clicked, this, &BackgroundPanel::askForTracing);
-    m_remove = makeButton(tr("Remove"), "tracingRemove", column, column.parentWidget());
+    m_remove = makeButton(tr("Remove"), "tracingRemove", *file, parent);
     m_remove->setToolTip(tr("Show no picture behind the tree."));
     connect(m_remove, &QPushButton::clicked, this, [this] { trace({}); });
-    m_tracingName = new QLabel(column.parentWidget());
+    m_tracingName = new QLabel(parent);
     m_tracingName->setTextFormat(Qt::PlainText);
-    column.addWidget(m_tracingName);
-    column.addStretch();
-    QVBoxLayout* place = addColumn(QString());
-    for (const FieldPlace field : {OpacityField, HeightField, RightField, UpField})
+    file->addWidget(m_tracingName);
+    file->addStretch();
+    auto* place = new QVBoxLayout;
+    place->setSpacing(2);
+    line->addLayout(place);
+    for (const FieldPlace field : {OpacityField, HeightField, RightField, UpField}) {
         addRow(*place, field);
+        m_rows[field]->setFixedWidth(kPlaceWidth);
+    }
     place->addStretch();
+    column.addStretch();
 }
 
 ViewRow* BackgroundPanel::row(const char* key) const
@@ -278,10 +276,6 @@ void BackgroundPanel::trace(const QString& file)
 void BackgroundPanel::showValues()
 {
     const ViewValues& values = m_settings.values();
-    for (std::size_t field = 0; field < FieldCount; ++field) {
-        if (const double value = kFields[field].get(values); m_rows[field]->value() != value)
-            m_rows[field]->setValue(value);
-    }
     const bool isGradient = values.backdrop == Backdrop::Gradient;
     m_colour->setText(isGradient ? tr("Lower colour") : tr("Colour"));
     m_colour->setIcon(swatch(values.backgroundColour));
@@ -300,7 +294,7 @@ void BackgroundPanel::showValues()
     const bool isThere = file.isEmpty() || QImageReader(file).canRead();
     const QString name = QFileInfo(file).fileName();
     const QString told = isThere ? name : tr("%1 cannot be read.").arg(name);
-    m_tracingName->setText(m_tracingName->fontMetrics().elidedText(told, Qt::ElideMiddle, kColumnWidth));
+    m_tracingName->setText(m_tracingName->fontMetrics().elidedText(told, Qt::ElideMiddle, kTracingWidth));
     m_tracingName->setToolTip(told);
 }
 

@@ -3,7 +3,9 @@
 
 #include "panels/Theme.h"
 
+#include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QFrame>
 #include <QKeyEvent>
 #include <QLabel>
@@ -34,6 +36,16 @@ bool Bar::event(QEvent* event)
         }
     }
     return QWidget::event(event);
+}
+
+void Bar::keyPressEvent(QKeyEvent* event)
+{
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    auto* button = isEnter ? qobject_cast<QAbstractButton*>(QApplication::focusWidget()) : nullptr;
+    if (button && isAncestorOf(button))
+        button->animateClick();
+    else
+        QWidget::keyPressEvent(event);
 }
 
 void Bar::paintEvent(QPaintEvent*)
@@ -87,7 +99,7 @@ QSize BarButton::sizeHint() const
     case Look::IconAboveText:
         return {66, 56};
     case Look::Tab:
-        return {fontMetrics().horizontalAdvance(text()) * 108 / 100 + 36, theme::kTarget};
+        return {fontMetrics().horizontalAdvance(text()) * 108 / 100 + 28, theme::kTarget};
     default:
         return {theme::kTarget, theme::kTarget};
     }

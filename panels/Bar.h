@@ -22,6 +22,8 @@ public:
 
 protected:
     bool event(QEvent* event) override;
+    /// Enter presses the button that has the focus, as Space does.
+    void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

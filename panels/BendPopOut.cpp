@@ -61,7 +61,7 @@ QSlider* BendPopOut::addSlider(const QString& name, const QString& label, const 
     slider->setSingleStep(kSteps / 20);
     slider->setPageStep(kSteps / 4);
     slider->setFixedWidth(kWidth);
-    slider->setMinimumHeight(theme::kTarget - 8);
+    slider->setMinimumHeight(theme::kTarget);
     slider->setFocusPolicy(Qt::TabFocus);
     slider->setAccessibleName(label);
     slider->setToolTip(toolTip);

@@ -52,13 +52,13 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     m_count->setRange(1, 1000);
     m_count->setValue(10);
     m_count->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    m_count->setMinimumHeight(theme::kTarget - 8);
-    m_count->setFocusPolicy(Qt::ClickFocus);
+    m_count->setMinimumHeight(theme::kTarget);
+    m_count->setFocusPolicy(Qt::StrongFocus);
     m_count->setAlignment(Qt::AlignRight);
     m_count->setAccessibleName(tr("Steps to grow"));
     auto* many = new QPushButton(tr("steps"), this);
     many->setObjectName(QStringLiteral("growSteps"));
-    many->setMinimumHeight(theme::kTarget - 8);
+    many->setMinimumHeight(theme::kTarget);
     many->setFocusPolicy(Qt::TabFocus);
     many->setToolTip(tr("Grow that many steps, as one undo step. Escape stops."));
     m_step->setAlignment(Qt::AlignCenter);

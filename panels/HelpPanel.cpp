@@ -75,7 +75,7 @@ HelpPanel::HelpPanel(QWidget* parent)
     m_search->setPlaceholderText(tr("Search"));
     m_search->setAccessibleName(tr("Search in the help"));
     m_search->setClearButtonEnabled(true);
-    m_search->setMinimumHeight(theme::kTarget - 6);
+    m_search->setMinimumHeight(theme::kTarget);
     m_list->setObjectName(QStringLiteral("helpList"));
     m_list->setAccessibleName(tr("Pages of the help"));
     m_list->setFrameShape(QFrame::NoFrame);

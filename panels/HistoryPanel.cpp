@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/HistoryPanel.h"
 
+#include "panels/Theme.h"
+
 #include <QLabel>
 #include <QUndoView>
 #include <QVBoxLayout>
@@ -16,7 +18,7 @@ HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent) : Bar(parent)
     list->setEmptyLabel(tr("Seedling"));
     list->setFrameShape(QFrame::NoFrame);
     list->setUniformItemSizes(true);
-    list->setStyleSheet(QStringLiteral("QListView::item { min-height: 34px; }")); // a finger's height
+    list->setStyleSheet(QStringLiteral("QListView::item { min-height: %1px; }").arg(theme::kTarget));
     title->setBuddy(list);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 10, 12, 12);

@@ -32,10 +32,10 @@ LassoPopOut::LassoPopOut(const TreeDocument& document, ViewSettings& settings, Q
     m_markers->setToolTip(tr("Show the points of free space that the tree grows into."));
 
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(12, 12, 12, 8);
-    column->setSpacing(8);
+    column->setContentsMargins(12, 12, 12, 6);
+    column->setSpacing(6);
     for (QPushButton* button : {m_regrow, m_remove, m_stop}) {
-        button->setMinimumHeight(theme::kTarget - 8);
+        button->setMinimumHeight(theme::kTarget);
         button->setFocusPolicy(Qt::TabFocus);
         column->addWidget(button);
     }

@@ -34,7 +34,7 @@ Notice::Notice(QWidget* parent)
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(8);
     for (QPushButton* button : {m_yes, m_no}) {
-        button->setMinimumHeight(theme::kTarget - 10);
+        button->setMinimumHeight(theme::kTarget);
         button->setFocusPolicy(Qt::TabFocus);
         const bool answer = button == m_yes;
         connect(button, &QPushButton::clicked, this, [this, answer] {

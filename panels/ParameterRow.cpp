@@ -26,7 +26,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kRowHeight = 42;
+constexpr int kRowHeight = theme::kTarget;
 
 /// Takes the wheel only while it has the focus: a panel is scrolled past it.
 class PatientChoice : public QComboBox {
@@ -165,6 +165,7 @@ void ParameterRow::makeChoice()
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->addWidget(label, 1);
+    m_choice->setFixedHeight(kRowHeight);
     line->addWidget(m_choice);
     setFixedHeight(kRowHeight);
 }

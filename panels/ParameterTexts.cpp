@@ -107,11 +107,6 @@ constexpr ParameterText kHabit[] = {
                                      "180° two rows, 90° crossed pairs."),
      Linear, 1, "°", 1.0, "",
      QT_TRANSLATE_NOOP("Parameters", "Divergence angle: spiral, distichous, decussate.")},
-    {"growth.tropismFromStroke", QT_TRANSLATE_NOOP("Parameters", "Follow the stroke"), "",
-     QT_TRANSLATE_NOOP("Parameters",
-                       "Shoots turn toward where the brush goes, instead of to the set-point angle."),
-     Linear, 2, "", 1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "The set-point angle is inferred from the direction of the stroke.")},
     {"growth.uprightTrunk", QT_TRANSLATE_NOOP("Parameters", "Upright trunk"), "",
      QT_TRANSLATE_NOOP("Parameters", "The trunk grows straight up, whatever the branches do."), Linear, 2, "",
      1.0, "", QT_TRANSLATE_NOOP("Parameters", "The axis of order 0 is orthotropic, as in most conifers.")},
@@ -128,6 +123,12 @@ constexpr ParameterText kShoot[] = {
     {"growth.irregularity", QT_TRANSLATE_NOOP("Parameters", "Irregularity"), "",
      QT_TRANSLATE_NOOP("Parameters", "Spread of angles and lengths: 0 is a diagram, 1 as wild as nature."),
      Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Variance of the angles and of the metamers.")},
+    {"growth.markersPerBud", QT_TRANSLATE_NOOP("Parameters", "Room at a bud"), "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "When the tree grows on its own: the room to grow that each bud finds around itself in each step."),
+     Logarithmic, 0, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Markers generated in each volume of perception.")},
 };
 
 constexpr ParameterText kShadow[] = {
@@ -152,12 +153,11 @@ constexpr ParameterText kMarkers[] = {
      QT_TRANSLATE_NOOP("Parameters",
                        "Growth steps after which the room that the brush has spread is forgotten."),
      Logarithmic, 0, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Maximum age of a marker.")},
-    {"growth.markersPerBud", QT_TRANSLATE_NOOP("Parameters", "Room at a bud"), "",
-     QT_TRANSLATE_NOOP(
-         "Parameters",
-         "When the tree grows on its own: the room to grow that each bud finds around itself in each step."),
-     Logarithmic, 0, "", 1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "Markers generated in each volume of perception.")},
+    {"growth.tropismFromStroke", QT_TRANSLATE_NOOP("Parameters", "Follow the stroke"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Shoots turn toward where the brush goes, instead of to the set-point angle."),
+     Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "The set-point angle is inferred from the direction of the stroke.")},
 };
 
 constexpr ParameterText kLeafForm[] = {
@@ -247,7 +247,7 @@ constexpr ParameterSection kSections[] = {
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Habit"), kHabit, Rows},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shoot"), kShoot, More},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shade"), kShadow, More},
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Room to grow"), kMarkers, More},
+    {ParameterSheet::Brush, QT_TRANSLATE_NOOP("Parameters", "Room to grow"), kMarkers},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Form"), kLeafForm},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Place"), kLeafPlace},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Colour"), kLeafColour},
@@ -305,7 +305,7 @@ QString explanation(const ParameterText& text)
         QStringLiteral("<b>%1</b><br>%2").arg(richLabel(text), parameterTr(text.tip).toHtmlEscaped());
     if (*text.botany != '\0')
         result += QStringLiteral("<br><i style='color:%1'>%2</i>")
-                      .arg(theme::kOverPicture.name(), parameterTr(text.botany).toHtmlEscaped());
+                      .arg(theme::kOverDark.name(), parameterTr(text.botany).toHtmlEscaped());
     return result;
 }
 
@@ -319,6 +319,7 @@ QStringList choiceNames(const char* choices)
     QStringList names;
     for (const QByteArray& name : QByteArray(choices).split(' ')) {
         QString shown = parameterTr(name.constData());
+        shown.replace(QLatin1Char('_'), QLatin1Char(' '));
         if (!shown.isEmpty())
             shown[0] = shown[0].toUpper();
         names.append(shown);

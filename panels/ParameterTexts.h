@@ -10,7 +10,7 @@
 namespace espalier {
 
 /// The sheets that parameters are shown on.
-enum class ParameterSheet { Architecture, Leaves, Branches };
+enum class ParameterSheet { Architecture, Brush, Leaves, Branches };
 
 /// How a parameter presents itself to a person.
 struct ParameterText {
@@ -61,7 +61,8 @@ QString richLabel(const ParameterText& text);
 
 /// Translates a text of the tables, or the name of a choice.
 QString parameterTr(const char* text);
-/// The names that a person reads for the choices of a ParameterInfo.
+/// The names that a person reads for the choices of a ParameterInfo; a name of two words has "_" between
+/// them.
 QStringList choiceNames(const char* choices);
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 
 #include "panels/Theme.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -20,6 +21,8 @@ constexpr int kLongestTrail = 400;
 constexpr double kWidest = 22.0; ///< px, of a trail at full pressure
 /// A drag this close to an edge says nothing about the exponent; in shares of the field.
 constexpr double kEdge = 0.04;
+/// What a key makes of the exponent.
+constexpr double kStride = 1.1;
 
 } // namespace
 
@@ -28,6 +31,7 @@ PressureCurve::PressureCurve(double softest, double firmest, QWidget* parent)
 {
     setAccessibleName(tr("Pressure curve"));
     setCursor(Qt::CrossCursor);
+    setFocusPolicy(Qt::TabFocus);
     setMinimumSize(sizeHint());
 }
 
@@ -61,6 +65,48 @@ void PressureCurve::mouseMoveEvent(QMouseEvent* event)
 {
     if (event->buttons() & Qt::LeftButton)
         dragTo(event->position());
+}
+
+bool PressureCurve::event(QEvent* event)
+{
+    // Without modifiers these keys are its own, whatever they mean to the tree.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->modifiers() == Qt::NoModifier && keyed(key->key())) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+std::optional<double> PressureCurve::keyed(int key) const
+{
+    switch (key) {
+    case Qt::Key_Up: // Softer: more comes of the same pressure
+    case Qt::Key_Left:
+        return m_exponent / kStride;
+    case Qt::Key_Down:
+    case Qt::Key_Right:
+        return m_exponent * kStride;
+    case Qt::Key_Home:
+        return m_softest;
+    case Qt::Key_End:
+        return m_firmest;
+    case Qt::Key_Delete:
+        return 1.0;
+    default:
+        return {};
+    }
+}
+
+void PressureCurve::keyPressEvent(QKeyEvent* event)
+{
+    const std::optional<double> exponent = keyed(event->key());
+    if (!exponent)
+        return QWidget::keyPressEvent(event);
+    setExponent(*exponent);
+    Q_EMIT exponentEdited(m_exponent);
 }
 
 void PressureCurve::tabletEvent(QTabletEvent* event)
@@ -118,7 +164,7 @@ void PressureCurve::paintEvent(QPaintEvent*)
     painter.drawPath(curve);
 
     painter.setClipping(false);
-    painter.setPen(QPen(theme::kEdge, 1.0));
+    painter.setPen(hasFocus() ? QPen(theme::kAccent, 2.0) : QPen(theme::kEdge, 1.0));
     painter.drawPath(frame);
     const double shown = m_raw > 0.0 ? m_raw : 0.5;
     painter.setPen(QPen(theme::kSunken, 2.0));

@@ -3,11 +3,13 @@
 
 #include <QWidget>
 
+#include <optional>
+
 namespace espalier {
 
 /// The curve from a pen's pressure to what the brush makes of it: p to the power of an exponent. A drag draws
-/// the curve to the pointer; a pen that presses here is shown as a dot on it, and leaves a trail as wide as
-/// it says.
+/// the curve to the pointer, and so do arrow keys, Home and End; a pen that presses here is shown as a dot on
+/// it, and leaves a trail as wide as it says.
 class PressureCurve : public QWidget {
     Q_OBJECT
 
@@ -23,7 +25,7 @@ public:
     QSize sizeHint() const override { return {260, 230}; }
 
 Q_SIGNALS:
-    /// By a drag.
+    /// By a drag or a key.
     void exponentEdited(double exponent);
 
 protected:
@@ -31,6 +33,8 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void tabletEvent(QTabletEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     struct Dab {
@@ -40,6 +44,8 @@ private:
 
     QRectF field() const;
     void dragTo(const QPointF& place);
+    /// What a key makes of the exponent, or nothing if it means nothing.
+    std::optional<double> keyed(int key) const;
 
     double m_softest;
     double m_firmest;

@@ -19,7 +19,7 @@ public:
     void setRadius(double metres);
 
     QSize sizeHint() const override { return {64, 212}; }
-    QSize minimumSizeHint() const override { return {64, 140}; }
+    QSize minimumSizeHint() const override { return {64, 84}; }
 
 Q_SIGNALS:
     /// By a person's hand.

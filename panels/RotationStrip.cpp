@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace espalier {
 
@@ -32,6 +33,12 @@ void RotationStrip::setAzimuth(double azimuth)
     update();
 }
 
+void RotationStrip::setOverLight(bool light)
+{
+    if (std::exchange(m_isOverLight, light) != light)
+        update();
+}
+
 /// The scale is the rim of a turntable, seen from the side.
 void RotationStrip::paintEvent(QPaintEvent*)
 {
@@ -44,7 +51,7 @@ void RotationStrip::paintEvent(QPaintEvent*)
         if (nearness <= 0.02)
             continue;
         const double x = middle + kReach * width() * std::sin(angle);
-        QColor colour = theme::kBubbleText;
+        QColor colour = m_isOverLight ? theme::kOverLight : theme::kBubbleText;
         colour.setAlphaF(static_cast<float>(0.55 * nearness));
         painter.setPen(QPen(colour, 1.2));
         const double length = tick % kLongEvery == 0 ? 0.44 : 0.22;

@@ -15,12 +15,15 @@ public:
 
     /// Of the view, rad.
     void setAzimuth(double azimuth);
+    /// Whether what it lies over is light.
+    void setOverLight(bool light);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
     double m_azimuth = 0.0;
+    bool m_isOverLight = false;
 };
 
 } // namespace espalier

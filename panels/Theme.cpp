@@ -5,7 +5,11 @@
 #include <QPalette>
 #include <QPixmapCache>
 #include <QProxyStyle>
+#include <QStyle>
 #include <QStyleFactory>
+#include <QWidget>
+
+#include <algorithm>
 
 namespace espalier::theme {
 
@@ -23,7 +27,18 @@ public:
             return Qt::LeftButton;
         if (hint == SH_ToolTip_WakeUpDelay)
             return 450;
+        if (hint == SH_ComboBox_Popup)
+            return 0; // A list below the box, whose entries can be as high as a finger
         return QProxyStyle::styleHint(hint, option, widget, result);
+    }
+
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                           const QWidget* widget) const override
+    {
+        QSize wanted = QProxyStyle::sizeFromContents(type, option, size, widget);
+        if (type == CT_ItemViewItem && widget && widget->window()->windowType() == Qt::Popup)
+            wanted.setHeight(std::max(wanted.height(), kTarget));
+        return wanted;
     }
 };
 
@@ -88,10 +103,20 @@ QString toCss(const QColor& colour)
 
 } // namespace
 
+bool isLight()
+{
+    return kWorkspace.lightness() > 127;
+}
+
 void setTone(QWidget& label, Tone tone)
 {
-    const char* const names[] = {"dim", "bright", "overPicture"};
-    label.setProperty("tone", names[static_cast<int>(tone)]);
+    const char* const names[] = {"dim", "bright", "overDark", "overLight"};
+    const QString name = QString::fromLatin1(names[static_cast<int>(tone)]);
+    if (label.property("tone") == name)
+        return;
+    label.setProperty("tone", name);
+    // A style sheet looks at properties no sooner than it is told to.
+    label.style()->polish(&label);
 }
 
 void apply(QApplication& application, Look look)
@@ -106,7 +131,7 @@ void apply(QApplication& application, Look look)
     QString sheet = QStringLiteral(R"(
         QToolTip { color: @bubbleText; background: @bubble; border: 1px solid @bubbleEdge; padding: 5px 7px; }
         QMenu { background: @raised; color: @text; border: 1px solid @edge; padding: 5px; }
-        QMenu::item { padding: 8px 28px 8px 12px; border-radius: 5px; }
+        QMenu::item { padding: 15px 28px 15px 12px; border-radius: 5px; }
         QMenu::item:selected { background: @accentFill; color: @bright; }
         QMenu::item:disabled { color: @faint; }
         QMenu::separator { height: 1px; background: @edge; margin: 5px 8px; }
@@ -122,7 +147,7 @@ void apply(QApplication& application, Look look)
         espalier--BarButton[look="icon"]:checked { background: transparent; }
         espalier--BarButton[look="icon"]:checked:hover { background: @hover; }
         espalier--BarButton[look="tool"] { padding-top: 5px; padding-bottom: 3px; }
-        espalier--BarButton[look="tab"] { padding: 0 15px; }
+        espalier--BarButton[look="tab"] { padding: 0 11px; }
         espalier--BarButton[look="tab"]:checked { background: @sunken; color: @bright; font-weight: bold; }
 
         QPushButton { background: @button; color: @text; border: 1px solid transparent; border-radius: 8px; padding: 6px 16px; }
@@ -132,7 +157,7 @@ void apply(QApplication& application, Look look)
         QPushButton:default:hover { background: #588a49; color: white; }
         QPushButton:disabled { background: @buttonDisabled; color: @faint; }
         QPushButton:focus { border-color: @accent; }
-        QComboBox { background: @sunken; color: @text; border: 1px solid @edge; border-radius: 6px; padding: 4px 8px; }
+        QComboBox { background: @sunken; color: @text; border: 1px solid @edge; border-radius: 6px; padding: 4px 8px; margin: 4px 0; }
         QComboBox:hover { border-color: @faint; }
         QComboBox:disabled { color: @text; }
         QComboBox:focus { border-color: @accent; }
@@ -147,7 +172,7 @@ void apply(QApplication& application, Look look)
         espalier--HelpPanel QListWidget::item:selected { background: @accentFill; color: @bright; }
         espalier--HelpPanel QListWidget::item:disabled { color: @dim; }
         espalier--HelpPanel QListWidget:focus::item:selected { border-color: @accent; }
-        QSpinBox { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 2px 8px; }
+        QSpinBox { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 2px 8px; margin: 4px 0; }
         QSpinBox:focus { border-color: @accent; }
         QProgressBar { background: @sunken; border: none; border-radius: 4px; }
         QProgressBar::chunk { background: @accent; border-radius: 4px; }
@@ -172,7 +197,8 @@ void apply(QApplication& application, Look look)
         QFrame[separator="true"] { background: @edge; }
         QLabel[tone="dim"] { color: @dim; }
         QLabel[tone="bright"] { color: @text; }
-        QLabel[tone="overPicture"] { color: @overPicture; }
+        QLabel[tone="overDark"] { color: @overDark; }
+        QLabel[tone="overLight"] { color: @overLight; }
         espalier--LibraryPanel QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 8px; padding: 4px 8px; }
         espalier--LibraryPanel QLineEdit:focus { border-color: @accent; }
         espalier--CardView { background: transparent; outline: none; }
@@ -195,7 +221,8 @@ void apply(QApplication& application, Look look)
         {"@hover", inForce.hover},
         {"@knobHover", Qt::white},
         {"@knob", inForce.knob},
-        {"@overPicture", kOverPicture},
+        {"@overDark", kOverDark},
+        {"@overLight", kOverLight},
         {"@pressed", inForce.pressed},
         {"@raised", kRaised},
         {"@sunken", kSunken},

@@ -57,8 +57,10 @@ inline constinit const QColor& kHandleFill = inForce.handleFill; ///< How far a 
 inline constinit const QColor& kKeyCap = inForce.keyCap;         ///< Behind the name of a key
 inline constinit const QColor& kWarning = inForce.warning;
 
-// Whatever lies over the tree's picture without a bar, and tooltips, look alike by day and by night.
-inline constexpr QColor kOverPicture(0x9a, 0xa2, 0xae);
+// Whatever lies over the tree's picture without a bar, which is dark or light there, and tooltips look alike
+// by day and by night.
+inline constexpr QColor kOverDark(0x9a, 0xa2, 0xae);
+inline constexpr QColor kOverLight(0x4d, 0x55, 0x5e);
 inline constexpr QColor kBubble(0x16, 0x18, 0x1c);
 inline constexpr QColor kBubbleEdge(0x3c, 0x43, 0x4e);
 inline constexpr QColor kBubbleText(0xdd, 0xe0, 0xe5);
@@ -74,7 +76,10 @@ inline constexpr int kRadius = 10;
 /// Gives the whole program its style, palette and style sheet; at any time.
 void apply(QApplication& application, Look look = Look::Dark);
 
-enum class Tone { Dim, Bright, OverPicture };
+/// Whether the colours in force are light.
+bool isLight();
+
+enum class Tone { Dim, Bright, OverDark, OverLight };
 /// Colour of a label's text, also of one that is disabled, by day and by night.
 void setTone(QWidget& label, Tone tone);
 

@@ -21,7 +21,7 @@ Toggle::Toggle(const QString& text, QWidget* parent) : QCheckBox(text, parent)
 
 QSize Toggle::sizeHint() const
 {
-    return {kTrackWidth + kGap + fontMetrics().horizontalAdvance(text()) + 2, theme::kTarget - 8};
+    return {kTrackWidth + kGap + fontMetrics().horizontalAdvance(text()) + 2, theme::kTarget};
 }
 
 void Toggle::paintEvent(QPaintEvent*)

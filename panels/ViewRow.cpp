@@ -16,7 +16,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kRowHeight = 42; ///< px, as of a ParameterRow
+constexpr int kRowHeight = theme::kTarget;
 
 QLabel* makeLabel(const QString& text, QWidget* parent)
 {
@@ -52,6 +52,7 @@ ViewRow::ViewRow(const ParameterScale& scale, QWidget* parent) : QWidget(parent)
         m_choice->addItems(choiceNames(scale.info().choices));
         m_choice->setAccessibleName(label);
         line->addWidget(makeLabel(label, this), 1);
+        m_choice->setFixedHeight(kRowHeight);
         line->addWidget(m_choice);
         connect(m_choice, &QComboBox::activated, this, [this](int index) { edit(index); });
         break;

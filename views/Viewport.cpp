@@ -40,7 +40,8 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
       m_hand(m_tool.get())
 {
     setFormat(surfaceFormat());
-    setFocusPolicy(Qt::StrongFocus);
+    // Tab goes around the panels; F6 leads back here, where it hides them.
+    setFocusPolicy(Qt::ClickFocus);
     setMouseTracking(true);
     setTabletTracking(true);
     setAttribute(Qt::WA_AcceptTouchEvents);

@@ -16,6 +16,30 @@ double steppedBrushRadius(double radius, double notches)
     return stepped < 0.999 * kSmallest ? 0.0 : std::min(stepped, kMaxBrushRadius);
 }
 
+Backdrop shownBackdrop(const ViewValues& values)
+{
+    if (values.backdrop != Backdrop::Studio)
+        return values.backdrop;
+    return values.isThemeLight ? Backdrop::LightStudio : Backdrop::DarkStudio;
+}
+
+bool isBackdropLight(const ViewValues& values)
+{
+    switch (shownBackdrop(values)) {
+    case Backdrop::Plain:
+    case Backdrop::Gradient: {
+        const QColor& colour = values.backgroundColour;
+        constexpr int kMiddle = 136;
+        return (299 * colour.red() + 587 * colour.green() + 114 * colour.blue()) / 1000 > kMiddle;
+    }
+    case Backdrop::Horizon:
+    case Backdrop::LightStudio:
+        return true;
+    default:
+        return false;
+    }
+}
+
 void ViewSettings::setValues(const ViewValues& values)
 {
     ViewValues wanted = values;

@@ -27,12 +27,14 @@ inline constexpr double kLeastSunElevation = radians(5);
 
 /// What stands behind the tree.
 enum class Backdrop : int {
-    Studio,   ///< Dark, lighter behind the tree
-    Horizon,  ///< An overcast sky over a light ground
-    Plain,    ///< One colour
-    Gradient, ///< From one colour at the lower edge to another at the upper one
+    Studio,      ///< The dark one or the light one, as the program's theme is
+    Horizon,     ///< An overcast sky over a light ground
+    Plain,       ///< One colour
+    Gradient,    ///< From one colour at the lower edge to another at the upper one
+    DarkStudio,  ///< Dark, lighter behind the tree
+    LightStudio, ///< A bright sweep of paper without an edge
 };
-inline constexpr int kBackdropCount = 4;
+inline constexpr int kBackdropCount = 6;
 
 /// A picture behind the tree to draw after. It stands upright at the seedling, parallel to the screen, so it
 /// keeps its place beside the tree when the view is moved or magnified.
@@ -65,6 +67,7 @@ struct ViewValues {
     bool shadowsShown = true;
     bool gridShown = false; ///< Lines on the ground, a metre apart
     Backdrop backdrop = Backdrop::Studio;
+    bool isThemeLight = false;            ///< What Backdrop::Studio follows; the theme's, not the person's
     QColor backgroundColour{92, 98, 104}; ///< Of Plain; of Gradient at the lower edge
     QColor backgroundTop{188, 202, 214};  ///< Of Gradient at the upper edge
     TracingImage tracing{};
@@ -76,6 +79,11 @@ struct ViewValues {
 
     bool operator==(const ViewValues&) const = default;
 };
+
+/// The backdrop that is seen: Backdrop::Studio is one of the two.
+Backdrop shownBackdrop(const ViewValues& values);
+/// Whether what stands behind the tree, at the lower edge, wants dark words over it.
+bool isBackdropLight(const ViewValues& values);
 
 /// The ViewValues in force, shared by the views and the panels.
 class ViewSettings : public QObject {

@@ -11,10 +11,6 @@
 
 namespace espalier {
 
-namespace {
-constexpr int kHeight = 34; ///< px
-}
-
 ValueField::ValueField(ParameterEditor& editor, const char* key, QWidget* parent)
     : QWidget(parent), m_editor(editor), m_key(key)
 {
@@ -22,7 +18,7 @@ ValueField::ValueField(ParameterEditor& editor, const char* key, QWidget* parent
     m_number = new ParameterNumber(scale, this);
     m_number->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_number->setAccessibleDescription(parameterTr(scale.text().tip));
-    m_number->setFixedHeight(kHeight - 8);
+    m_number->setFixedHeight(theme::kTarget);
 
     QString symbol = QString::fromUtf8(scale.text().symbol);
     if (const auto underscore = symbol.indexOf(QLatin1Char('_')); underscore > 0)
@@ -38,7 +34,9 @@ ValueField::ValueField(ParameterEditor& editor, const char* key, QWidget* parent
     line->setSpacing(2);
     line->addWidget(label);
     line->addWidget(m_number);
-    setFixedHeight(kHeight);
+    line->addStretch(1);
+    setMinimumWidth(theme::kTarget);
+    setFixedHeight(theme::kTarget);
     setToolTip(explanation(scale.text()));
     setWhatsThis(toolTip());
 
@@ -52,7 +50,9 @@ ValueField::ValueField(ParameterEditor& editor, const char* key, QWidget* parent
 void ValueField::mousePressEvent(QMouseEvent* event)
 {
     m_editor.begin();
-    event->ignore();
+    // Sign and number are one target.
+    m_number->setFocus(Qt::MouseFocusReason);
+    event->accept();
 }
 
 void ValueField::mouseDoubleClickEvent(QMouseEvent*)

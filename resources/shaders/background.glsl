@@ -11,7 +11,7 @@ vec3 backdrop(vec2 place)
 {
     vec3 inner = frame.backgroundInner.rgb;
     vec3 outer = frame.backgroundOuter.rgb;
-    if (frame.backgroundInner.w < 0.5) {
+    if (frame.backgroundInner.w < 0.5 || frame.backgroundInner.w > 3.5) {
         vec2 offset = (place - vec2(0.5, 0.56)) * vec2(max(frame.viewSize.x * frame.viewSize.w, 1.0), 1.15);
         return mix(inner, outer, smoothstep(0.0, 1.0, length(offset) * 0.95));
     }

@@ -15,7 +15,7 @@ layout(std140) uniform Frame {
     vec4 crown;             // centre; w: exponent of the light, gamma
     vec4 crownRadii;        // half-extents of the tree; w: exposure
     vec4 viewSize;          // px; zw: 1 / px
-    vec4 backgroundInner;   // as shown (sRGB), or lower; w: 0 studio, 1 horizon, 2 gradient, 3 none
+    vec4 backgroundInner;   // as shown (sRGB), or lower; w: 0 dark studio, 1 horizon, 2 gradient, 3 none, 4 light studio
     vec4 backgroundOuter;   // as shown (sRGB), or upper
     vec4 ground;            // albedo; w: radius of the ground, m
     vec4 foot;              // x: radius of the trunk at the ground, m; y: 1 shows the ground; z: 1 shows its grid

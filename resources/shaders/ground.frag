@@ -58,7 +58,7 @@ void main()
     float opacity = fade * smoothstep(-0.02, 0.1, frame.eye.y / max(length(frame.eye.xyz), 1e-3));
     vec4 ground = vec4(0.0);
     if (frame.backgroundInner.w > 1.5) {
-        // Before a background of one's own, only the shadow is seen of the ground: how much darker it would be.
+        // Before a background of one's own, or on a light studio's paper, only the shadow is seen of the ground: how much darker it would be.
         vec3 open = frame.sunColour.rgb * frame.sunDirection.y + frame.skyColour.rgb;
         vec3 left = frame.sunColour.rgb * sun + frame.skyColour.rgb * sky;
         float dark = 1.0 - pow(dot(left, vec3(1.0)) / dot(open, vec3(1.0)), 1.0 / 2.2);

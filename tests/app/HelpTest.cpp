@@ -1,45 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/HelpController.h"
-#include "app/MainWindow.h"
 #include "app/Tour.h"
-#include "commands/RecipePlayer.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPage.h"
 #include "panels/HelpPanel.h"
-#include "panels/ParameterPanel.h"
-#include "panels/ParameterTexts.h"
 #include "panels/RadiusSlider.h"
-#include "panels/Theme.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
-#include "views/render/GlResources.h"
 
 #include <QtTest>
 #include <QtWidgets>
 
 using namespace espalier;
 
-/// The pages of the help, and a person who reads them at the real window.
-class HelpTest : public QObject {
+/// A person who reads the help at the real window, and is shown around.
+class HelpTest : public test::WindowFixture {
     Q_OBJECT
 
+public:
+    HelpTest() : WindowFixture({1200, 700}) {}
+
 private Q_SLOTS:
-    void initTestCase() { theme::apply(*qApp); }
-    void init();
     void cleanup();
-    void cleanupTestCase() { m_window.reset(); }
-
-    void contents_haveEveryPageAndNoOther();
-    void pages_havePicturesAndNoDeadLinks_data();
-    void pages_havePicturesAndNoDeadLinks();
-    void subjects_haveAPageWithAPictureAndARecipe();
-    void recipes_doSomethingInEachOperation_data();
-    void recipes_doSomethingInEachOperation();
-    void keysPage_hasEveryShortcut();
-    void sheetPages_haveEveryParameter();
-    void language_fallsBackToEnglish();
-    void search_findsTitlesFirst();
-
     void f1_opensThePageOfTheToolInHand_data();
     void f1_opensThePageOfTheToolInHand();
     void f1InASheet_opensItsPage();
@@ -54,10 +38,7 @@ private Q_SLOTS:
     void help_looksLikeThis();
 
 private:
-    Workspace& workspace() { return m_window->workspace(); }
     HelpPanel& help() { return workspace().help(); }
-    QWindow* handle() { return m_window->windowHandle(); }
-    QAction* action(ActionId id) { return m_window->actions()[id]; }
     template <class Widget>
     Widget* part(const char* name)
     {
@@ -69,53 +50,14 @@ private:
     }
     void click(QWidget* widget);
     void drag(const QPoint& from, const QPoint& to);
-    void answer(QMessageBox::StandardButton button);
-
-    std::unique_ptr<MainWindow> m_window;
 };
-
-namespace {
-
-constexpr const char* kRoot = ":/docs/help/en";
-
-QStringList pageNames()
-{
-    QStringList names;
-    for (const QString& file : QDir(QString::fromLatin1(kRoot)).entryList({QStringLiteral("*.md")}))
-        names.append(file.chopped(3));
-    return names;
-}
-
-QString read(const QString& fileName)
-{
-    QFile file(fileName);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
-} // namespace
-
-void HelpTest::init()
-{
-    QSettings().clear();
-    // A window takes its time to come up where the processor draws it, so that the tests share one.
-    if (!m_window)
-        m_window = std::make_unique<MainWindow>();
-    m_window->resize(1200, 700);
-    m_window->show();
-    m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->viewSettings().setValues({.shadowsShown = false});
-    action(ActionId::Brush)->trigger();
-    workspace().viewport().setFocus();
-}
 
 void HelpTest::cleanup()
 {
     m_window->help().tour().stop();
     workspace().showHelp(false);
     m_window->recipeRunner().stop();
-    m_window->document().undoStack().setClean();
-    action(ActionId::New)->trigger();
+    WindowFixture::cleanup();
 }
 
 void HelpTest::click(QWidget* widget)
@@ -135,168 +77,6 @@ void HelpTest::drag(const QPoint& from, const QPoint& to)
     }
     QTest::mouseRelease(handle(), Qt::LeftButton, {}, to);
     QCoreApplication::processEvents();
-}
-
-void HelpTest::answer(QMessageBox::StandardButton button)
-{
-    QTimer::singleShot(100, this, [this, button] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        if (!box)
-            return answer(button);
-        box->button(button)->click();
-    });
-}
-
-void HelpTest::contents_haveEveryPageAndNoOther()
-{
-    QStringList listed;
-    for (const HelpBook::Section& section : help().book().contents()) {
-        for (const HelpBook::Entry& entry : section.entries)
-            listed.append(entry.page);
-    }
-    QCOMPARE(listed.value(0), HelpBook::kIndex);
-    listed.sort();
-    QCOMPARE(listed, pageNames());
-}
-
-void HelpTest::pages_havePicturesAndNoDeadLinks_data()
-{
-    QTest::addColumn<QString>("page");
-    for (const QString& name : pageNames())
-        QTest::newRow(qPrintable(name)) << name;
-}
-
-void HelpTest::pages_havePicturesAndNoDeadLinks()
-{
-    QFETCH(QString, page);
-    help().showPage(page);
-    QCOMPARE(help().page(), page);
-    auto* shown = part<HelpPage>("helpPage");
-    QVERIFY(shown->document()->begin().blockFormat().headingLevel() == 1);
-    for (const QString& name : shown->pictures()) {
-        const QString file = QLatin1Char(':') + shown->url().resolved(QUrl(name)).path();
-        const QImage picture(file);
-        QVERIFY2(!picture.isNull(), qPrintable(name));
-        QVERIFY2(picture.width() <= 640 && QFileInfo(file).size() < 100'000, qPrintable(name));
-    }
-    for (const QString& link : shown->links()) {
-        QString file = shown->url().resolved(QUrl(link)).path();
-        QVERIFY2(QFile::exists(QStringLiteral(SOURCE_DIR) + file), qPrintable(link)); // As on the web
-        file.replace(QStringLiteral("/resources/"), QStringLiteral("/"));
-        QVERIFY2(QFile::exists(QLatin1Char(':') + file), qPrintable(link));
-    }
-}
-
-void HelpTest::subjects_haveAPageWithAPictureAndARecipe()
-{
-    std::vector<ActionId> subjects(Actions::tools().begin(), Actions::tools().end());
-    for (const ActionId id :
-         {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet, ActionId::History})
-        subjects.push_back(id);
-    for (const ActionId id : subjects) {
-        const QString page = action(id)->objectName();
-        help().showPage(page);
-        QVERIFY2(help().page() == page, qPrintable(page));
-        QVERIFY2(!part<HelpPage>("helpPage")->pictures().isEmpty(), qPrintable(page));
-        QVERIFY2(help().recipe().endsWith(QStringLiteral("/%1.json").arg(page)), qPrintable(help().recipe()));
-        QVERIFY(part<QPushButton>("helpPlay")->isVisibleTo(&help()));
-    }
-}
-
-void HelpTest::recipes_doSomethingInEachOperation_data()
-{
-    QTest::addColumn<QString>("file");
-    const QDir folder(QStringLiteral(":/docs/help/recipes"));
-    QVERIFY(folder.entryList().size() > 10);
-    for (const QString& name : folder.entryList())
-        QTest::newRow(qPrintable(name)) << folder.filePath(name);
-}
-
-void HelpTest::recipes_doSomethingInEachOperation()
-{
-    QFETCH(QString, file);
-    const Result<Recipe> recipe = readRecipe(file);
-    QVERIFY2(recipe, recipe ? "" : qPrintable(recipe.error().message));
-    QVERIFY(!recipe->name.isEmpty() && !recipe->description.isEmpty());
-    TreeDocument document;
-    RecipePlayer player(document, *recipe);
-    for (std::size_t i = 0; i < recipe->operations.size(); ++i) {
-        const Tree before = document.tree();
-        player.playOperation();
-        QVERIFY2(!(document.tree() == before), qPrintable(QStringLiteral("operations[%1]").arg(i)));
-    }
-    QVERIFY(player.isDone());
-    QVERIFY(document.index().livingCount() > 100);
-}
-
-void HelpTest::keysPage_hasEveryShortcut()
-{
-    const QStringList lines =
-        read(QStringLiteral("%1/keys.md").arg(QString::fromLatin1(kRoot))).split(QLatin1Char('\n'));
-    for (const ActionEntry& entry : Actions::table()) {
-        QString text = QString::fromUtf8(entry.text).remove(QChar(0x2026));
-        for (const QString& key : QString::fromLatin1(entry.shortcuts).split(QStringLiteral("; "))) {
-            const bool isThere =
-                key.isEmpty() || std::ranges::any_of(lines, [&](const QString& line) {
-                    return line.contains(text) && line.contains(QLatin1Char('`') + key + QLatin1Char('`'));
-                });
-            QVERIFY2(
-                isThere,
-                qPrintable(
-                    QStringLiteral("docs/help/en/keys.md lacks a line with \"%1\" and `%2`").arg(text, key)));
-        }
-    }
-}
-
-void HelpTest::sheetPages_haveEveryParameter()
-{
-    for (const ParameterSection& section : parameterSections()) {
-        const char* name = section.sheet == ParameterSheet::Architecture ? "architecture"
-                           : section.sheet == ParameterSheet::Leaves     ? "leafSheet"
-                                                                         : "branchSheet";
-        const QString page =
-            read(QStringLiteral("%1/%2.md").arg(QString::fromLatin1(kRoot), QString::fromLatin1(name)));
-        for (const ParameterText& text : section.parameters) {
-            QVERIFY2(page.contains(QString::fromUtf8(text.label)),
-                     qPrintable(QStringLiteral("docs/help/en/%1.md says nothing of \"%2\"")
-                                    .arg(QString::fromLatin1(name), QString::fromUtf8(text.label))));
-        }
-    }
-}
-
-void HelpTest::language_fallsBackToEnglish()
-{
-    QTemporaryDir folder;
-    QDir root(folder.path());
-    const auto write = [&](const char* name, const QByteArray& text) {
-        root.mkpath(QFileInfo(QString::fromLatin1(name)).path());
-        QFile file(root.filePath(QString::fromLatin1(name)));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(text);
-    };
-    write("en/index.md", "# Welcome\n\n- [Brush](brush.md)\n- [Prune](prune.md)\n");
-    write("en/brush.md", "# Brush\n");
-    write("en/prune.md", "# Prune\n");
-    write("de/index.md", "# Willkommen\n\n- [Pinsel](brush.md)\n- [Schneiden](prune.md)\n");
-    write("de/brush.md", "# Pinsel\n");
-    const HelpBook german(QLocale(QStringLiteral("de_AT")), folder.path());
-    QCOMPARE(german.title(QStringLiteral("brush")), QStringLiteral("Pinsel"));
-    QVERIFY(german.url(QStringLiteral("brush")).path().endsWith(QStringLiteral("/de/brush.md")));
-    QVERIFY(german.url(QStringLiteral("prune")).path().endsWith(QStringLiteral("/en/prune.md")));
-    QVERIFY(german.url(QStringLiteral("none")).isEmpty());
-    const HelpBook french(QLocale(QStringLiteral("fr_FR")), folder.path());
-    QCOMPARE(french.title(QStringLiteral("index")), QStringLiteral("Welcome"));
-}
-
-void HelpTest::search_findsTitlesFirst()
-{
-    const HelpBook& book = help().book();
-    QCOMPARE(book.find(QStringLiteral("PRUNE")).value(0), QStringLiteral("prune"));
-    QVERIFY(book.find(QStringLiteral("prune")).contains(QStringLiteral("keys")));
-    QCOMPARE(book.find(QStringLiteral("apical  domin")).value(0), QStringLiteral("architecture"));
-    QVERIFY(
-        !book.find(QStringLiteral("rush")).contains(QStringLiteral("brush"))); // Beginnings of words alone
-    QVERIFY(book.find(QStringLiteral("zeppelin")).isEmpty());
 }
 
 void HelpTest::f1_opensThePageOfTheToolInHand_data()
@@ -328,7 +108,7 @@ void HelpTest::f1InASheet_opensItsPage()
 {
     action(ActionId::LeafSheet)->trigger();
     QTest::keyClick(handle(), Qt::Key_F6);
-    QTRY_VERIFY(workspace().sheet(1).isAncestorOf(QApplication::focusWidget()));
+    QTRY_VERIFY(workspace().sheet(2).isAncestorOf(QApplication::focusWidget()));
     QTest::keyClick(handle(), Qt::Key_F1);
     QTRY_VERIFY(help().isVisible());
     QCOMPARE(help().page(), QStringLiteral("leafSheet"));
@@ -544,14 +324,6 @@ void HelpTest::help_looksLikeThis()
     }
 }
 
-int main(int argc, char** argv)
-{
-    QSurfaceFormat::setDefaultFormat(surfaceFormat());
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("Espalier"));
-    QCoreApplication::setApplicationName(QStringLiteral("espalier-test"));
-    HelpTest test;
-    return QTest::qExec(&test, argc, argv);
-}
+static const test::TestClass<HelpTest> helpTest;
 
 #include "HelpTest.moc"

@@ -155,7 +155,7 @@ void LanguagesTest::language_changesAtOnceAndKeepsAll()
         QVERIFY(window.grab().save(QStringLiteral("languages-switched-%1.png").arg(language)));
 
         QVERIFY(window.actions()[ActionId::LeafSheet]->isChecked() &&
-                window.workspace().sheet(1).isVisible());
+                window.workspace().sheet(2).isVisible());
         QVERIFY(window.actions()[ActionId::Bend]->isChecked());
         QVERIFY(window.workspace().isHelpShown());
         QCOMPARE(window.workspace().help().page(), page);
@@ -234,8 +234,8 @@ void LanguagesTest::texts_haveRoom()
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     QStringList cut;
-    for (const char* name : {"architecture", "leafSheet", "branchSheet", "background", "grow", "bend",
-                             "lasso", "history", "library"}) {
+    for (const char* name : {"architecture", "brushSheet", "leafSheet", "branchSheet", "background", "grow",
+                             "bend", "lasso", "history", "library"}) {
         auto* action = window.findChild<QAction*>(QLatin1String(name));
         QVERIFY2(action, name);
         action->trigger();

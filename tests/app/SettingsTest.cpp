@@ -187,14 +187,13 @@ void SettingsTest::toolsOnTheRight_areMirrored()
     box(sheet, "side")->setCurrentIndex(1);
     QCOMPARE(side->geometry().right(), workspace.width() - 1 - tools.left());
     QCOMPARE(popOut->geometry().right(), workspace.width() - 1 - beside.left());
-    for (const ActionId id : {ActionId::Architecture, ActionId::LeafSheet}) {
-        action(id)->trigger();
-        const int i = id == ActionId::Architecture ? 0 : 1;
+    for (int i = 0; i < Workspace::kSheetCount; ++i) {
+        action(Actions::sheets()[static_cast<std::size_t>(i)])->trigger();
         QVERIFY(workspace.sheet(i).isVisible());
         QVERIFY(workspace.rect().contains(workspace.sheet(i).geometry()));
         QVERIFY(!workspace.sheet(i).geometry().intersects(side->geometry()));
     }
-    action(ActionId::LeafSheet)->trigger();
+    action(ActionId::Background)->trigger();
     action(ActionId::History)->setChecked(true);
     QVERIFY(workspace.history().geometry().right() < workspace.width() / 2);
     action(ActionId::History)->setChecked(false);
@@ -215,7 +214,7 @@ void SettingsTest::units_changeEverywhereAtOnce()
     QTRY_COMPARE(length(), QStringLiteral("3.54 in"));
     QCOMPARE(radius(), QStringLiteral("1 ft 8 in"));
     QCOMPARE(Settings().preferences().units, Units::Imperial);
-    QVERIFY(m_window->workspace().sheet(1).isVisible());
+    QVERIFY(m_window->workspace().sheet(2).isVisible());
     // The sheet of settings is still there.
     auto* sheet = m_window->findChild<SettingsSheet*>();
     QVERIFY(sheet && sheet->isVisible());

@@ -5,10 +5,12 @@
 #include "model/document/Lengths.h"
 #include "model/mesh/OwnTextures.h"
 #include "panels/BackgroundPanel.h"
+#include "panels/BrushPanel.h"
 #include "panels/BrushPopOut.h"
 #include "panels/LookChoice.h"
 #include "panels/ParameterRow.h"
 #include "panels/ParameterValue.h"
+#include "panels/PressureCurve.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
 #include "panels/ViewRow.h"
@@ -43,6 +45,9 @@ private Q_SLOTS:
     void typedLength_isTakenInAnyUnit();
     void feetAndInches_areShownAndStepped();
     void radiusSlider_keepsTheRadiusItIsGiven();
+    void brushSheetAndPopOut_shareTheHand();
+    void brushSheet_changesParametersAsUndoSteps();
+    void pressureCurve_isDrawnByKeys();
     void background_changesTheViewAndFollowsIt();
     void background_offersTheColoursThatAreSeen();
     void background_saysWhichPictureIsShown();
@@ -379,12 +384,69 @@ void ParameterPanelTest::radiusSlider_keepsTheRadiusItIsGiven()
     QCOMPARE(edits.size(), 2);
 }
 
+void ParameterPanelTest::brushSheetAndPopOut_shareTheHand()
+{
+    TreeDocument document;
+    ViewSettings settings;
+    BrushPanel sheet(document, settings, 0.25, 4.0);
+    BrushPopOut popOut(document, settings);
+    auto* here = sheet.findChild<RadiusSlider*>();
+    auto* there = popOut.findChild<RadiusSlider*>();
+    here->setValue(300);
+    QVERIFY(settings.values().brushRadius > 0.5);
+    QCOMPARE(there->radius(), settings.values().brushRadius);
+    for (const char* name : {"view.pressureScales", "view.markersShown"}) {
+        const auto toggle = [name](Bar& bar) {
+            return bar.findChild<ViewRow*>(QString::fromLatin1(name))->findChild<QCheckBox*>();
+        };
+        QVERIFY(toggle(sheet)->isChecked() && toggle(popOut)->isChecked());
+        toggle(popOut)->click();
+        QVERIFY(!toggle(sheet)->isChecked());
+    }
+    QVERIFY(!settings.values().pressureScales && !settings.values().markersShown);
+    sheet.findChild<ViewRow*>(QStringLiteral("view.planeShown"))->findChild<QCheckBox*>()->click();
+    QVERIFY(!settings.values().planeShown);
+    QCOMPARE(document.undoStack().count(), 0);
+}
+
+void ParameterPanelTest::brushSheet_changesParametersAsUndoSteps()
+{
+    TreeDocument document;
+    ViewSettings settings;
+    BrushPanel sheet(document, settings, 0.25, 4.0);
+    for (const char* key : {"growth.markerDensity", "growth.markerAge", "growth.tropismFromStroke"})
+        QVERIFY2(sheet.row(key), key);
+    sheet.row("growth.tropismFromStroke")->findChild<QCheckBox*>()->click();
+    QVERIFY(document.parameters().growth.tropismFromStroke);
+    QCOMPARE(document.undoStack().count(), 1);
+    sheet.setParametersEnabled(false);
+    QVERIFY(!sheet.row("growth.markerAge")->isEnabled());
+    QVERIFY(sheet.findChild<RadiusSlider*>()->isEnabled());
+}
+
+void ParameterPanelTest::pressureCurve_isDrawnByKeys()
+{
+    PressureCurve curve(0.25, 4.0);
+    const QSignalSpy edited(&curve, &PressureCurve::exponentEdited);
+    QTest::keyClick(&curve, Qt::Key_Up);
+    QVERIFY(curve.exponent() < 1.0);
+    QTest::keyClick(&curve, Qt::Key_End);
+    QCOMPARE(curve.exponent(), 4.0);
+    QTest::keyClick(&curve, Qt::Key_Delete);
+    QCOMPARE(curve.exponent(), 1.0);
+    QCOMPARE(edited.count(), 3);
+    QTest::keyClick(&curve, Qt::Key_Q);
+    QCOMPARE(edited.count(), 3);
+}
+
 void ParameterPanelTest::background_changesTheViewAndFollowsIt()
 {
     ViewSettings settings;
     BackgroundPanel panel(settings);
     panel.resize(panel.sizeHint());
     panel.show();
+    auto* right = panel.row("view.tracing.right")->findChild<QSlider*>();
+    QCOMPARE(right->value(), (right->minimum() + right->maximum()) / 2);
     auto* slider = panel.row("view.sunElevation")->findChild<QSlider*>();
     drag(*slider, 0.5, 0.9);
     QVERIFY(settings.values().sunElevation > radians(70));

@@ -389,7 +389,18 @@ void RendererTest::backdrops_differ()
 {
     RenderOptions horizon;
     horizon.view.backdrop = Backdrop::Horizon;
-    QVERIFY(brightness(draw(*m_scene, horizon)) > 2.0 * brightness(draw(*m_scene)));
+    const double studio = brightness(draw(*m_scene));
+    QVERIFY(brightness(draw(*m_scene, horizon)) > 2.0 * studio);
+    // The studio is as light as the program, unless a person wants the other one.
+    RenderOptions options;
+    options.view.isThemeLight = true;
+    const double light = brightness(draw(*m_scene, options));
+    QVERIFY(light > 2.0 * studio);
+    options.view.backdrop = Backdrop::DarkStudio;
+    QCOMPARE(brightness(draw(*m_scene, options)), studio);
+    options.view.isThemeLight = false;
+    options.view.backdrop = Backdrop::LightStudio;
+    QCOMPARE(brightness(draw(*m_scene, options)), light);
 }
 
 void RendererTest::gradient_goesFromColourToColour()

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void lengths_readAsPeopleWriteThem_data();
     void lengths_readAsPeopleWriteThem();
     void lengths_readAgainAreTheSame();
+    void studio_followsTheTheme();
 };
 
 void ViewSettingsTest::lengths_areTypedInAnyUnit_data()
@@ -172,6 +173,24 @@ void ViewSettingsTest::steppedRadius_goesDownToAnAxisAndUpAgain()
     radius = steppedBrushRadius(0.0, 1.0);
     QVERIFY(radius > 0.0);
     QVERIFY(std::abs(steppedBrushRadius(radius, 1.0) - 1.1 * radius) < 1e-12);
+}
+
+void ViewSettingsTest::studio_followsTheTheme()
+{
+    ViewValues values;
+    QCOMPARE(shownBackdrop(values), Backdrop::DarkStudio);
+    QVERIFY(!isBackdropLight(values));
+    values.isThemeLight = true;
+    QCOMPARE(shownBackdrop(values), Backdrop::LightStudio);
+    QVERIFY(isBackdropLight(values));
+    // What a person has chosen stays.
+    values.backdrop = Backdrop::DarkStudio;
+    QVERIFY(!isBackdropLight(values));
+    values.backdrop = Backdrop::Plain;
+    values.backgroundColour = QColor(20, 60, 20);
+    QVERIFY(!isBackdropLight(values));
+    values.backgroundColour = QColor(240, 230, 200);
+    QVERIFY(isBackdropLight(values));
 }
 
 QTEST_GUILESS_MAIN(ViewSettingsTest)

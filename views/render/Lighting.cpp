@@ -40,21 +40,24 @@ FrameUniforms::Vector displayed(const QColor& colour)
 
 } // namespace
 
-const Lighting& lightingOf(Backdrop backdrop)
+const Lighting& lightingOf(const ViewValues& view)
 {
-    return backdrop == Backdrop::Studio ? kStudio : kDaylight;
+    return shownBackdrop(view) == Backdrop::DarkStudio ? kStudio : kDaylight;
 }
 
 BackdropColours backdropColours(const ViewValues& view)
 {
-    switch (view.backdrop) {
+    switch (shownBackdrop(view)) {
     case Backdrop::Horizon:
         return {displayed(226, 230, 232, 1.0F), displayed(150, 178, 206, 1.0F)};
     case Backdrop::Plain:
         return {displayed(view.backgroundColour), displayed(view.backgroundColour)};
     case Backdrop::Gradient:
         return {displayed(view.backgroundColour), displayed(view.backgroundTop)};
+    case Backdrop::LightStudio:
+        return {displayed(247, 247, 245, 4.0F), displayed(208, 212, 213, 4.0F)};
     case Backdrop::Studio:
+    case Backdrop::DarkStudio:
         break;
     }
     return {displayed(74, 80, 88, 0.0F), displayed(34, 38, 44, 0.0F)};

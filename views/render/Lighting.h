@@ -20,7 +20,7 @@ struct Lighting {
     float exposure;
 };
 
-const Lighting& lightingOf(Backdrop backdrop);
+const Lighting& lightingOf(const ViewValues& view);
 
 /// What the shaders draw behind the tree: two colours, as shown, and what they make of them.
 struct BackdropColours {

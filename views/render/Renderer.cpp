@@ -189,7 +189,7 @@ void Renderer::updateShadows(const TreeScene& scene, const Camera& camera, const
 void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options,
                          const QSize& size, int pass)
 {
-    const Lighting& lighting = lightingOf(options.view.backdrop);
+    const Lighting& lighting = lightingOf(options.view);
     const Box3& bounds = scene.bounds();
     const float radius = groundRadius(bounds);
     const Vec3 eye = camera.position();

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/BrushControls.h"
+
+#include "model/document/Lengths.h"
+#include "panels/RadiusSlider.h"
+#include "panels/Theme.h"
+#include "panels/ViewField.h"
+#include "panels/ViewRow.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace espalier {
+
+namespace {
+
+// As BrushSwitch
+constexpr std::array kSwitches{
+    viewSwitch<&ViewValues::pressureScales>(
+        "view.pressureScales", QT_TRANSLATE_NOOP("Parameters", "Pressure"),
+        QT_TRANSLATE_NOOP("Parameters",
+                          "A pen's pressure scales the brush: the radius is what a firm hand reaches.")),
+    viewSwitch<&ViewValues::markersShown>(
+        "view.markersShown", QT_TRANSLATE_NOOP("Parameters", "Markers"),
+        QT_TRANSLATE_NOOP("Parameters",
+                          "Show the points of free space that the brush spreads and shoots grow toward.")),
+    viewSwitch<&ViewValues::planeShown>(
+        "view.planeShown", QT_TRANSLATE_NOOP("Parameters", "Drawing plane"),
+        QT_TRANSLATE_NOOP("Parameters", "Show how deep in the tree the brush draws: a faint grid about it.")),
+};
+
+} // namespace
+
+BrushRadius::BrushRadius(const TreeDocument& document, ViewSettings& settings, QWidget* parent)
+    : QWidget(parent),
+      m_document(document),
+      m_settings(settings),
+      m_number(new QLabel(this)),
+      m_meaning(new QLabel(this)),
+      m_slider(new RadiusSlider(kMaxBrushRadius, this))
+{
+    m_number->setAlignment(Qt::AlignCenter);
+    m_meaning->setAlignment(Qt::AlignCenter);
+    QFont small = m_meaning->font();
+    small.setPointSizeF(small.pointSizeF() * 0.88);
+    m_meaning->setFont(small);
+    theme::setTone(*m_meaning, theme::Tone::Dim);
+    m_slider->setToolTip(
+        tr("<b>Brush radius</b> [ ]<br>A large brush grows a crown into the space it passes; toward zero it "
+           "draws a single branch exactly along the stroke."));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(m_number);
+    column->addWidget(m_meaning);
+    column->addSpacing(8);
+    column->addWidget(m_slider, 1, Qt::AlignHCenter);
+
+    connect(m_slider, &RadiusSlider::radiusEdited, this,
+            [this](double metres) { m_settings.set(&ViewValues::brushRadius, metres); });
+    connect(&settings, &ViewSettings::changed, this, &BrushRadius::showValues);
+    connect(&document, &TreeDocument::changed, this, [this](const TreeChange& change) {
+        if (!change.delta || change.delta->parametersBefore != change.delta->parametersAfter)
+            showValues();
+    });
+    showValues();
+}
+
+void BrushRadius::showValues()
+{
+    const double radius = m_settings.values().brushRadius;
+    m_number->setText(lengthText(radius));
+    const bool draws = radius < m_document.parameters().growth.internodeLength;
+    m_meaning->setText(draws ? tr("draws a branch") : tr("grows a crown"));
+    m_slider->setRadius(radius);
+}
+
+ViewRow* makeBrushSwitch(BrushSwitch which, ViewSettings& settings, QWidget* parent)
+{
+    return makeViewRow(kSwitches[static_cast<std::size_t>(which)], settings, parent);
+}
+
+} // namespace espalier

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/document/TreeDocument.h"
+#include "model/document/ViewSettings.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace espalier {
+
+class RadiusSlider;
+class ViewRow;
+
+// What the brush's pop-out and its sheet share.
+
+/// The brush's radius: its number, what a brush of that size does, and the slider.
+class BrushRadius : public QWidget {
+    Q_OBJECT
+
+public:
+    BrushRadius(const TreeDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+
+private:
+    void showValues();
+
+    const TreeDocument& m_document;
+    ViewSettings& m_settings;
+    QLabel* m_number;
+    QLabel* m_meaning;
+    RadiusSlider* m_slider;
+};
+
+enum class BrushSwitch {
+    Pressure, ///< A pen's pressure scales the radius
+    Markers,  ///< The room that the brush spreads is shown
+    Plane,    ///< Hints of the drawing plane are
+};
+
+ViewRow* makeBrushSwitch(BrushSwitch which, ViewSettings& settings, QWidget* parent);
+
+} // namespace espalier

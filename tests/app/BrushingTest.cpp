@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/Bar.h"
+#include "panels/RadiusSlider.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/WindowFixture.h"
+#include "views/Viewport.h"
+
+#include <QtTest>
+#include <QtWidgets>
+
+using namespace espalier;
+
+/// A person at the real window with brush, bend and width in hand.
+class BrushingTest : public test::WindowFixture {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void mouse_brushesATreeAsOneUndoStep();
+    void finger_brushesATree();
+    void pen_brushesByItsPressure();
+    void escape_takesTheStrokeBack();
+    void undoDuringAStroke_isIgnored();
+    void keys_changeTheBrushAndWhatIsShown();
+    void bendAndWidth_areAtHand();
+};
+
+void BrushingTest::mouse_brushesATreeAsOneUndoStep()
+{
+    QVERIFY(!action(ActionId::Undo)->isEnabled());
+    brush();
+    const TreeDocument& document = m_window->document();
+    QVERIFY(document.index().livingCount() > 30);
+    QCOMPARE(document.undoStack().count(), 1);
+    QVERIFY(m_window->isWindowModified());
+    QVERIFY(m_window->windowTitle().contains(QStringLiteral("[*] – Espalier")));
+    QVERIFY(!viewport().isGestureActive());
+
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(document.index().livingCount(), 1U);
+    QVERIFY(!m_window->isWindowModified());
+}
+
+void BrushingTest::finger_brushesATree()
+{
+    const QPoint from = at(0.0F, 0.0F);
+    const QPoint to = at(0.0F, 1.6F);
+    QTest::touchEvent(handle(), m_screen).press(1, from, handle());
+    for (int i = 1; i <= 25; ++i) {
+        QTest::touchEvent(handle(), m_screen).move(1, from + (to - from) * i / 25, handle());
+        QTest::qWait(20);
+    }
+    QVERIFY(viewport().isGestureActive());
+    QTest::touchEvent(handle(), m_screen).release(1, to, handle());
+    QTRY_COMPARE(m_window->document().undoStack().count(), 1);
+    QVERIFY(m_window->document().index().livingCount() > 30);
+}
+
+void BrushingTest::pen_brushesByItsPressure()
+{
+    const auto penStroke = [this](double pressure) {
+        static const QPointingDevice pen(QStringLiteral("pen"), 7, QInputDevice::DeviceType::Stylus,
+                                         QPointingDevice::PointerType::Pen,
+                                         QInputDevice::Capability::Pressure, 1, 2);
+        const QPoint from = at(0.0F, 0.0F);
+        const QPoint to = at(0.0F, 1.6F);
+        for (int i = 0; i <= 26; ++i) {
+            const auto type = i == 0    ? QEvent::TabletPress
+                              : i == 26 ? QEvent::TabletRelease
+                                        : QEvent::TabletMove;
+            const QPointF place =
+                viewport().mapFrom(m_window.get(), from + (to - from) * std::min(i, 25) / 25);
+            QTabletEvent event(type, &pen, place, viewport().mapToGlobal(place), i == 26 ? 0.0 : pressure,
+                               0.0F, 0.0F, 0.0F, 0.0, 0.0F, {}, Qt::LeftButton,
+                               i == 26 ? Qt::NoButton : Qt::LeftButton);
+            QCoreApplication::sendEvent(&viewport(), &event);
+            QTest::qWait(20);
+        }
+        QCoreApplication::processEvents();
+        const TreeDocument& document = m_window->document();
+        const std::uint32_t grown = document.index().livingCount();
+        Box3 bounds;
+        for (InternodeId id = 0; id < document.tree().size(); ++id) {
+            if (document.tree().isAlive(id))
+                bounds.extend(document.index().nodePosition(id));
+        }
+        m_window->document().undoStack().undo();
+        return std::pair(grown, bounds.sizes().x());
+    };
+    const auto [many, wide] = penStroke(1.0);
+    const auto [few, narrow] = penStroke(0.25);
+    QVERIFY(many > 30);
+    QVERIFY(few > 3);
+    QVERIFY2(narrow < 0.8F * wide, qPrintable(QStringLiteral("%1 m, %2 m").arg(narrow).arg(wide)));
+}
+
+void BrushingTest::escape_takesTheStrokeBack()
+{
+    const QPoint from = at(0.0F, 0.0F);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 20; ++i) {
+        QTest::mouseMove(handle(), from - QPoint(0, 6 * i));
+        QTest::qWait(20);
+    }
+    QVERIFY(m_window->document().index().livingCount() > 10);
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QTRY_COMPARE(m_window->document().index().livingCount(), 1U);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, from);
+    QCOMPARE(m_window->document().undoStack().count(), 0);
+    QVERIFY(!m_window->isWindowModified());
+}
+
+void BrushingTest::undoDuringAStroke_isIgnored()
+{
+    brush();
+    const std::uint32_t before = m_window->document().index().livingCount();
+    const QPoint from = at(0.3F, 1.0F);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    QTest::qWait(150);
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
+    QTest::qWait(50);
+    QVERIFY(m_window->document().index().livingCount() >= before);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, from);
+    QCoreApplication::processEvents();
+    while (m_window->document().undoStack().canUndo())
+        m_window->document().undoStack().undo();
+    QCOMPARE(m_window->document().index().livingCount(), 1U);
+}
+
+void BrushingTest::keys_changeTheBrushAndWhatIsShown()
+{
+    const ViewSettings& settings = m_window->viewSettings();
+    QTest::keyClick(handle(), Qt::Key_BracketLeft);
+    QTRY_VERIFY(settings.values().brushRadius < 0.5);
+    QTest::keyClick(handle(), Qt::Key_BracketRight);
+    QTest::keyClick(handle(), Qt::Key_BracketRight);
+    QTRY_VERIFY(settings.values().brushRadius > 0.5);
+    auto* slider = m_window->findChild<RadiusSlider*>();
+    QCOMPARE(slider->radius(), settings.values().brushRadius);
+
+    const bool markers = settings.values().markersShown;
+    QTest::keyClick(handle(), Qt::Key_M);
+    QTRY_COMPARE(settings.values().markersShown, !markers);
+    QCOMPARE(action(ActionId::Markers)->isChecked(), !markers);
+    const bool leaves = settings.values().leavesShown;
+    QTest::keyClick(handle(), Qt::Key_L);
+    QTRY_COMPARE(settings.values().leavesShown, !leaves);
+}
+
+void BrushingTest::bendAndWidth_areAtHand()
+{
+    brush();
+    const TreeDocument& document = m_window->document();
+    const Tree grown = document.tree();
+    InternodeId top = 0;
+    for (InternodeId id = 1; id < grown.size(); ++id) {
+        if (grown.isAlive(id) &&
+            document.index().nodePosition(id).y() > document.index().nodePosition(top).y())
+            top = id;
+    }
+    const auto seen = [&](InternodeId id) {
+        return viewport().mapTo(m_window.get(),
+                                viewport().camera().project(document.index().nodePosition(id))->toPoint());
+    };
+    QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ShiftModifier);
+    QVERIFY(action(ActionId::Bend)->isChecked());
+    auto* stretching = m_window->findChild<QSlider*>(QStringLiteral("stretchingWeight"));
+    QVERIFY(stretching && stretching->isVisible());
+    stretching->setValue(stretching->maximum());
+    QCOMPARE(m_window->viewSettings().values().stretchingWeight, kMostBendWeight);
+
+    // A pin, which Escape takes away before anything else.
+    const InternodeId low = document.index().mainChild(0);
+    QTest::mouseClick(handle(), Qt::LeftButton, {}, seen(low));
+    action(ActionId::Architecture)->trigger();
+    QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    QVERIFY(action(ActionId::Architecture)->isChecked());
+    QTest::keyClick(m_window.get(), Qt::Key_Escape);
+    QVERIFY(!action(ActionId::Architecture)->isChecked());
+
+    const QPoint from = seen(top);
+    std::vector<Vec3> before;
+    for (InternodeId id = 0; id < grown.size(); ++id)
+        before.push_back(document.index().nodePosition(id));
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 10; ++i) {
+        QTest::mouseMove(handle(), from + QPoint(8, 3) * i);
+        QTest::qWait(16);
+    }
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, from + QPoint(80, 30));
+    // The branch under the pointer: that of the topmost node, or one in front of it.
+    float moved = 0.0F;
+    for (InternodeId id = 0; id < grown.size(); ++id)
+        moved = std::max(moved, (document.index().nodePosition(id) - before[id]).norm());
+    QVERIFY2(moved > 0.3F, qPrintable(QStringLiteral("%1, %2").arg(moved).arg(top)));
+    QCOMPARE(document.undoStack().count(), 2);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.tree() == grown);
+
+    QTest::keyClick(m_window.get(), Qt::Key_W);
+    QVERIFY(action(ActionId::Width)->isChecked());
+    QVERIFY(!stretching->isVisible());
+    QTest::mouseClick(handle(), Qt::LeftButton, {}, seen(low));
+    QCOMPARE(document.tree().widthConstraints().size(), 1U);
+    QTest::keyClick(handle(), Qt::Key_Delete);
+    QVERIFY(document.tree().widthConstraints().empty());
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(document.tree().widthConstraints().size(), 1U);
+    QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(document.tree() == grown);
+}
+
+static const test::TestClass<BrushingTest> brushingTest;
+
+#include "BrushingTest.moc"

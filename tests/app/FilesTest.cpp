@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/GrowGesture.h"
+#include "panels/Notice.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/WindowFixture.h"
+#include "views/Viewport.h"
+
+#include <QtTest>
+#include <QtWidgets>
+
+using namespace espalier;
+
+/// A person who saves, opens and exports, and a crash.
+class FilesTest : public test::WindowFixture {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void brushUndoRedoSaveReopen_givesTheSameDocument();
+    void brokenFile_isRefusedInOneSentenceAndTheTreeStays();
+    void unsavedChanges_areAskedAbout();
+    void recipe_isPlayedAndHandedOver();
+    void droppedFile_isOpened();
+    void recentFiles_listWhatWasSaved();
+    void crash_losesNothingThatWasFinished();
+    void export_writesTheFileInTheBackground();
+    void cancelledExport_leavesNothing();
+};
+
+void FilesTest::brushUndoRedoSaveReopen_givesTheSameDocument()
+{
+    brush();
+    brush(0.8F, 1.5F, 0.5F);
+    TreeDocument& document = m_window->document();
+    QCOMPARE(document.undoStack().count(), 2);
+    const Tree grown = document.tree();
+
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(document.index().livingCount(), 1U);
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(handle(), Qt::Key_Y, Qt::ControlModifier);
+    QTRY_COMPARE(document.undoStack().index(), 2);
+    QVERIFY(document.tree() == grown);
+
+    const QString name = m_folder->filePath(QStringLiteral("brushed.espalier"));
+    save(name);
+    QVERIFY(!m_window->isWindowModified());
+    QCOMPARE(m_window->windowTitle(), QStringLiteral("brushed.espalier[*] – Espalier"));
+    const std::size_t history = document.journal().size();
+
+    action(ActionId::New)->trigger();
+    QCOMPARE(document.index().livingCount(), 1U);
+    m_window->files().openFile(name);
+    QVERIFY(document.tree() == grown);
+    QCOMPARE(document.journal().size(), history);
+    QVERIFY(!m_window->isWindowModified());
+}
+
+void FilesTest::brokenFile_isRefusedInOneSentenceAndTheTreeStays()
+{
+    brush();
+    const QString good = m_folder->filePath(QStringLiteral("good.espalier"));
+    save(good);
+    const Tree before = m_window->document().tree();
+
+    const QString bad = m_folder->filePath(QStringLiteral("bad.espalier"));
+    QFile file(good);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray whole = file.readAll();
+    QFile half(bad);
+    QVERIFY(half.open(QIODevice::WriteOnly));
+    half.write(whole.left(whole.size() / 2));
+    half.close();
+
+    m_window->files().openFile(bad);
+    QVERIFY(m_window->workspace().notice().isVisible());
+    QVERIFY(m_window->workspace().notice().isWarning());
+    QVERIFY2(notice().contains(QStringLiteral("bad.espalier")), qPrintable(notice()));
+    QVERIFY(m_window->document().tree() == before);
+    QCOMPARE(m_window->files().file().fileName(), good);
+
+    m_window->files().openFile(m_folder->filePath(QStringLiteral("none.json")));
+    QVERIFY2(notice().contains(QStringLiteral("none.json")), qPrintable(notice()));
+    QVERIFY(m_window->document().tree() == before);
+}
+
+void FilesTest::unsavedChanges_areAskedAbout()
+{
+    brush();
+    const std::uint32_t grown = m_window->document().index().livingCount();
+    answer(QMessageBox::Cancel);
+    action(ActionId::New)->trigger();
+    QCOMPARE(m_window->document().index().livingCount(), grown);
+
+    answer(QMessageBox::Cancel);
+    QVERIFY(!m_window->close());
+
+    const QString name = m_folder->filePath(QStringLiteral("kept.espalier"));
+    save(name);
+    brush(1.0F, 1.8F);
+    answer(QMessageBox::Save);
+    action(ActionId::New)->trigger();
+    QCOMPARE(m_window->document().index().livingCount(), 1U);
+    const Result<Project> kept = loadProject(name);
+    QVERIFY(kept);
+    QVERIFY(TreeIndex(kept->tree).livingCount() > grown);
+    QVERIFY(!kept->thumbnail.isNull());
+
+    brush();
+    answer(QMessageBox::Discard);
+    action(ActionId::New)->trigger();
+    QCOMPARE(m_window->document().index().livingCount(), 1U);
+}
+
+void FilesTest::recipe_isPlayedAndHandedOver()
+{
+    QFile file(m_folder->filePath(QStringLiteral("small.json")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"espalier-recipe": 1, "name": "Small", "seed": 5,
+                   "operations": [{"op": "grow", "steps": 4}, {"op": "grow", "steps": 2}]})");
+    file.close();
+    m_window->files().openFile(file.fileName());
+    QVERIFY2(m_window->recipeRunner().isRunning(), qPrintable(notice()));
+    QTRY_VERIFY(!m_window->recipeRunner().isRunning());
+    QCOMPARE(m_window->document().tree().step(), Step{6});
+    QCOMPARE(m_window->document().tree().seed(), std::uint64_t{5});
+    QCOMPARE(m_window->document().undoStack().count(), 2);
+    QVERIFY(m_window->isWindowModified());
+    brush(0.2F, 1.2F, 0.3F);
+    QCOMPARE(m_window->document().undoStack().count(), 3);
+}
+
+void FilesTest::droppedFile_isOpened()
+{
+    brush();
+    const QString name = m_folder->filePath(QStringLiteral("dropped.espalier"));
+    save(name);
+    const Tree tree = m_window->document().tree();
+    action(ActionId::New)->trigger();
+
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(name)});
+    QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(m_window.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(m_window.get(), &drop);
+    QVERIFY(m_window->document().tree() == tree);
+
+    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/picture.txt"))});
+    QDragEnterEvent other(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    other.ignore();
+    QCoreApplication::sendEvent(m_window.get(), &other);
+    QVERIFY(!other.isAccepted());
+}
+
+void FilesTest::recentFiles_listWhatWasSaved()
+{
+    for (const char* name : {"a.espalier", "b.espalier", "a.espalier"})
+        save(m_folder->filePath(QString::fromLatin1(name)));
+    QMenu menu;
+    m_window->files().fillRecentFiles(menu);
+    QCOMPARE(menu.actions().value(0)->text(), QStringLiteral("a.espalier"));
+    QCOMPARE(menu.actions().value(1)->text(), QStringLiteral("b.espalier"));
+    QVERIFY(menu.actions().value(2)->isSeparator());
+}
+
+void FilesTest::crash_losesNothingThatWasFinished()
+{
+    Autosave& autosave = m_window->files().autosave();
+    QSignalSpy written(&autosave, &Autosave::written);
+    brush();
+    QVERIFY(written.count() > 0 || written.wait());
+    QVERIFY(Autosave::leftovers().empty());
+    const Tree grown = m_window->document().tree();
+
+    // A crash leaves the files, and no program that holds their lock.
+    const QDir place(Autosave::folder());
+    const QStringList projects = place.entryList({QStringLiteral("*.espalier")}, QDir::Files);
+    QCOMPARE(projects.size(), 1);
+    QVERIFY(QFile::copy(place.filePath(projects.constFirst()),
+                        place.filePath(QStringLiteral("crashed.espalier"))));
+    m_window->document().undoStack().setClean();
+    m_window = std::make_unique<MainWindow>();
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    QCOMPARE(Autosave::leftovers().size(), std::size_t{1});
+
+    m_window->files().offerRecovery();
+    QTest::mouseClick(m_window->workspace().notice().findChild<QPushButton*>(), Qt::LeftButton);
+    QVERIFY(m_window->document().tree() == grown);
+    QVERIFY(m_window->isWindowModified());
+    QVERIFY(Autosave::leftovers().empty());
+    save(m_folder->filePath(QStringLiteral("rescued.espalier")));
+    QTRY_VERIFY(place.entryList({QStringLiteral("*.espalier")}, QDir::Files).isEmpty());
+}
+
+void FilesTest::export_writesTheFileInTheBackground()
+{
+    brush();
+    const QString name = m_folder->filePath(QStringLiteral("tree.glb"));
+    m_window->files().exportTo(name);
+    QVERIFY(m_window->workspace().notice().isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(notice().startsWith(QStringLiteral("Wrote")), 30000);
+    QVERIFY(QFileInfo(name).size() > 1000);
+
+    m_window->files().exportTo(m_folder->filePath(QStringLiteral("no/such/folder/tree.csv")));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->workspace().notice().isWarning(), 10000);
+    QVERIFY2(notice().contains(QStringLiteral("tree.csv")), qPrintable(notice()));
+}
+
+void FilesTest::cancelledExport_leavesNothing()
+{
+    GrowGesture growth(m_window->document());
+    for (int i = 0; i < 15; ++i)
+        growth.step();
+    growth.finish();
+    const QString name = m_folder->filePath(QStringLiteral("tree.glb"));
+    m_window->files().exportTo(name);
+    QPushButton* cancel = nullptr;
+    for (auto* button : m_window->workspace().notice().findChildren<QPushButton*>()) {
+        if (button->isVisible())
+            cancel = button;
+    }
+    QVERIFY(cancel);
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(notice().contains(QStringLiteral("was not written")), 30000);
+    QVERIFY(!QFileInfo::exists(name));
+}
+
+static const test::TestClass<FilesTest> filesTest;
+
+#include "FilesTest.moc"

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/HelpController.h"
+#include "app/LibraryPanel.h"
+#include "app/MainWindow.h"
+#include "app/SettingsSheet.h"
+#include "panels/HelpPanel.h"
+#include "panels/RotationStrip.h"
+#include "panels/Theme.h"
+#include "panels/architecture/ArchitecturePanel.h"
+#include "panels/architecture/DiagramHandle.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/WidgetKinds.h"
+#include "views/Viewport.h"
+
+#include <QtTest>
+#include <QtWidgets>
+
+using namespace espalier;
+
+/// Where things are in the window: nothing lies over anything else, and a finger hits it all.
+class WindowLayoutTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { m_window.reset(); }
+    void panes_overlapNothing_data();
+    void panes_overlapNothing();
+    void targets_areLargeEnoughForAFinger();
+    void title_isLegibleInASmallWindow();
+    void icons_areCrispAtAnyScale();
+
+private:
+    QAction* action(ActionId id) { return m_window->actions()[id]; }
+    Workspace& workspace() { return m_window->workspace(); }
+    /// Each thing that can be open, and some at the same time; @p look looks at it.
+    void visitAll(const std::function<void(const QByteArray& name)>& look);
+
+    std::unique_ptr<MainWindow> m_window;
+};
+
+namespace {
+
+/// Two that lie over each other, or nothing. Cards that a sheet scrolls are looked at where they are in it.
+QString overlapIn(const QWidget& parent)
+{
+    QList<QWidget*> shown;
+    for (QWidget* widget : parent.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (widget->isVisible() && !widget->isWindow())
+            shown << widget;
+    }
+    for (qsizetype i = 0; i < shown.size(); ++i) {
+        for (qsizetype j = 0; j < i; ++j) {
+            const QRect both = shown[i]->geometry().intersected(shown[j]->geometry());
+            if (!both.isEmpty())
+                return QStringLiteral("%1 \"%2\" over %3 \"%4\" by %5 x %6 px")
+                    .arg(QLatin1String(shown[i]->metaObject()->className()), shown[i]->objectName(),
+                         QLatin1String(shown[j]->metaObject()->className()), shown[j]->objectName())
+                    .arg(both.width())
+                    .arg(both.height());
+        }
+    }
+    return {};
+}
+
+/// Pieces of the workspace that are there to lie over others.
+bool liesOver(const QWidget& widget)
+{
+    return qobject_cast<const Viewport*>(&widget) || qobject_cast<const LibraryPanel*>(&widget);
+}
+
+QString overlapOf(const Workspace& workspace)
+{
+    QList<const QWidget*> panes;
+    for (const QWidget* widget : workspace.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (!widget->isVisible() || widget->isWindow() || liesOver(*widget))
+            continue;
+        // The scale turns at its lower edge alone where words stand over it.
+        if (!workspace.rect().contains(widget->geometry()))
+            return QLatin1String(widget->metaObject()->className()) +
+                   QStringLiteral(" is cut off by the window");
+        panes << widget;
+    }
+    for (qsizetype i = 0; i < panes.size(); ++i) {
+        for (qsizetype j = 0; j < i; ++j) {
+            if (panes[i]->geometry().intersects(panes[j]->geometry()))
+                return QLatin1String(panes[i]->metaObject()->className()) + QStringLiteral(" over ") +
+                       QLatin1String(panes[j]->metaObject()->className());
+        }
+    }
+    // Within panes: whatever has a layout, down to rows.
+    for (const QWidget* pane : panes) {
+        for (const QWidget* holder : pane->findChildren<QWidget*>()) {
+            if (!holder->isVisible() || !holder->layout())
+                continue;
+            if (const QString overlap = overlapIn(*holder); !overlap.isEmpty())
+                return overlap;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+void WindowLayoutTest::initTestCase()
+{
+    QSettings().clear();
+    theme::apply(*qApp);
+    m_window = std::make_unique<MainWindow>();
+    m_window->resize(1024, 700);
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    // Places are looked at, no pictures.
+    m_window->setUpdatesEnabled(false);
+}
+
+void WindowLayoutTest::visitAll(const std::function<void(const QByteArray& name)>& look)
+{
+    const auto show = [&](std::initializer_list<ActionId> ids) {
+        QByteArray name;
+        for (const ActionId id : ids) {
+            if (!action(id)->isChecked())
+                action(id)->trigger();
+            name += action(id)->objectName().toUtf8() + ' ';
+        }
+        QCoreApplication::processEvents();
+        look(name);
+        for (const ActionId id : ids) {
+            const bool isTool = std::ranges::find(Actions::tools(), id) != Actions::tools().end();
+            if (!isTool && action(id)->isChecked())
+                action(id)->trigger();
+        }
+    };
+    for (const ActionId tool : {ActionId::Brush, ActionId::Grow, ActionId::Bend, ActionId::Lasso}) {
+        for (const ActionId sheet : Actions::sheets()) {
+            show({tool, sheet});
+            show({tool, sheet, ActionId::History});
+        }
+        show({tool, ActionId::History});
+    }
+    show({ActionId::Library});
+    workspace().architecture().showMore(true);
+    show({ActionId::Architecture});
+    workspace().architecture().showMore(false);
+    action(ActionId::Help)->trigger();
+    for (const ActionId sheet : Actions::sheets())
+        show({ActionId::Brush, sheet});
+    (void)m_window->help().putAway();
+}
+
+void WindowLayoutTest::panes_overlapNothing_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<bool>("toolsRight");
+    QTest::newRow("small") << QSize(1024, 700) << false;
+    QTest::newRow("small, tools on the right") << QSize(1024, 700) << true;
+    QTest::newRow("ordinary") << QSize(1600, 1000) << false;
+}
+
+void WindowLayoutTest::panes_overlapNothing()
+{
+    QFETCH(const QSize, size);
+    QFETCH(const bool, toolsRight);
+    m_window->resize(size);
+    workspace().setToolsRight(toolsRight);
+    QStringList found;
+    visitAll([&](const QByteArray& name) {
+        if (const QString overlap = overlapOf(workspace()); !overlap.isEmpty())
+            found << QString::fromUtf8(name) + overlap;
+    });
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
+    m_window->resize(1024, 700);
+    workspace().setToolsRight(false);
+}
+
+void WindowLayoutTest::targets_areLargeEnoughForAFinger()
+{
+    QStringList small;
+    const auto measure = [&](QWidget& pane, const QByteArray& name) {
+        for (const QWidget* widget : test::widgetsToWorkWith(pane)) {
+            const QSize target = test::targetOf(*widget);
+            const bool isStrip = qobject_cast<const RotationStrip*>(widget); // As long as the window
+            if (!isStrip && (target.width() < theme::kTarget || target.height() < theme::kTarget))
+                small << QStringLiteral("%1%2 \"%3\" %4 has %5 x %6 px")
+                             .arg(QString::fromUtf8(name), QLatin1String(widget->metaObject()->className()),
+                                  widget->objectName(), widget->accessibleName())
+                             .arg(target.width())
+                             .arg(target.height());
+        }
+    };
+    visitAll([&](const QByteArray& name) { measure(workspace(), name); });
+    SettingsSheet settings({});
+    settings.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&settings));
+    measure(settings, "settings ");
+    QMenu* menu = workspace().topBar().findChild<QMenu*>();
+    menu->popup(m_window->mapToGlobal(QPoint(8, 50)));
+    for (QAction* entry : menu->actions()) {
+        if (!entry->isSeparator() && menu->actionGeometry(entry).height() < theme::kTarget)
+            small << QStringLiteral("menu: ") + entry->text();
+    }
+    menu->hide();
+    small.removeDuplicates();
+    QVERIFY2(small.isEmpty(), qPrintable(small.join(QLatin1Char('\n'))));
+}
+
+void WindowLayoutTest::title_isLegibleInASmallWindow()
+{
+    workspace().topBar().setTitle(QStringLiteral("The old oak.espalier"), true);
+    const auto* title = workspace().topBar().findChild<QLabel*>();
+    QVERIFY2(title->width() >= 100 && title->text().size() > 8, qPrintable(title->text()));
+    for (const BarButton* button : workspace().topBar().findChildren<BarButton*>()) {
+        if (button->isVisible())
+            QVERIFY(button->width() >= button->sizeHint().width());
+    }
+}
+
+void WindowLayoutTest::icons_areCrispAtAnyScale()
+{
+    // Three pixels to one: drawn anew, not magnified.
+    const QPixmap pixmap = action(ActionId::Prune)->icon().pixmap(QSize(24, 24), 3.0);
+    QCOMPARE(pixmap.size(), QSize(72, 72));
+    const QImage magnified =
+        action(ActionId::Prune)->icon().pixmap(QSize(24, 24), 1.0).toImage().scaled(72, 72);
+    QVERIFY(pixmap.toImage() != magnified.convertToFormat(pixmap.toImage().format()));
+}
+
+static const test::TestClass<WindowLayoutTest> windowLayoutTest;
+
+#include "WindowLayoutTest.moc"

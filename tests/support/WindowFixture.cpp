@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/WindowFixture.h"
+
+#include "panels/Notice.h"
+#include "panels/Theme.h"
+#include "views/Viewport.h"
+
+#include <QtTest>
+#include <QtWidgets>
+
+namespace espalier::test {
+
+void WindowFixture::initTestCase()
+{
+    m_screen = QTest::createTouchDevice();
+    theme::apply(*qApp);
+    QSettings().clear();
+    // Tables of data may ask it, which come before init().
+    m_window = std::make_unique<MainWindow>();
+}
+
+void WindowFixture::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    QVERIFY(m_folder->isValid());
+    QSettings().clear();
+    QSettings().setValue(QStringLiteral("files/autosaveInterval"), 1);
+    if (!m_window)
+        m_window = std::make_unique<MainWindow>();
+    m_window->resize(m_size);
+    m_window->show();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    m_window->viewSettings().setValues({.shadowsShown = false});
+    action(ActionId::Brush)->trigger();
+    viewport().setFocus();
+}
+
+void WindowFixture::cleanup()
+{
+    // Nobody is there to answer a question.
+    m_window->document().undoStack().setClean();
+    m_window->workspace().notice().finish();
+    action(ActionId::New)->trigger();
+}
+
+QPoint WindowFixture::at(float right, float up)
+{
+    const Camera& camera = viewport().camera();
+    const auto point = camera.project(right * camera.right() + up * Vec3::UnitY());
+    return viewport().mapTo(m_window.get(), point.value_or(QPointF()).toPoint());
+}
+
+void WindowFixture::brush(float fromUp, float toUp, float right)
+{
+    constexpr int kMoves = 25;
+    const QPoint from = at(right, fromUp);
+    const QPoint to = at(right, toUp);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= kMoves; ++i) {
+        QTest::mouseMove(handle(), from + (to - from) * i / kMoves);
+        QTest::qWait(20);
+    }
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, to);
+    QCoreApplication::processEvents();
+}
+
+void WindowFixture::answer(QMessageBox::StandardButton button)
+{
+    QTimer::singleShot(100, this, [this, button] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box)
+            return answer(button);
+        box->button(button)->click();
+    });
+}
+
+void WindowFixture::save(const QString& fileName)
+{
+    DocumentFile& file = m_window->files().file();
+    QSignalSpy saved(&file, &DocumentFile::saved);
+    file.save(fileName, {});
+    QVERIFY(saved.wait());
+}
+
+QString WindowFixture::notice()
+{
+    return workspace().notice().text();
+}
+
+} // namespace espalier::test

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPoint>
+#include <QPointer>
+#include <QTimer>
+#include <QWidget>
+
+class QPointingDevice;
+
+namespace espalier::test {
+
+enum class Way { Mouse, Finger, Keys };
+
+/// A person at a window: events enter where the system's do, so that they find whatever lies there.
+class WindowHand {
+public:
+    WindowHand();
+
+    /// A click or a tap at @p place of @p widget.
+    void tap(Way way, const QWidget& widget, const QPoint& place);
+    void tap(Way way, const QWidget& widget) { tap(way, widget, widget.rect().center()); }
+    /// In steps.
+    void drag(Way way, const QWidget& widget, const QPoint& from, const QPoint& to);
+    /// A key, to the window of @p widget.
+    static void key(const QWidget& widget, int key, Qt::KeyboardModifiers modifiers = {});
+    /// Plain letters and digits.
+    static void type(const QWidget& widget, const QString& text);
+
+    /// Dialogs and menus that have opened so far; each is closed at once.
+    int closedCount() const { return m_closed; }
+
+private:
+    void press(Way way, const QWidget& widget, const QPoint& place);
+    void move(Way way, const QWidget& widget, const QPoint& place);
+    void release(Way way, const QWidget& widget, const QPoint& place);
+    void closeWhatOpens();
+
+    QPointingDevice* m_screen;
+    QTimer m_watch;
+    int m_closed = 0;
+};
+
+} // namespace espalier::test
