@@ -208,9 +208,18 @@ Result<void> replay(const CommandLine& line)
     return line.stats.isEmpty() ? Result<void>() : writeStats(document, mesh, times, line.stats);
 }
 
+/// Says what of the file could not be taken over, if anything.
+Result<Project> loadInput(const CommandLine& line)
+{
+    Result<Project> project = loadProject(line.inputs.constFirst());
+    if (project && !project->warning.isEmpty())
+        complain(project->warning);
+    return project;
+}
+
 Result<void> exportProject(const CommandLine& line)
 {
-    const Result<Project> project = loadProject(line.inputs.constFirst());
+    const Result<Project> project = loadInput(line);
     if (!project)
         return project.error();
     return writeOutputs(*project, line.outputs);
@@ -218,7 +227,7 @@ Result<void> exportProject(const CommandLine& line)
 
 Result<void> render(const CommandLine& line)
 {
-    Result<Project> project = loadProject(line.inputs.constFirst());
+    Result<Project> project = loadInput(line);
     if (!project)
         return project.error();
     TreeDocument document;
@@ -235,7 +244,7 @@ QJsonArray pointToJson(const Vec3& point)
 
 Result<void> info(const CommandLine& line)
 {
-    const Result<Project> project = loadProject(line.inputs.constFirst());
+    const Result<Project> project = loadInput(line);
     if (!project)
         return project.error();
     const Tree tree = shownTree(*project);

@@ -39,14 +39,15 @@ void DocumentFile::startNew(const TreeParameters& parameters)
     setFile({}, {});
 }
 
-Result<void> DocumentFile::open(const QString& fileName)
+Result<QString> DocumentFile::open(const QString& fileName)
 {
     Result<Project> project = loadProject(fileName);
     if (!project)
         return project.error();
+    const QString warning = project->warning;
     showProject(m_document, std::move(*project));
     setFile(fileName, QFileInfo(fileName).fileName());
-    return {};
+    return warning;
 }
 
 void DocumentFile::recover(Project project, const QString& fileName)

@@ -27,8 +27,9 @@ public:
 
     /// A seedling without a file.
     void startNew(const TreeParameters& parameters = {});
-    /// Shows the tree of a file. On an error everything stays as it was.
-    Result<void> open(const QString& fileName);
+    /// Shows the tree of a file; the result is the project's warning, if any. On an error everything stays as
+    /// it was.
+    Result<QString> open(const QString& fileName);
     /// Takes over what a crash left: its changes are in no file, and @p fileName (may be empty) is where
     /// saving will go.
     void recover(Project project, const QString& fileName);

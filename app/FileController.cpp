@@ -149,7 +149,7 @@ void FileController::openProject(const QString& fileName)
         return;
     Q_EMIT aboutToReplace();
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const Result<void> opened = m_file.open(fileName);
+    const Result<QString> opened = m_file.open(fileName);
     QGuiApplication::restoreOverrideCursor();
     if (!opened) {
         m_notice->showWarning(opened.error().message);
@@ -157,6 +157,8 @@ void FileController::openProject(const QString& fileName)
     }
     m_autosave.clear();
     m_notice->finish();
+    if (!opened->isEmpty())
+        m_notice->showWarning(*opened);
     m_settings.addRecentFile(fileName);
     rememberFolder(fileName);
 }
@@ -341,6 +343,8 @@ void FileController::recover(const Leftover& leftover)
         return;
     }
     Q_EMIT aboutToReplace();
+    if (!project->warning.isEmpty())
+        m_notice->showWarning(project->warning);
     m_file.recover(std::move(*project), leftover.original);
     m_autosave.adopt(leftover);
 }

@@ -17,8 +17,8 @@ namespace espalier {
 class GrowthReplica;
 
 /// Lets a document's tree grow on its own while the window stays alive: another thread works out the steps on
-/// a copy, one ahead, and each is shown when it is due. All steps between beginning and end are one undo step;
-/// where parameters are changed meanwhile, those before and those after are one each.
+/// a copy, one ahead, and each is shown when it is due. All steps between beginning and end are one undo
+/// step; where parameters are changed meanwhile, those before and those after are one each.
 class GrowthRunner : public QObject {
     Q_OBJECT
 

@@ -482,12 +482,17 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!droppedFile(*event->mimeData()).isEmpty())
+    if (!droppedFile(*event->mimeData()).isEmpty() || !droppedImage(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
+    if (const QString image = droppedImage(*event->mimeData()); !image.isEmpty()) {
+        event->acceptProposedAction();
+        m_looks->askAndTake(image);
+        return;
+    }
     const QString name = droppedFile(*event->mimeData());
     if (name.isEmpty())
         return;

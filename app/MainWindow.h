@@ -6,6 +6,7 @@
 #include "app/GrowRunner.h"
 #include "app/LassoRunner.h"
 #include "app/LibraryController.h"
+#include "app/LookController.h"
 #include "app/RecipeRunner.h"
 #include "app/Settings.h"
 #include "app/TimeRunner.h"
@@ -99,6 +100,7 @@ private:
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
     std::unique_ptr<LibraryController> m_library;
+    std::unique_ptr<LookController> m_looks;
     std::unique_ptr<HelpController> m_help;
 };
 

@@ -10,6 +10,7 @@
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
 #include "panels/LassoPopOut.h"
+#include "panels/ParameterPanel.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "views/Viewport.h"
 
@@ -44,6 +45,14 @@ void MainWindow::makeInterface()
                                                    [this] { return thumbnail(); });
     m_library = std::make_unique<LibraryController>(m_workspace->library(), *m_files, m_workspace->notice(),
                                                     Library(m_settings.libraryFolder()));
+    m_looks = std::make_unique<LookController>(
+        m_document, m_settings, m_workspace->notice(), [this] { return isBusy(); }, *this);
+    for (int i = 0; i < Workspace::kSheetCount; ++i) {
+        if (auto* sheet = qobject_cast<ParameterPanel*>(&m_workspace->sheet(i))) {
+            connect(sheet, &ParameterPanel::imageAsked, m_looks.get(), &LookController::choose);
+            connect(sheet, &ParameterPanel::imageDropped, m_looks.get(), &LookController::take);
+        }
+    }
     connectPopOuts();
     connectViewport();
 }
@@ -64,6 +73,7 @@ void MainWindow::remakeInterface()
 
     m_help.reset();
     m_library.reset();
+    m_looks.reset();
     m_workspace.reset();
     // What is made from now on takes its locale from the window.
     unsetLocale();

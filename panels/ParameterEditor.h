@@ -58,7 +58,7 @@ private:
     ParameterGesture m_gesture;
     TreeParameters m_shown;
     bool m_isOwnChange = false;
-    bool m_holds = false; ///< See TreeDocument::holdParameters
+    bool m_holds = false;                ///< See TreeDocument::holdParameters
     const QObject* m_nudgedBy = nullptr; ///< Compared, never followed
     QTimer m_rest;
 };

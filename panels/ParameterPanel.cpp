@@ -4,6 +4,7 @@
 #include "panels/ParameterRow.h"
 #include "panels/Sideways.h"
 
+#include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -46,9 +47,30 @@ QWidget* ParameterPanel::makeSection(const ParameterSection& section, QWidget* p
     for (const ParameterText& text : section.parameters) {
         m_rows.push_back(new ParameterRow(m_editor, text, box));
         lines->addWidget(m_rows.back());
+        if (LookChoice* look = m_rows.back()->look()) {
+            m_look = LookChoice::kindOf(text.key);
+            setAcceptDrops(true);
+            connect(look, &LookChoice::imageAsked, this, &ParameterPanel::imageAsked);
+            connect(look, &LookChoice::imageDropped, this, &ParameterPanel::imageDropped);
+        }
     }
     lines->addStretch();
     return box;
+}
+
+void ParameterPanel::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (m_look && !droppedImage(*event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void ParameterPanel::dropEvent(QDropEvent* event)
+{
+    const QString file = droppedImage(*event->mimeData());
+    if (!m_look || file.isEmpty())
+        return;
+    event->acceptProposedAction();
+    Q_EMIT imageDropped(*m_look, file);
 }
 
 ParameterRow* ParameterPanel::row(std::string_view key) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "panels/Bar.h"
+#include "panels/LookChoice.h"
 #include "panels/ParameterEditor.h"
 #include "panels/ParameterTexts.h"
 
@@ -21,10 +22,20 @@ public:
     /// The row of a parameter, or null if this sheet has none.
     ParameterRow* row(std::string_view key) const;
 
+Q_SIGNALS:
+    /// An image of the person's own is wanted, or has been dropped on the sheet.
+    void imageAsked(espalier::LookKind kind);
+    void imageDropped(espalier::LookKind kind, const QString& fileName);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
 private:
     QWidget* makeSection(const ParameterSection& section, QWidget* parent);
 
     ParameterEditor m_editor;
+    std::optional<LookKind> m_look; ///< What an image on this sheet would be
     std::vector<ParameterRow*> m_rows;
 };
 

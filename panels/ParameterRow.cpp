@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterRow.h"
 
+#include "panels/LookChoice.h"
 #include "panels/ParameterEditor.h"
 #include "panels/ParameterNumber.h"
 #include "panels/ParameterSlider.h"
@@ -151,8 +152,15 @@ void ParameterRow::makeSwitch()
 void ParameterRow::makeChoice()
 {
     QLabel* label = makeLabel();
-    m_choice = new PatientChoice(this);
-    m_choice->addItems(choiceNames(m_scale.info().choices));
+    const QStringList names = choiceNames(m_scale.info().choices);
+    if (const std::optional<LookKind> kind = LookChoice::kindOf(key())) {
+        m_choice = m_look = new LookChoice(*kind, names, this);
+        connect(m_look, &LookChoice::drawnChosen, this, &ParameterRow::chooseDrawn);
+    } else {
+        m_choice = new PatientChoice(this);
+        m_choice->addItems(names);
+        connect(m_choice, &QComboBox::activated, this, [this](int index) { choose(index); });
+    }
     m_choice->setAccessibleName(parameterTr(m_scale.text().label));
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
@@ -160,13 +168,12 @@ void ParameterRow::makeChoice()
     m_choice->setFixedHeight(kRowHeight);
     line->addWidget(m_choice);
     setFixedHeight(kRowHeight);
-    connect(m_choice, &QComboBox::activated, this, [this](int index) { choose(index); });
 }
 
 void ParameterRow::follow()
 {
     const double value = m_editor.value(key());
-    if (value == m_value)
+    if (value == m_value && !m_look)
         return;
     m_value = value;
     present();
@@ -180,6 +187,9 @@ void ParameterRow::present()
     } else if (m_switch) {
         const QSignalBlocker quiet(m_switch);
         m_switch->setChecked(m_value != 0.0);
+    } else if (m_look) {
+        m_look->present(static_cast<int>(m_value),
+                        LookChoice::imageOf(m_editor.shown(), *LookChoice::kindOf(key())));
     } else {
         m_choice->setCurrentIndex(static_cast<int>(m_value));
     }
@@ -205,6 +215,16 @@ void ParameterRow::choose(double value)
     m_value = value;
     m_editor.begin();
     m_editor.show(key(), value);
+    m_editor.finish(accessibleName());
+}
+
+void ParameterRow::chooseDrawn(int drawn)
+{
+    m_editor.begin();
+    TreeParameters parameters = m_editor.shown();
+    LookChoice::takeImagesAway(parameters, *LookChoice::kindOf(key()));
+    setParameter(parameters, key(), drawn);
+    m_editor.show(parameters);
     m_editor.finish(accessibleName());
 }
 

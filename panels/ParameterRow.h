@@ -11,6 +11,7 @@ class QLabel;
 
 namespace espalier {
 
+class LookChoice;
 class ParameterEditor;
 class ParameterNumber;
 class ParameterSlider;
@@ -29,6 +30,8 @@ public:
     const char* key() const { return m_scale.info().key; }
     /// What it shows, in ParameterInfo's surface unit.
     double value() const { return m_value; }
+    /// The list of looks, if it is one.
+    LookChoice* look() const { return m_look; }
 
 protected:
     bool event(QEvent* event) override;
@@ -44,6 +47,7 @@ private:
     void follow();
     void edit(double value);
     void choose(double value);
+    void chooseDrawn(int drawn);
     void reset();
 
     ParameterEditor& m_editor;
@@ -56,6 +60,7 @@ private:
     ParameterNumber* m_number = nullptr;
     QCheckBox* m_switch = nullptr;
     QComboBox* m_choice = nullptr;
+    LookChoice* m_look = nullptr; ///< The same, if it is a list of looks
 };
 
 } // namespace espalier

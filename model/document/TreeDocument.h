@@ -60,8 +60,8 @@ public:
     /// comes of it. A mode, not part of the tree; it ends when its node dies.
     const Competitors& competitors() const { return m_competitors; }
     void setCompetitors(const Competitors& competitors);
-    /// Whether hands are trying parameters out. What grows by itself waits meanwhile: the trials of a hand are
-    /// one undo step, and only what grows afterwards is grown with them.
+    /// Whether hands are trying parameters out. What grows by itself waits meanwhile: the trials of a hand
+    /// are one undo step, and only what grows afterwards is grown with them.
     bool areParametersHeld() const { return m_parameterHolds > 0; }
     /// One hand more or less.
     void holdParameters(bool held);

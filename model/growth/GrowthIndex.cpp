@@ -80,8 +80,7 @@ bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size
     m_own.resize(tree.size(), 0);
     m_basipetal.resize(tree.size(), 0);
     m_pending.resize(tree.size(), 0);
-    const std::span<const InternodeId> noted =
-        std::span(m_noted).last(std::min(nodes, m_noted.size()));
+    const std::span<const InternodeId> noted = std::span(m_noted).last(std::min(nodes, m_noted.size()));
     for (const InternodeId id : noted) {
         m_isNoted[id] = 0;
         const Vec3& position = index.nodePosition(id);

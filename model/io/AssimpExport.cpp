@@ -3,7 +3,10 @@
 
 #include "model/io/FbxRepair.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
+#include <QImage>
+#include <QImageWriter>
 
 #include <assimp/Exporter.hpp>
 #include <assimp/GltfMaterial.h>
@@ -66,9 +69,14 @@ aiMesh* convert(const ExportMesh& source)
     return mesh.release();
 }
 
-/// A material with its textures at the given paths.
-aiMaterial* convert(const ExportMaterial& source, const QString& colourPath, const QString& normalPath,
-                    Slots slots)
+/// Where a material's textures are.
+struct TexturePaths {
+    QString colour;
+    QString normal;
+    QString roughness; ///< For glTF: roughness in green, metalness in blue
+};
+
+aiMaterial* convert(const ExportMaterial& source, const TexturePaths& paths, Slots slots)
 {
     auto material = std::make_unique<aiMaterial>();
     const auto add = [&](const auto& value, const char* key, unsigned type = 0, unsigned index = 0) {
@@ -85,12 +93,17 @@ aiMaterial* convert(const ExportMaterial& source, const QString& colourPath, con
     add(white, AI_MATKEY_COLOR_DIFFUSE);
     add(white, AI_MATKEY_BASE_COLOR);
     add(0.0F, AI_MATKEY_METALLIC_FACTOR);
-    add(0.9F, AI_MATKEY_ROUGHNESS_FACTOR);
-    addTexture(colourPath, aiTextureType_DIFFUSE);
-    addTexture(colourPath, aiTextureType_BASE_COLOR);
-    addTexture(normalPath, aiTextureType_NORMALS);
-    if (slots == Slots::Fbx) {
-        addTexture(normalPath, aiTextureType_HEIGHT);
+    add(1.0F, AI_MATKEY_ROUGHNESS_FACTOR);
+    addTexture(paths.colour, aiTextureType_DIFFUSE);
+    addTexture(paths.colour, aiTextureType_BASE_COLOR);
+    addTexture(paths.normal, aiTextureType_NORMALS);
+    if (slots == Slots::Gltf) {
+        // The slot that Assimp's header calls METALLICROUGHNESS_TEXTURE.
+        addTexture(paths.roughness, aiTextureType_UNKNOWN);
+    } else {
+        addTexture(paths.normal, aiTextureType_HEIGHT);
+        // FBX's Phong knows no roughness. Blender writes and reads it here, and as it is.
+        addTexture(paths.roughness, aiTextureType_SHININESS);
         // Dull and no metal: readers derive that from Phong's terms, and Assimp's defaults are those of a
         // mirror.
         const aiColor3D black(0.0F, 0.0F, 0.0F);
@@ -102,13 +115,30 @@ aiMaterial* convert(const ExportMaterial& source, const QString& colourPath, con
     }
     if (source.isLeaf) {
         if (slots == Slots::Fbx)
-            addTexture(colourPath, aiTextureType_OPACITY);
+            addTexture(paths.colour, aiTextureType_OPACITY);
         add(1, AI_MATKEY_TWOSIDED);
         const aiString mask("MASK");
         material->AddProperty(&mask, AI_MATKEY_GLTF_ALPHAMODE);
         add(0.5F, AI_MATKEY_GLTF_ALPHACUTOFF);
     }
     return material.release();
+}
+
+/// The roughness as glTF wants it: in green; metalness, of which there is none, in blue.
+QByteArray metallicRoughness(const QByteArray& png)
+{
+    QImage image = QImage::fromData(png, "png").convertToFormat(QImage::Format_RGB888);
+    for (int y = 0; y < image.height(); ++y) {
+        uchar* pixel = image.scanLine(y);
+        for (int x = 0; x < image.width(); ++x, pixel += 3) {
+            pixel[0] = 0;
+            pixel[2] = 0;
+        }
+    }
+    QByteArray packed;
+    QBuffer buffer(&packed);
+    QImageWriter(&buffer, "png").write(image);
+    return packed;
 }
 
 aiTexture* convert(const ExportTexture& source, const QString& name)
@@ -181,16 +211,16 @@ Result<QByteArray> exported(Assimp::Exporter& exporter, const aiScene& scene, co
 Result<QByteArray> toGlb(const ExportScene& scene)
 {
     const std::unique_ptr<aiScene> converted = convertMeshes(scene);
-    converted->mTextures = makeArray<aiTexture>(2 * scene.materials.size());
+    converted->mTextures = makeArray<aiTexture>(3 * scene.materials.size());
     const auto embed = [&](const ExportTexture& texture) {
         converted->mTextures[converted->mNumTextures] =
             convert(texture, scene.name + QLatin1Char('_') + texture.name);
         return QStringLiteral("*%1").arg(converted->mNumTextures++);
     };
     for (const ExportMaterial& material : scene.materials) {
-        const QString colour = embed(material.colour);
-        const QString normal = embed(material.normal);
-        converted->mMaterials[converted->mNumMaterials++] = convert(material, colour, normal, Slots::Gltf);
+        const ExportTexture roughness{material.roughness.name, metallicRoughness(material.roughness.png)};
+        const TexturePaths paths{embed(material.colour), embed(material.normal), embed(roughness)};
+        converted->mMaterials[converted->mNumMaterials++] = convert(material, paths, Slots::Gltf);
     }
     Assimp::Exporter exporter;
     return exported(exporter, *converted, registerPlainGlb(exporter),
@@ -201,8 +231,9 @@ Result<QByteArray> toFbx(const ExportScene& scene, const TextureFileName& textur
 {
     const std::unique_ptr<aiScene> converted = convertMeshes(scene);
     for (const ExportMaterial& material : scene.materials) {
-        converted->mMaterials[converted->mNumMaterials++] =
-            convert(material, textureFileName(material.colour), textureFileName(material.normal), Slots::Fbx);
+        const TexturePaths paths{textureFileName(material.colour), textureFileName(material.normal),
+                                 textureFileName(material.roughness)};
+        converted->mMaterials[converted->mNumMaterials++] = convert(material, paths, Slots::Fbx);
     }
     // FBX counts in centimetres unless it is told that a unit is a hundred of them.
     converted->mMetaData = aiMetadata::Alloc(1);

@@ -4,11 +4,12 @@
 #include "model/base/Parallel.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
-#include "model/mesh/Textures.h"
+#include "model/mesh/OwnTextures.h"
 
 #include <QBuffer>
 #include <QImageWriter>
 
+#include <cmath>
 #include <cstring>
 
 namespace espalier {
@@ -78,31 +79,58 @@ QImage inARow(const std::vector<QImage>& images)
     return row;
 }
 
-void darken(QImage& image, double factor)
+/// Light that a leaf lets through to its other side is yellower and redder than what it reflects. Here it is
+/// drawn as such; the plain materials that travel know no such light, and would look dull and cold: so their
+/// colours have it in them. Red, green, blue, linear.
+constexpr std::array kThrough{1.35, 1.0, 0.9};
+
+/// Multiplies colours by linear factors.
+void multiply(QImage& image, const std::array<double, 3>& factors)
 {
-    const auto scaled = [&](uchar channel) {
-        return static_cast<uchar>(std::min(255.0, channel * factor + 0.5));
-    };
+    std::array<std::array<uchar, 256>, 3> tables;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        // A power is near enough to sRGB's transfer function to scale by.
+        const double factor = std::pow(factors[channel], 1.0 / 2.2);
+        for (std::size_t i = 0; i < 256; ++i)
+            tables[channel][i] = static_cast<uchar>(std::min(255.0, static_cast<double>(i) * factor + 0.5));
+    }
     for (int y = 0; y < image.height(); ++y) {
         uchar* pixel = image.scanLine(y);
         for (int x = 0; x < image.width(); ++x, pixel += 4) {
-            pixel[0] = scaled(pixel[0]);
-            pixel[1] = scaled(pixel[1]);
-            pixel[2] = scaled(pixel[2]);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                pixel[channel] = tables[channel][pixel[channel]];
         }
     }
 }
 
 QImage leafColours(LeafShape shape, double saturation, int size, const std::vector<LeafTile>& tiles)
 {
+    std::array<double, 3> through;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        through[channel] = 1.0 + std::min(saturation, 1.0) * (kThrough[channel] - 1.0);
     std::vector<QImage> images(tiles.size());
     parallelFor(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             images[i] = leafAlbedo(shape, size, kLeafTextureHue + tiles[i].hueShift);
             saturateLeaf(images[i], saturation);
-            darken(images[i], tiles[i].value);
+            const double value = tiles[i].value;
+            multiply(images[i], {value * through[0], value * through[1], value * through[2]});
         }
     });
+    return inARow(images);
+}
+
+/// The image of the person's own in each tile's hue, as it is shown here.
+QImage ownColours(const QImage& image, double saturation, const std::vector<LeafTile>& tiles)
+{
+    std::vector<QImage> images(tiles.size(), image);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        std::array<double, 3> factors = hueFactors(tiles[i].hueShift);
+        for (double& factor : factors)
+            factor *= tiles[i].value;
+        saturateLeaf(images[i], saturation);
+        multiply(images[i], factors);
+    }
     return inARow(images);
 }
 
@@ -116,11 +144,35 @@ QByteArray toPng(const QImage& image)
     return png;
 }
 
-/// An image to be made and packed.
-struct TextureJob {
-    std::function<QImage()> make;
-    ExportTexture* target;
-};
+/// A material without its images yet.
+ExportMaterial namedMaterial(const QString& name, const QString& textures, bool isLeaf)
+{
+    return {name,
+            {textures, {}},
+            {textures + QLatin1String("_normal"), {}},
+            {textures + QLatin1String("_roughness"), {}},
+            isLeaf};
+}
+
+/// Packs the images of a material, side by side.
+void pack(ExportMaterial& material, const SurfaceTextures& textures)
+{
+    const std::array<const QImage*, 3> images{&textures.colour, &textures.normal, &textures.roughness};
+    const std::array<ExportTexture*, 3> targets{&material.colour, &material.normal, &material.roughness};
+    parallelFor(images.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            targets[i]->png = toPng(*images[i]);
+    });
+}
+
+/// The textures of all leaves: a tile for each hue.
+SurfaceTextures leafTiles(const LeafParameters& leaves, int size, const std::vector<LeafTile>& tiles)
+{
+    const SurfaceTextures one = leafTextures(leaves, size);
+    return {leaves.image.isNull() ? leafColours(leaves.shape, leaves.saturation, size, tiles)
+                                  : ownColours(one.colour, leaves.saturation, tiles),
+            inARow(std::vector(tiles.size(), one.normal)), inARow(std::vector(tiles.size(), one.roughness))};
+}
 
 /// Lets each leaf's texture coordinates lie in its tile.
 void moveIntoTiles(TriangleMesh& mesh, const LeafTiles& tiles, std::size_t verticesPerLeaf)
@@ -151,44 +203,26 @@ ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QSt
     ExportScene scene{safeExportName(name), {}, {}};
     scene.meshes.reserve(2);
     scene.materials.reserve(2);
-    std::vector<TextureJob> jobs;
 
     const Widths widths(tree, index);
     scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Bark"),
                             meshBranches(tree, index, widths, {.detail = options.detail}), 0});
-    ExportMaterial& bark = scene.materials.emplace_back(ExportMaterial{scene.name + QLatin1String("_Bark"),
-                                                                       {QStringLiteral("bark"), {}},
-                                                                       {QStringLiteral("bark_normal"), {}},
-                                                                       false});
-    const BarkKind kind = parameters.bark.kind;
-    jobs.push_back({[=] { return barkAlbedo(kind, options.textureSize); }, &bark.colour});
-    jobs.push_back({[=] { return barkNormal(kind, options.textureSize); }, &bark.normal});
+    scene.materials.push_back(
+        namedMaterial(scene.name + QLatin1String("_Bark"), QStringLiteral("bark"), false));
+    pack(scene.materials.back(), barkTextures(parameters.bark, options.textureSize));
 
     const MeshBuffer<LeafInstance> leaves =
         options.leaves ? placeLeaves(tree, index) : MeshBuffer<LeafInstance>();
     const LeafTiles tiles = chooseTiles(leaves);
     if (!tiles.tileOf.empty()) {
-        const LeafShape shape = parameters.leaves.shape;
+        const auto shape = static_cast<LeafShape>(leaves.front().shape);
         TriangleMesh mesh = expandLeaves(leaves);
         moveIntoTiles(mesh, tiles, leafCard(shape).vertices.size());
         scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Leaves"), std::move(mesh), 1});
-        ExportMaterial& leaf =
-            scene.materials.emplace_back(ExportMaterial{scene.name + QLatin1String("_Leaves"),
-                                                        {QStringLiteral("leaf"), {}},
-                                                        {QStringLiteral("leaf_normal"), {}},
-                                                        true});
-        const int size = options.textureSize / 2;
-        const double saturation = parameters.leaves.saturation;
-        jobs.push_back(
-            {[=, &tiles] { return leafColours(shape, saturation, size, tiles.tiles); }, &leaf.colour});
-        jobs.push_back(
-            {[=, &tiles] { return inARow(std::vector(tiles.tiles.size(), leafNormal(shape, size))); },
-             &leaf.normal});
+        scene.materials.push_back(
+            namedMaterial(scene.name + QLatin1String("_Leaves"), QStringLiteral("leaf"), true));
+        pack(scene.materials.back(), leafTiles(parameters.leaves, options.textureSize / 2, tiles.tiles));
     }
-    parallelFor(jobs.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            jobs[i].target->png = toPng(jobs[i].make());
-    });
     return scene;
 }
 

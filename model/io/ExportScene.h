@@ -23,7 +23,7 @@ struct ExportOptions {
 
 /// An image, packed as PNG.
 struct ExportTexture {
-    QString name; ///< "bark", "bark_normal": to follow the tree's in a file name
+    QString name; ///< "bark", "bark_normal", "bark_roughness": to follow the tree's in a file name
     QByteArray png;
 };
 
@@ -31,7 +31,8 @@ struct ExportMaterial {
     QString name;
     ExportTexture colour;
     ExportTexture normal;
-    bool isLeaf = false; ///< Cut out by the colour's alpha, seen from both sides
+    ExportTexture roughness; ///< Grey: 0 a mirror, 255 chalk
+    bool isLeaf = false;     ///< Cut out by the colour's alpha, seen from both sides
 };
 
 struct ExportMesh {

@@ -53,7 +53,7 @@ public:
     {
         Result<void> result;
         for (const ExportMaterial& material : scene.materials) {
-            for (const ExportTexture* texture : {&material.colour, &material.normal}) {
+            for (const ExportTexture* texture : {&material.colour, &material.normal, &material.roughness}) {
                 if (result)
                     result = add(textureName(*texture), texture->png);
             }

@@ -21,7 +21,8 @@ QStringList exportSuffixes();
 /// - .obj: Wavefront OBJ, materials (.mtl) and textures beside it;
 /// - .csv: the skeleton, see SkeletonWriter.
 ///
-/// Textures are called after the file, such as oak_bark.png, oak_bark_normal.png; nodes and materials after
+/// Textures are called after the file, such as oak_bark.png, oak_bark_normal.png, oak_bark_roughness.png;
+/// nodes and materials after
 /// @p name (see ExportScene). Files are replaced whole once all have been written: an error or a cancellation
 /// leaves everything as it was. Takes seconds for large trees; may run on any thread while nobody changes the
 /// tree.

@@ -47,7 +47,8 @@ QByteArray toMtl(const ExportScene& scene, const TextureFileName& textureFileNam
     for (const ExportMaterial& material : scene.materials) {
         const QByteArray colour = textureFileName(material.colour).toUtf8();
         text += "newmtl " + material.name.toUtf8() + "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " +
-                colour + "\nmap_Bump " + textureFileName(material.normal).toUtf8() + '\n';
+                colour + "\nmap_Bump " + textureFileName(material.normal).toUtf8() + "\nPm 0\nPr 1\nmap_Pr " +
+                textureFileName(material.roughness).toUtf8() + '\n';
         if (material.isLeaf)
             text += "map_d " + colour + '\n';
     }

@@ -8,6 +8,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <type_traits>
 
@@ -24,9 +25,10 @@ struct Key {
     QString group;
     QString name;
 
-    explicit Key(const ParameterInfo& info)
+    explicit Key(const ParameterInfo& info) : Key(info.key) {}
+    explicit Key(const char* text)
     {
-        const QLatin1StringView key(info.key);
+        const QLatin1StringView key(text);
         const qsizetype dot = key.indexOf(QLatin1Char('.'));
         group = key.first(dot);
         name = key.sliced(dot + 1);
@@ -102,6 +104,39 @@ std::optional<QString> readValue(const ParameterInfo& info, const QJsonValue& va
     return {};
 }
 
+/// What is wrong with the name of an image, or nothing; then @p image is the one of that name.
+std::optional<QString> readImageName(const QJsonValue& value, const ImageOfName& imageOfName,
+                                     ImageAsset& image)
+{
+    if (!value.isString())
+        return Text::tr("the name of an image is expected");
+    if (value.toString().isEmpty()) {
+        image = {};
+        return {};
+    }
+    if (!imageOfName)
+        return Text::tr("there are no images here");
+    const Result<ImageAsset> found = imageOfName(value.toString());
+    if (!found)
+        return found.error().message;
+    image = *found;
+    return {};
+}
+
+QString nameOf(const ImageAsset& image, const ImageName& imageName)
+{
+    if (image.isNull())
+        return {};
+    return imageName ? imageName(image) : image.hash();
+}
+
+void put(QJsonObject& json, const Key& key, const QJsonValue& value)
+{
+    QJsonObject group = json[key.group].toObject();
+    group[key.name] = value;
+    json[key.group] = group;
+}
+
 /// What contradicts what, and in which field.
 std::optional<Error> contradiction(const GrowthParameters& growth, const QString& place)
 {
@@ -134,7 +169,7 @@ QString unknownName(const QJsonObject& json, const QHash<QString, QSet<QString>>
 
 } // namespace
 
-QJsonObject toJson(const TreeParameters& parameters)
+QJsonObject toJson(const TreeParameters& parameters, const ImageName& imageName)
 {
     QHash<QString, QJsonObject> groups;
     visitParameters(parameters, [&](const ParameterInfo& info, const auto& field) {
@@ -144,13 +179,21 @@ QJsonObject toJson(const TreeParameters& parameters)
     QJsonObject json;
     for (auto group = groups.cbegin(); group != groups.cend(); ++group)
         json.insert(group.key(), group.value());
+    visitImages(parameters, [&](const char* key, const ImageAsset& image) {
+        if (!image.isNull())
+            put(json, Key(key), nameOf(image, imageName));
+    });
     return json;
 }
 
-QJsonObject toJson(const TreeParameters& parameters, const TreeParameters& base)
+QJsonObject toJson(const TreeParameters& parameters, const TreeParameters& base, const ImageName& imageName)
 {
-    QJsonObject json = toJson(parameters);
-    const QJsonObject known = toJson(base);
+    TreeParameters plain = parameters;
+    visitImages(plain, [](const char*, ImageAsset& image) { image = {}; });
+    TreeParameters plainBase = base;
+    visitImages(plainBase, [](const char*, ImageAsset& image) { image = {}; });
+    QJsonObject json = toJson(plain);
+    const QJsonObject known = toJson(plainBase);
     for (const QString& group : known.keys()) {
         QJsonObject members = json[group].toObject();
         const QJsonObject same = known[group].toObject();
@@ -163,10 +206,17 @@ QJsonObject toJson(const TreeParameters& parameters, const TreeParameters& base)
         else
             json[group] = members;
     }
+    visitImages(parameters, [&](const char* key, const ImageAsset& image) {
+        visitImages(base, [&](const char* baseKey, const ImageAsset& before) {
+            if (std::strcmp(key, baseKey) == 0 && !(image == before))
+                put(json, Key(key), nameOf(image, imageName));
+        });
+    });
     return json;
 }
 
-Result<TreeParameters> fromJson(const QJsonObject& json, const TreeParameters& base, const QString& place)
+Result<TreeParameters> fromJson(const QJsonObject& json, const TreeParameters& base, const QString& place,
+                                const ImageOfName& imageOfName)
 {
     TreeParameters result = base;
     std::optional<Error> error;
@@ -186,6 +236,15 @@ Result<TreeParameters> fromJson(const QJsonObject& json, const TreeParameters& b
             return;
         if (const auto fault = readValue(info, value, field))
             error = inputError(place + QLatin1Char('.') + QLatin1String(info.key), *fault);
+    });
+    visitImages(result, [&](const char* keyText, ImageAsset& image) {
+        const Key key(keyText);
+        known[key.group].insert(key.name);
+        const QJsonValue value = json.value(key.group).toObject().value(key.name);
+        if (error || value.isUndefined())
+            return;
+        if (const auto fault = readImageName(value, imageOfName, image))
+            error = inputError(place + QLatin1Char('.') + QLatin1String(keyText), *fault);
     });
     if (!error) {
         if (const QString name = unknownName(json, known); !name.isEmpty())

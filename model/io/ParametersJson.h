@@ -6,19 +6,29 @@
 
 #include <QJsonObject>
 
+#include <functional>
+
 namespace espalier {
+
+/// What an image is called in a file, and the image of that name.
+using ImageName = std::function<QString(const ImageAsset&)>;
+using ImageOfName = std::function<Result<ImageAsset>(const QString&)>;
 
 /// Parameters as JSON: {"growth": {"apicalDominance": 0.5, …}, "widths": …, "leaves": …, "bark": …}, in
 /// surface units: degrees for angles, the name for a choice, true or false for a switch. Every number has as
-/// few digits as lead back to the same value.
-QJsonObject toJson(const TreeParameters& parameters);
-/// Only what differs from @p base.
-QJsonObject toJson(const TreeParameters& parameters, const TreeParameters& base);
+/// few digits as lead back to the same value. An image is its @p imageName, or its hash if that is not given;
+/// where there is none, nothing is said.
+QJsonObject toJson(const TreeParameters& parameters, const ImageName& imageName = {});
+/// Only what differs from @p base; "" takes an image away.
+QJsonObject toJson(const TreeParameters& parameters, const TreeParameters& base,
+                   const ImageName& imageName = {});
 
 /// @p base with what @p json says. Unknown names, wrong types and values outside the limits of
 /// visitParameters give an error that names the place ("parameters.growth.shedding: …"), and so do parameters
-/// that contradict each other: direction weights that are all 0, or an ellipse whose offset reaches its edge.
-Result<TreeParameters> fromJson(const QJsonObject& json, const TreeParameters& base, const QString& place);
+/// that contradict each other: direction weights that are all 0, or an ellipse whose offset reaches its edge;
+/// and images that @p imageOfName does not know, or any if it is not given.
+Result<TreeParameters> fromJson(const QJsonObject& json, const TreeParameters& base, const QString& place,
+                                const ImageOfName& imageOfName = {});
 
 /// Scales the direction weights α, β, γ so that their sum is 1, unless it is already (then not a bit
 /// changes). Precondition: one of them is above 0.

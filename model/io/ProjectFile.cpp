@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/ProjectFile.h"
 
+#include "model/io/ImageFile.h"
 #include "model/io/JournalCheck.h"
 #include "model/io/JournalColumns.h"
 #include "model/io/JsonReader.h"
@@ -52,7 +53,52 @@ struct Description {
     std::uint32_t lassoPoints = 0;
     QList<TreeParameters> parameterSets;
     std::uint32_t currentParameters = 0;
+    QString lostImage; ///< Name of one that could not be read, if any
 };
+
+/// The images that parameter sets refer to, each once.
+std::vector<ImageAsset> imagesOf(const Tree& tree)
+{
+    std::vector<ImageAsset> images;
+    QSet<QString> known;
+    for (const TreeParameters& set : tree.parameterSets()) {
+        visitImages(set, [&](const char*, const ImageAsset& image) {
+            if (!image.isNull() && !known.contains(image.hash())) {
+                known.insert(image.hash());
+                images.push_back(image);
+            }
+        });
+    }
+    return images;
+}
+
+bool areWithinLimits(const std::vector<ImageAsset>& images)
+{
+    qsizetype bytes = 0;
+    for (const ImageAsset& image : images)
+        bytes += image.file().size();
+    return images.size() <= projectLimits::kImages && bytes <= projectLimits::kImageBytes;
+}
+
+QByteArray assetEntry(const QString& hash, const QString& suffix)
+{
+    return QByteArray("assets/") + hash.toLatin1() + '.' + suffix.toLatin1();
+}
+
+/// The image of that hash, if the archive has it whole.
+std::optional<ImageAsset> readAsset(const ZipReader& archive, const QString& hash, const QString& name)
+{
+    for (const char* suffix : {"png", "jpg"}) {
+        const QByteArray entry = assetEntry(hash, QLatin1String(suffix));
+        if (!archive.contains(entry.constData()))
+            continue;
+        const Result<QByteArray> file = archive.read(entry.constData(), imageLimits::kBytes);
+        const Result<ImageAsset> image = file ? glanceAtImage(*file, name) : file.error();
+        if (image && image->hash() == hash)
+            return *image;
+    }
+    return {};
+}
 
 template <class T>
 QByteArray bytesOf(const QList<T>& column)
@@ -113,7 +159,14 @@ QByteArray describe(const Project& project, const JournalCounts& counts)
                            {QStringLiteral("lassoPoints"), qint64{lassoPointsOf(tree)}},
                            {QStringLiteral("currentParameters"), qint64{tree.currentParameterSet()}},
                            {QStringLiteral("parameterSets"), sets}};
-    return QJsonDocument(json).toJson();
+    QJsonObject whole = json;
+    QJsonObject images;
+    for (const ImageAsset& image : imagesOf(tree))
+        images[image.hash()] = image.name();
+    // Without any, programs that know nothing of images can read the file.
+    if (!images.isEmpty())
+        whole[QStringLiteral("images")] = images;
+    return QJsonDocument(whole).toJson();
 }
 
 std::uint32_t readCount(JsonReader& reader, const char* key, std::uint32_t minimum, std::uint32_t maximum)
@@ -156,7 +209,8 @@ std::vector<WidthConstraint> readWidths(JsonReader& reader)
     return widths;
 }
 
-Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array)
+/// Parameter sets, of images those that @p imageOfName finds.
+Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array, const ImageOfName& imageOfName)
 {
     QList<TreeParameters> sets;
     TreeParameters before;
@@ -164,7 +218,7 @@ Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array)
         const QString place = QStringLiteral("parameterSets[%1]").arg(i);
         if (!array.at(i).isObject())
             return inputError(place, Text::tr("an object is expected"));
-        const Result<TreeParameters> set = fromJson(array.at(i).toObject(), before, place);
+        const Result<TreeParameters> set = fromJson(array.at(i).toObject(), before, place, imageOfName);
         if (!set)
             return set.error();
         before = *set;
@@ -173,7 +227,7 @@ Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array)
     return sets;
 }
 
-Result<Description> readDescription(const QByteArray& text)
+Result<Description> readDescription(const ZipReader& archive, const QByteArray& text)
 {
     const Result<QJsonObject> json = parseJsonObject(text, kMaximumDescription);
     if (!json)
@@ -209,12 +263,36 @@ Result<Description> readDescription(const QByteArray& text)
                     Text::tr("1 to %1 sets are expected").arg(projectLimits::kParameterSets));
     description.currentParameters = static_cast<std::uint32_t>(
         reader.integer(QLatin1StringView("currentParameters"), 0, std::max<qsizetype>(sets.size(), 1) - 1));
+    const QJsonObject imageNames = reader.object(QLatin1StringView("images"));
+    if (imageNames.size() > qsizetype{projectLimits::kImages})
+        reader.fail(QLatin1StringView("images"),
+                    Text::tr("at most %1 images are expected").arg(projectLimits::kImages));
     if (const Result<void> end = reader.finish(); !end)
         return end.error();
-    Result<QList<TreeParameters>> parameterSets = readParameterSets(sets);
+    QHash<QString, ImageAsset> images;
+    qsizetype imageBytes = 0;
+    const ImageOfName imageOfName = [&](const QString& hash) -> Result<ImageAsset> {
+        if (const auto known = images.find(hash); known != images.end())
+            return *known;
+        const QString name = imageNames.value(hash).toString();
+        std::optional<ImageAsset> image;
+        if (imageBytes < projectLimits::kImageBytes)
+            image = readAsset(archive, hash, name);
+        if (image)
+            imageBytes += image->file().size();
+        else
+            description.lostImage = name.isEmpty() ? hash.first(std::min<qsizetype>(hash.size(), 8)) : name;
+        return *images.insert(hash, image.value_or(ImageAsset()));
+    };
+    Result<QList<TreeParameters>> parameterSets = readParameterSets(sets, imageOfName);
     if (!parameterSets)
         return parameterSets.error();
     description.parameterSets = std::move(*parameterSets);
+    visitImages(description.parameterSets[description.currentParameters],
+                [&](const char*, const ImageAsset& image) {
+                    if (!image.isNull() && image.pixels().isNull())
+                        description.lostImage = image.name();
+                });
     return description;
 }
 
@@ -292,7 +370,7 @@ Result<Journal> readJournal(const ZipReader& archive, const JournalCounts& count
     return std::move(*journal);
 }
 
-QImage readImage(const ZipReader& archive)
+QImage readThumbnail(const ZipReader& archive)
 {
     if (!archive.contains(kThumbnailEntry))
         return {};
@@ -332,7 +410,7 @@ Result<QByteArray> packProject(const Project& project)
         counts.budChanges > projectLimits::kBudChanges || counts.frames > projectLimits::kFrames ||
         counts.widths > projectLimits::kWidths || counts.lassos > projectLimits::kLassoChanges ||
         project.tree.lassos().strokes.size() > qsizetype{projectLimits::kLassos} ||
-        lassoPointsOf(project.tree) > projectLimits::kLassoPoints)
+        lassoPointsOf(project.tree) > projectLimits::kLassoPoints || !areWithinLimits(imagesOf(project.tree)))
         return Error{Error::Kind::Output,
                      Text::tr("the tree or its history is too large for a project file")};
     ZipWriter archive;
@@ -348,6 +426,8 @@ Result<QByteArray> packProject(const Project& project)
     LassoColumns::visit(lassos, 0, 0, [&](const char* name, const auto& column, std::uint32_t) {
         archive.add(QByteArray("lasso/") + name, bytesOf(column));
     });
+    for (const ImageAsset& image : imagesOf(project.tree))
+        archive.add(assetEntry(image.hash(), image.suffix()), image.file(), ZipWriter::Packing::Store);
     if (!project.thumbnail.isNull())
         archive.add(kThumbnailEntry, toPng(project.thumbnail), ZipWriter::Packing::Store);
     return archive.finish();
@@ -361,19 +441,26 @@ Result<Project> unpackProject(const QByteArray& content)
     const Result<QByteArray> text = archive->read(kDescriptionEntry, kMaximumDescription);
     if (!text)
         return text.error();
-    Result<Description> description = readDescription(*text);
+    Result<Description> description = readDescription(*archive, *text);
     if (!description)
         return inputError(QString::fromLatin1(kDescriptionEntry), description.error().message);
     const JournalCounts counts = description->journal;
     const QString name = description->name;
     const std::uint32_t ahead = description->ahead;
+    QString warning;
+    if (!description->lostImage.isEmpty()) {
+        warning =
+            Text::tr(
+                "the image “%1” is missing in it or broken; the look that was drawn for it shows instead")
+                .arg(description->lostImage);
+    }
     Result<Tree> tree = readTree(*archive, std::move(*description));
     if (!tree)
         return tree.error();
     Result<Journal> journal = readJournal(*archive, counts, *tree);
     if (!journal)
         return journal.error();
-    return Project{std::move(*tree), std::move(*journal), name, readImage(*archive), ahead};
+    return Project{std::move(*tree), std::move(*journal), name, readThumbnail(*archive), ahead, warning};
 }
 
 Result<void> saveProject(const Project& project, const QString& fileName)
@@ -399,6 +486,8 @@ Result<Project> loadProject(const QString& fileName)
     Result<Project> project = unpackProject(file.readAll());
     if (!project)
         return inputError(name, project.error().message);
+    if (!project->warning.isEmpty())
+        project->warning = inputError(name, project->warning).message;
     return project;
 }
 
@@ -407,7 +496,7 @@ Result<QImage> readThumbnail(const QString& fileName)
     const Result<ZipReader> archive = ZipReader::openFile(fileName);
     if (!archive)
         return inputError(QFileInfo(fileName).fileName(), archive.error().message);
-    return readImage(*archive);
+    return readThumbnail(*archive);
 }
 
 } // namespace espalier

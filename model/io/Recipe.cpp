@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/Recipe.h"
 
+#include "model/io/ImageFile.h"
 #include "model/io/JsonReader.h"
 #include "model/io/ParametersJson.h"
+#include "model/mesh/OwnTextures.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -59,10 +62,72 @@ Competitors parseCompetitors(JsonReader& parent)
     return competitors;
 }
 
+/// Reads parameters, and the images that they name, each file once.
+class ParametersParser {
+public:
+    explicit ParametersParser(const QString& folder) : m_folder(folder) {}
+
+    /// @p base with what @p json says.
+    Result<TreeParameters> parse(const QJsonObject& json, TreeParameters base, const QString& place);
+
+private:
+    struct Image {
+        Result<ImageAsset> asset;
+        double aspect = 1.0; ///< As a leaf; 0 if there is none in it
+    };
+
+    const Image& image(const QString& name);
+    Result<ImageAsset> read(const QString& name) const;
+
+    QString m_folder;
+    QHash<QString, Image> m_images;
+};
+
+Result<ImageAsset> ParametersParser::read(const QString& name) const
+{
+    if (m_folder.isEmpty())
+        return inputError(name, Text::tr("a recipe that is no file has no images"));
+    if (m_images.size() >= recipeLimits::kImages)
+        return inputError(name, Text::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
+    if (QDir::isAbsolutePath(name))
+        return inputError(name, Text::tr("a path relative to the recipe is expected"));
+    return readImageFile(QDir(m_folder).filePath(name), name);
+}
+
+const ParametersParser::Image& ParametersParser::image(const QString& name)
+{
+    const auto known = m_images.find(name);
+    if (known != m_images.end())
+        return *known;
+    Image image{read(name)};
+    if (image.asset)
+        image.aspect = ownLeafAspect(*image.asset).value_or(0.0);
+    return *m_images.insert(name, image);
+}
+
+Result<TreeParameters> ParametersParser::parse(const QJsonObject& json, TreeParameters base,
+                                               const QString& place)
+{
+    const ImageOfName imageOfName = [this](const QString& name) { return image(name).asset; };
+    const QString leaf =
+        json.value(QLatin1String("leaves")).toObject().value(QLatin1String("image")).toString();
+    if (!leaf.isEmpty()) {
+        const Image& found = image(leaf);
+        if (found.asset && found.aspect == 0.0)
+            return inputError(place + QLatin1String(".leaves.image"), noLeafIn(*found.asset));
+        if (found.asset && !(base.leaves.image == *found.asset))
+            adoptImage(base.leaves, *found.asset, found.aspect);
+    }
+    return fromJson(json, base, place, imageOfName);
+}
+
 /// Reads the operations in turn; each may lean on those before.
 class OperationsParser {
 public:
-    explicit OperationsParser(const TreeParameters& parameters) : m_parameters(parameters) {}
+    OperationsParser(const TreeParameters& parameters, ParametersParser& parser)
+        : m_parameters(parameters), m_parser(parser)
+    {
+    }
 
     Result<RecipeOperation> parse(const QJsonValue& value, const QString& place);
 
@@ -78,6 +143,7 @@ private:
                                        BrushSample& sample) const;
 
     TreeParameters m_parameters; ///< In force
+    ParametersParser& m_parser;
     qsizetype m_samples = 0;
 };
 
@@ -135,7 +201,7 @@ Result<RecipeOperation> OperationsParser::parseParameters(JsonReader& reader)
     if (!reader.has(kParametersKey))
         reader.fail(kParametersKey, Text::tr("it is missing"));
     Result<TreeParameters> parameters =
-        fromJson(reader.object(kParametersKey), m_parameters, reader.placeOf(kParametersKey));
+        m_parser.parse(reader.object(kParametersKey), m_parameters, reader.placeOf(kParametersKey));
     if (!parameters)
         return parameters.error();
     normaliseDirectionWeights(parameters->growth);
@@ -351,6 +417,26 @@ QByteArray compact(const QString& text)
     return array.mid(1, array.size() - 2);
 }
 
+QString nameOfImage(const ImageAsset& image)
+{
+    return image.name();
+}
+
+/// What differs from @p base, and what an image would bring along if it were not said.
+QJsonObject changes(const TreeParameters& parameters, const TreeParameters& base)
+{
+    QJsonObject json = toJson(parameters, base, nameOfImage);
+    const QLatin1StringView key("leaves");
+    QJsonObject leaves = json.value(key).toObject();
+    if (!leaves.value(QLatin1StringView("image")).toString().isEmpty()) {
+        const QJsonObject all = toJson(parameters).value(key).toObject();
+        for (const char* name : {"aspect", "hue", "saturation", "brightness"})
+            leaves[QLatin1StringView(name)] = all[QLatin1StringView(name)];
+        json[key] = leaves;
+    }
+    return json;
+}
+
 /// Writes the operations in turn; parameters only as far as they change.
 struct OperationWriter {
     QByteArray& text;
@@ -358,8 +444,8 @@ struct OperationWriter {
 
     void operator()(const SetParametersOperation& operation)
     {
-        text += R"({"op":"setParameters","parameters":)" + compact(toJson(operation.parameters, parameters)) +
-                '}';
+        text += R"({"op":"setParameters","parameters":)" +
+                compact(changes(operation.parameters, parameters)) + '}';
         parameters = operation.parameters;
     }
     void operator()(const BrushStrokeOperation& operation) const
@@ -462,7 +548,7 @@ struct OperationWriter {
 
 } // namespace
 
-Result<Recipe> parseRecipe(const QByteArray& json)
+Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
 {
     const Result<QJsonObject> parsed = parseJsonObject(json, recipeLimits::kBytes);
     if (!parsed)
@@ -483,7 +569,9 @@ Result<Recipe> parseRecipe(const QByteArray& json)
     recipe.name = reader.text(QLatin1StringView("name"), QString());
     recipe.description = reader.text(QLatin1StringView("description"), QString());
     recipe.seed = reader.seed(QLatin1StringView("seed"), 1);
-    Result<TreeParameters> parameters = fromJson(reader.object(kParametersKey), {}, QString(kParametersKey));
+    ParametersParser parametersParser(folder);
+    Result<TreeParameters> parameters =
+        parametersParser.parse(reader.object(kParametersKey), {}, QString(kParametersKey));
     if (!parameters)
         reader.fail(parameters.error());
     else
@@ -498,7 +586,7 @@ Result<Recipe> parseRecipe(const QByteArray& json)
     if (const Result<void> end = reader.finish(); !end)
         return end.error();
 
-    OperationsParser parser(recipe.parameters);
+    OperationsParser parser(recipe.parameters, parametersParser);
     recipe.operations.reserve(static_cast<std::size_t>(operations.size()));
     for (qsizetype i = 0; i < operations.size(); ++i) {
         Result<RecipeOperation> operation =
@@ -519,7 +607,7 @@ Result<Recipe> readRecipe(const QString& fileName)
     // One byte too many is enough to know that a file is too large; a pipe has no size.
     const qint64 size =
         file.isSequential() ? recipeLimits::kBytes : std::min<qint64>(file.size(), recipeLimits::kBytes);
-    Result<Recipe> recipe = parseRecipe(file.read(size + 1));
+    Result<Recipe> recipe = parseRecipe(file.read(size + 1), QFileInfo(fileName).path());
     if (!recipe)
         return inputError(name, recipe.error().message);
     return recipe;
@@ -533,7 +621,7 @@ QByteArray writeRecipe(const Recipe& recipe)
     text += ",\n  \"description\": " + compact(recipe.description);
     const QByteArray seed = compact(QJsonObject{{QStringLiteral("seed"), seedToJson(recipe.seed)}});
     text += ",\n  \"seed\": " + seed.mid(8, seed.size() - 9);
-    text += ",\n  \"parameters\": " + compact(toJson(recipe.parameters));
+    text += ",\n  \"parameters\": " + compact(toJson(recipe.parameters, nameOfImage));
     if (!recipe.camera.view.isEmpty())
         text += ",\n  \"camera\": {\"view\":" + compact(recipe.camera.view) + '}';
     text += ",\n  \"operations\": [";

@@ -117,17 +117,22 @@ inline constexpr double kLeastWeight = 0.01; ///< of bending and stretching
 inline constexpr double kGreatestWeight = 100.0;
 inline constexpr double kDiameter = 100.0; ///< m
 inline constexpr std::int64_t kInternode = 0xffff'fffe;
+inline constexpr qsizetype kImages = 64; ///< Files
 inline constexpr qsizetype kBytes = 64 << 20;
 } // namespace recipeLimits
 
 /// Reads a recipe. Unknown keys, wrong types, values beyond the limits and JSON that is none give an error
 /// that names the place, such as "operations[3].samples[17]: the time does not go forwards".
-Result<Recipe> parseRecipe(const QByteArray& json);
+///
+/// Images are files, named relative to @p folder; without one a recipe can have none. Leaves that get an
+/// image have it as it is (see adoptImage()), but for what the same parameters say.
+Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder = {});
 /// The same from a file, whose name the error begins with.
 Result<Recipe> readRecipe(const QString& fileName);
 
 /// The JSON that parseRecipe turns into the same recipe, to the last bit. Precondition: the recipe is within
-/// the limits, and its direction weights sum to 1 (see normaliseDirectionWeights).
+/// the limits, and its direction weights sum to 1 (see normaliseDirectionWeights). Images are named, not
+/// written: their files must lie where they are looked for.
 QByteArray writeRecipe(const Recipe& recipe);
 
 } // namespace espalier

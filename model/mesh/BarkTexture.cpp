@@ -44,7 +44,8 @@ public:
         Colour colour = mix(deep, flank, wall);
         colour = mix(colour, top, crest * clamped(0.6F + 0.5F * fibre + 0.3F * grain));
         colour = mix(colour, {0.43F, 0.46F, 0.35F}, 0.45F * smoothStep(0.1F, 0.6F, sway) * crest);
-        return {colour * ((1.0F - 0.4F * split * wall) * (1.0F + 0.2F * fibre + 0.16F * grain)), height};
+        return {colour * ((1.0F - 0.4F * split * wall) * (1.0F + 0.2F * fibre + 0.16F * grain)), height,
+                0.95F - 0.22F * crest * (1.0F - split) + 0.08F * grain};
     }
 
 private:
@@ -77,7 +78,8 @@ public:
         colour = mix(colour, {0.71F, 0.72F, 0.68F}, 0.6F * blotch);
         colour = mix(colour, {0.43F, 0.47F, 0.36F}, 0.4F * algae);
         colour = mix(colour, {0.36F, 0.32F, 0.28F}, 0.55F * lenticel);
-        return {colour * (1.0F + 0.14F * grain), height};
+        return {colour * (1.0F + 0.14F * grain), height,
+                0.6F + 0.16F * blotch + 0.2F * algae + 0.15F * lenticel + 0.1F * grain};
     }
 
 private:
@@ -119,7 +121,7 @@ public:
         Colour colour = mix(rust, grey, clamped(0.25F + 0.5F * tone + 0.35F * grain + 0.3F * sway));
         colour = colour * ((0.84F + 0.065F * step) * (1.0F - 0.42F * lip));
         colour = mix(deep, colour, smoothStep(-0.02F, 0.13F, rim));
-        return {colour * (1.0F + 0.22F * grain), height};
+        return {colour * (1.0F + 0.22F * grain), height, 0.96F - 0.2F * raised * (1.0F - lip) + 0.1F * grain};
     }
 
 private:
@@ -172,7 +174,8 @@ public:
         colour = colour * (0.86F + 0.14F * peel);
         colour = mix(colour, {0.2F, 0.165F, 0.15F}, 0.88F * dash);
         colour = mix(colour, Colour{0.15F, 0.13F, 0.12F} * (1.0F + 0.9F * rough), scar);
-        return {colour * (1.0F + 0.06F * grain), height};
+        return {colour * (1.0F + 0.06F * grain), height,
+                0.5F + 0.35F * std::max(dash, scar) + 0.12F * (1.0F - peel) + 0.1F * grain};
     }
 
 private:
@@ -203,7 +206,8 @@ public:
         Colour colour = mix({0.27F, 0.155F, 0.13F}, {0.45F, 0.29F, 0.24F}, clamped(0.5F + 0.8F * bands));
         colour = mix(colour, {0.47F, 0.42F, 0.39F}, 0.6F * smoothStep(0.0F, 0.5F, wear));
         colour = mix(colour, {0.60F, 0.48F, 0.38F}, 0.75F * cork);
-        return {colour * ((1.0F + 0.12F * grain) * (1.0F - 0.3F * peel)), height};
+        return {colour * ((1.0F + 0.12F * grain) * (1.0F - 0.3F * peel)), height,
+                0.38F + 0.45F * cork + 0.25F * smoothStep(0.0F, 0.5F, wear) + 0.15F * peel + 0.08F * grain};
     }
 
 private:
@@ -235,7 +239,8 @@ public:
         colour = mix(colour, mix({0.40F, 0.37F, 0.31F}, {0.47F, 0.41F, 0.34F}, clamped(0.5F + sway)), oldest);
         colour = mix(colour, {0.36F, 0.31F, 0.26F}, 0.35F * specks);
         const float height = 0.3F + 0.2F * middle + 0.3F * oldest + 0.06F * grain + 0.08F * fray;
-        return {colour * (1.0F + 0.1F * grain), height};
+        return {colour * (1.0F + 0.1F * grain), height,
+                0.58F + 0.1F * middle + 0.2F * oldest + 0.08F * specks + 0.08F * grain};
     }
 
 private:
@@ -265,7 +270,8 @@ public:
         Colour colour = mix({0.17F, 0.085F, 0.06F}, {0.47F, 0.27F, 0.185F}, wall);
         colour =
             mix(colour, {0.58F, 0.44F, 0.36F}, clamped(0.35F * shred + 0.35F * strand + 0.15F * strip.value));
-        return {colour * (1.0F + 0.28F * thread * wall + 0.1F * strand), height};
+        return {colour * (1.0F + 0.28F * thread * wall + 0.1F * strand), height,
+                0.97F - 0.14F * wall * (1.0F - shred) + 0.06F * thread};
     }
 
 private:
@@ -292,7 +298,8 @@ public:
         const float height = 0.35F + 0.4F * lip - 0.3F * groove + 0.16F * fibre + 0.06F * grain;
         Colour colour = mix({0.40F, 0.345F, 0.28F}, {0.56F, 0.51F, 0.44F}, clamped(lip + 0.5F * bend));
         colour = mix(colour, {0.20F, 0.165F, 0.13F}, 0.8F * groove);
-        return {colour * (1.0F + 0.22F * fibre + 0.12F * grain), height};
+        return {colour * (1.0F + 0.22F * fibre + 0.12F * grain), height,
+                0.8F - 0.16F * lip + 0.15F * groove + 0.1F * fibre};
     }
 
 private:
@@ -334,9 +341,9 @@ QImage barkAlbedo(BarkKind kind, int size)
     return std::visit([size](const auto& bark) { return paintAlbedo(size, bark); }, barkOf(kind));
 }
 
-QImage barkNormal(BarkKind kind, int size)
+SurfaceTextures barkTextures(BarkKind kind, int size)
 {
-    return std::visit([size](const auto& bark) { return paintNormals(size, bark, bark.kRelief, true); },
+    return std::visit([size](const auto& bark) { return paintSurface(size, bark, bark.kRelief, true); },
                       barkOf(kind));
 }
 

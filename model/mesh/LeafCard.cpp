@@ -128,7 +128,7 @@ void expand(const LeafInstance& leaf, const LeafMeshOptions& options, MeshVertex
 
 const LeafCard& leafCard(LeafShape shape)
 {
-    static const std::array<LeafCard, kLeafShapeCount> cards{
+    static const std::array<LeafCard, kLeafShapeCount + 1> cards{
         foldedCard({.aspect = 0.6F, .arch = 0.06F, .tip = 0.2F, .fold = 0.1F}, 0.1F, 0.66F),
         foldedCard({.aspect = 0.2F, .arch = 0.25F, .tip = 0.9F, .fold = 0.12F}, 0.12F, 0.7F),
         foldedCard({.aspect = 0.65F, .arch = 0.05F, .tip = 0.16F, .fold = 0.08F}, 0.14F, 0.9F),
@@ -139,6 +139,7 @@ const LeafCard& leafCard(LeafShape shape)
         foldedCard({.aspect = 0.12F, .arch = 0.4F, .tip = 1.4F, .fold = 0.1F}, 0.1F, 0.72F),
         crossedCards(),
         wholeCard({.aspect = 0.42F, .arch = 0.3F, .tip = 1.1F, .fold = 0.25F}, 5),
+        wholeCard({.aspect = 0.8F, .arch = 0.06F, .tip = 0.2F, .fold = 0.08F}, 3),
     };
     return cards[static_cast<std::size_t>(shape)];
 }

@@ -18,7 +18,7 @@ struct LeafCard {
 
 /// Six triangles for a simple leaf: folded along the midrib, arched, and cut off at the corners that its
 /// texture leaves empty; eight for one of several blades, which has no such corners,
-/// twenty for a frond. Four for needles: two crossed cards.
+/// twenty for a frond, twelve for an image of the person's own. Four for needles: two crossed cards.
 const LeafCard& leafCard(LeafShape shape);
 
 struct LeafMeshOptions {

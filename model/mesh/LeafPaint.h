@@ -10,6 +10,8 @@ namespace espalier {
 
 /// One place of a leaf's texture.
 struct LeafPoint : TexturePoint {
+    LeafPoint() { roughness = 0.0F; } // what it is rougher than the rest of the leaf
+
     float alpha = 0.0F;
 };
 
@@ -52,6 +54,8 @@ inline LeafPoint paintedBlade(const BladePlace& place, float leafHue, float vein
     point.colour = fromHsv(hue, saturation, value);
     point.height = 0.6F * veinStrength * place.bulge + 0.08F * fine - 0.12F * net - 0.5F * place.rib -
                    0.25F * place.vein;
+    // Added to the shape's own: the wax is thinnest on ribs and at the margin.
+    point.roughness = 0.12F * pale + 0.05F * net + 0.06F * fine + 0.08F * margin;
     return point;
 }
 

@@ -68,7 +68,7 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
     m_cosine = static_cast<float>(std::cos(m_parameters.angle));
     m_sine = static_cast<float>(std::sin(m_parameters.angle));
     // Needles clothe the whole shoot, and so do leaves that stand one by one; others sit at its nodes.
-    m_alongInternode = m_parameters.shape == LeafShape::Needles ||
+    m_alongInternode = (m_parameters.shape == LeafShape::Needles && m_parameters.image.isNull()) ||
                        m_parameters.arrangement == LeafArrangement::Spiral ||
                        m_parameters.arrangement == LeafArrangement::Flat;
     for (int i = 0; i < perNode; ++i) {
@@ -185,7 +185,8 @@ void LeafPlacer::place(InternodeId id, std::uint32_t below, std::span<LeafInstan
             .width = leafLength * static_cast<float>(m_parameters.aspect),
             .hueShift = static_cast<float>(hue - kLeafTextureHue + m_parameters.hueVariation * variation[1]),
             .value = value,
-            .shape = static_cast<std::int32_t>(m_parameters.shape),
+            .shape =
+                static_cast<std::int32_t>(m_parameters.image.isNull() ? m_parameters.shape : LeafShape::Own),
         };
     }
 }

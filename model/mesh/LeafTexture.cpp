@@ -76,9 +76,33 @@ QImage paintLeaf(int size, const Leaf& leaf)
     });
 }
 
+/// Of the upper face between the veins: leather and needles are waxy, thin leaves are dull.
+float roughnessOf(LeafShape shape)
+{
+    switch (shape) {
+    case LeafShape::Needles:
+    case LeafShape::Fascicle:
+        return 0.42F;
+    case LeafShape::Willow:
+    case LeafShape::Frond:
+        return 0.46F;
+    case LeafShape::Lanceolate:
+    case LeafShape::Lobed:
+        return 0.5F;
+    case LeafShape::Ovate:
+    case LeafShape::Pinnate:
+        return 0.54F;
+    case LeafShape::Cordate:
+    case LeafShape::Palmate:
+    case LeafShape::Own:
+        break;
+    }
+    return 0.6F;
+}
+
 /// Calls @p paint(leaf, relief) with the drawing of a shape.
 template <class Paint>
-QImage withLeaf(LeafShape shape, int size, double hue, const Paint& paint)
+auto withLeaf(LeafShape shape, int size, double hue, const Paint& paint)
 {
     switch (shape) {
     case LeafShape::Lanceolate:
@@ -100,6 +124,7 @@ QImage withLeaf(LeafShape shape, int size, double hue, const Paint& paint)
     case LeafShape::Fascicle:
         return paint(NeedleSpray(NeedleSpray::Kind::Fascicle, size, hue), kNeedleRelief);
     case LeafShape::Ovate:
+    case LeafShape::Own:
         break;
     }
     return paint(BroadLeaf(kOvate, size, hue), kRelief);
@@ -127,10 +152,15 @@ void saturateLeaf(QImage& albedo, double factor)
     }
 }
 
-QImage leafNormal(LeafShape shape, int size)
+SurfaceTextures leafTextures(LeafShape shape, int size, double hue)
 {
-    return withLeaf(shape, size, kLeafTextureHue, [size](const auto& leaf, float relief) {
-        return paintNormals(size, leaf, relief, false);
+    return withLeaf(shape, size, hue, [&](const auto& leaf, float relief) {
+        const auto whole = [&leaf, roughness = roughnessOf(shape)](float u, float v) {
+            LeafPoint point = leaf(u, v);
+            point.roughness += roughness;
+            return point;
+        };
+        return paintSurface(size, whole, relief, false);
     });
 }
 

@@ -34,8 +34,8 @@ public:
     void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
     /// Meshes what follow() has noted.
     void finish(const Tree& tree, const TreeIndex& index);
-    /// Meshes some of it, at most so many tubes, those that have waited longest first; the others stay as they
-    /// were. Returns whether nothing is left. What has died is gone at once.
+    /// Meshes some of it, at most so many tubes, those that have waited longest first; the others stay as
+    /// they were. Returns whether nothing is left. What has died is gone at once.
     bool finishSome(const Tree& tree, const TreeIndex& index, std::size_t tubes);
     /// Meshes anew what is within the tolerance but not exact; returns whether there was any.
     bool settle(const Tree& tree, const TreeIndex& index);
@@ -128,9 +128,9 @@ private:
     // Until finish()
     std::vector<InternodeId> m_dirty;   ///< Internodes whose tubes must be meshed
     std::vector<InternodeId> m_waiting; ///< First internodes of such tubes, the last of them first
-    std::vector<InternodeId> m_bare;    ///< First internodes of tubes that wait for their leaves alone, likewise
-    bool m_hasChanged = false;          ///< The tree, since collectWaiting()
-    bool m_woodIsDirty = false;         ///< All tubes must be meshed
+    std::vector<InternodeId> m_bare; ///< First internodes of tubes that wait for their leaves alone, likewise
+    bool m_hasChanged = false;       ///< The tree, since collectWaiting()
+    bool m_woodIsDirty = false;      ///< All tubes must be meshed
     bool m_leavesAreDirty = false;
 };
 

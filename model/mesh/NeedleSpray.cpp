@@ -122,6 +122,7 @@ void NeedleSpray::draw(const Vec2& a, const Vec2& b, const Vec2& c, float from, 
                 point.colour = mix(point.colour, colour * shade, cover);
                 point.alpha = std::max(point.alpha, cover);
                 point.height = point.height + cover * (level + 0.3F * profile - point.height);
+                point.roughness += cover * (0.15F * (1.0F - profile) - point.roughness);
             }
         }
         lower = upper;

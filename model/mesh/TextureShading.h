@@ -2,8 +2,7 @@
 #pragma once
 
 #include "model/base/Parallel.h"
-
-#include <QImage>
+#include "model/mesh/Textures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,8 @@ struct Colour {
 /// One place of a procedural texture.
 struct TexturePoint {
     Colour colour;
-    float height = 0.0F; ///< 0...1 of the texture's relief
+    float height = 0.0F;    ///< 0...1 of the texture's relief
+    float roughness = 0.8F; ///< 0 a mirror, 1 chalk
 };
 
 inline float clamped(float value)
@@ -47,6 +47,17 @@ inline uchar toByte(float value)
 {
     return static_cast<uchar>(255.0F * clamped(value) + 0.5F);
 }
+
+/// Heights, from the upper row down.
+struct HeightMap {
+    std::vector<float> values;
+    int width = 0;
+    int height = 0;
+};
+
+/// The normal map of a relief in which a height of 1 stands @p relief pixels above 0 (Format_RGB888).
+/// @p repeats: the image continues at its opposite edge, else the edge's own height goes on.
+QImage normalMap(const HeightMap& heights, float relief, bool repeats);
 
 /// Rows that one task paints.
 inline constexpr std::size_t kRowsPerTask = 32;
@@ -86,46 +97,42 @@ QImage paintAlbedo(int size, const Texture& texture)
                        [&](float u, float v, uchar*& out) { writeColour(texture(u, v).colour, out); });
 }
 
-/// The normal map of the heights of @p texture: a height of 1 stands @p relief of the image's edge above 0.
+/// All that there is to @p texture(u, v), which is asked once for each pixel: colours, with alpha if its
+/// points have one, normals where a height of 1 stands @p relief of the image's edge above 0, and roughness.
 /// @p repeats: the image continues at its opposite edge, else the edge's own height goes on.
 template <class Texture>
-QImage paintNormals(int size, const Texture& texture, float relief, bool repeats)
+SurfaceTextures paintSurface(int size, const Texture& texture, float relief, bool repeats)
 {
+    constexpr bool hasAlpha = requires(const Texture& t)
+    {
+        t(0.0F, 0.0F).alpha;
+    };
+    SurfaceTextures images{QImage(size, size, hasAlpha ? QImage::Format_RGBA8888 : QImage::Format_RGB888),
+                           {},
+                           QImage(size, size, QImage::Format_Grayscale8)};
     const auto count = static_cast<std::size_t>(size);
+    HeightMap heights{std::vector<float>(count * count), size, size};
     const float pixel = 1.0F / static_cast<float>(size);
-    std::vector<float> heights(count * count);
+    uchar* const colours = images.colour.bits();
+    uchar* const roughness = images.roughness.bits();
+    const auto colourStride = static_cast<std::size_t>(images.colour.bytesPerLine());
+    const auto roughnessStride = static_cast<std::size_t>(images.roughness.bytesPerLine());
     parallelFor(count, kRowsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             const float v = 1.0F - (static_cast<float>(row) + 0.5F) * pixel;
-            for (std::size_t column = 0; column < count; ++column)
-                heights[row * count + column] =
-                    texture((static_cast<float>(column) + 0.5F) * pixel, v).height;
-        }
-    });
-
-    QImage image(size, size, QImage::Format_RGB888);
-    uchar* bytes = image.bits();
-    const auto stride = static_cast<std::size_t>(image.bytesPerLine());
-    const auto before = [&](std::size_t i) { return i > 0 ? i - 1 : (repeats ? count - 1 : 0); };
-    const auto after = [&](std::size_t i) { return i + 1 < count ? i + 1 : (repeats ? 0 : count - 1); };
-    const float steepness = relief / (2.0F * pixel);
-    parallelFor(count, kRowsPerTask, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
-            uchar* out = bytes + row * stride;
-            const float* line = heights.data() + row * count;
-            const float* above = heights.data() + before(row) * count;
-            const float* below = heights.data() + after(row) * count;
+            uchar* out = colours + row * colourStride;
             for (std::size_t column = 0; column < count; ++column) {
-                const float x = -steepness * (line[after(column)] - line[before(column)]);
-                const float y = -steepness * (above[column] - below[column]);
-                const float scale = 0.5F / std::sqrt(x * x + y * y + 1.0F);
-                *out++ = toByte(0.5F + scale * x);
-                *out++ = toByte(0.5F + scale * y);
-                *out++ = toByte(0.5F + scale);
+                const auto point = texture((static_cast<float>(column) + 0.5F) * pixel, v);
+                writeColour(point.colour, out);
+                if constexpr (hasAlpha)
+                    *out++ = toByte(point.alpha);
+                heights.values[row * count + column] = point.height;
+                roughness[row * roughnessStride + column] = toByte(point.roughness);
             }
         }
     });
-    return image;
+    images.normal = normalMap(heights, relief * static_cast<float>(size), repeats);
+    return images;
 }
 
 } // namespace espalier

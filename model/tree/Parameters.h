@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/base/Vector.h"
+#include "model/tree/ImageAsset.h"
 
 #include <QString>
 
@@ -74,8 +75,10 @@ enum class LeafShape : int {
     Pinnate,
     Willow,
     Fascicle,
-    Frond
+    Frond,
+    Own ///< That of an image of the person's own; no parameter has this value
 };
+/// Of those that are drawn.
 inline constexpr int kLeafShapeCount = 10;
 
 /// How leaves stand around their shoot.
@@ -106,6 +109,9 @@ struct LeafParameters {
     double brightness = 1.0;          ///< of the texture's
     double vigourHue = 0.25;          ///< 0...1, shift of weak shoots' leaves toward yellow and red
     LeafArrangement arrangement = LeafArrangement::Shoot;
+    /// Takes the place of the shape's drawing: petiole below, tip above. Its alpha, or what its plain
+    /// background leaves, is the leaf; see cutLeaf().
+    ImageAsset image{};
 
     bool operator==(const LeafParameters&) const = default;
 };
@@ -116,6 +122,10 @@ inline constexpr int kBarkKindCount = 8;
 struct BarkParameters {
     BarkKind kind = BarkKind::Furrowed;
     double scale = 0.5; ///< m of trunk length that one tile of texture covers
+    // Take the place of the kind's drawing. The other two follow from the first where they are not given.
+    ImageAsset image{};          ///< Colours
+    ImageAsset normalImage{};    ///< Normals in tangent space, green up
+    ImageAsset roughnessImage{}; ///< 0 a mirror, white chalk
 
     bool operator==(const BarkParameters&) const = default;
 };
@@ -143,8 +153,8 @@ struct ParameterInfo {
     const char* choices = nullptr; ///< names of a Choice, in order, separated by spaces
 };
 
-/// Calls @p visit(info, field) for each field; the one list of parameters that there is. Works on const and
-/// mutable parameters.
+/// Calls @p visit(info, field) for each field; the one list of parameters that there is, but for
+/// the images. Works on const and mutable parameters.
 template <class Parameters, class Visit>
 void visitParameters(Parameters& p, Visit&& visit)
 {
@@ -213,6 +223,16 @@ void visitParameters(Parameters& p, Visit&& visit)
                         "furrowed smooth plated birch cherry mottled fibrous ringed"},
           b.kind);
     visit(ParameterInfo{"bark.scale", Metres, 0.02, 20}, b.scale);
+}
+
+/// Calls @p visit(key, image) for each image among the parameters, like visitParameters() for the others.
+template <class Parameters, class Visit>
+void visitImages(Parameters& p, Visit&& visit)
+{
+    visit("leaves.image", p.leaves.image);
+    visit("bark.image", p.bark.image);
+    visit("bark.normalImage", p.bark.normalImage);
+    visit("bark.roughnessImage", p.bark.roughnessImage);
 }
 
 } // namespace espalier

@@ -53,8 +53,9 @@ struct TreeDelta {
     std::vector<FrameChange> frames; ///< Likewise
     std::vector<WidthChange> widths; ///< Each id at most once
     std::vector<LassoChange> lassos; ///< Each index at most once
-    /// The new internodes' rows on their way into the tree: the first apply takes them in and lets go of them,
-    /// and they stay in its columns from then on. A copy of the delta can bring them into a copy of the tree.
+    /// The new internodes' rows on their way into the tree: the first apply takes them in and lets go of
+    /// them, and they stay in its columns from then on. A copy of the delta can bring them into a copy of the
+    /// tree.
     std::shared_ptr<const InternodeColumns> rows;
 
     /// A delta that changes nothing, to be filled in, at the moment that @p tree is in.

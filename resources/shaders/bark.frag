@@ -5,7 +5,7 @@
 #include "barklight.glsl"
 
 uniform sampler2D barkColour;
-uniform sampler2D barkNormal; // tangent space
+uniform sampler2D barkSurface; // normal in tangent space, roughness
 
 in vec2 barkUv;
 #ifdef PLAIN
@@ -27,7 +27,8 @@ void main()
 #else
     vec3 surface = normalize(worldNormal);
     vec3 bitangent = worldTangent.w * cross(surface, worldTangent.xyz);
-    vec3 relief = texture(barkNormal, barkUv, frame.pass.z).xyz * 2.0 - 1.0;
+    vec4 skin = texture(barkSurface, barkUv, frame.pass.z);
+    vec3 relief = skin.xyz * 2.0 - 1.0;
     vec3 normal = normalize(relief.x * worldTangent.xyz + relief.y * bitangent + relief.z * surface);
     vec3 toEye = normalize(frame.eye.xyz - worldPosition);
 
@@ -41,7 +42,7 @@ void main()
     // Soil splashes the foot.
     albedo *= mix(vec3(0.62, 0.58, 0.5), vec3(1.0), smoothstep(-0.5, 4.0, worldPosition.y / frame.foot.x));
     vec3 light = albedo * (ambient + frame.sunColour.rgb * sun);
-    light += frame.sunColour.rgb * gloss(normal, toEye, 18.0) * sun * 0.5;
+    light += frame.sunColour.rgb * gloss(normal, toEye, skin.a) * sun;
     float rim = 1.0 - max(dot(normal, toEye), 0.0);
     rim *= rim * rim;
     light += frame.rimColour.rgb * rim * ambient * (0.4 + albedo);

@@ -5,7 +5,7 @@
 #include "leafcolour.glsl"
 #include "leaflight.glsl"
 
-uniform sampler2D leafNormals; // tangent space
+uniform sampler2D leafSurface; // normal in tangent space, roughness
 
 in vec2 leafUv;
 flat in float leafLot;
@@ -33,7 +33,8 @@ void main()
     colour = vec4(developed(texel.rgb * received), 1.0);
 #else
     float side = gl_FrontFacing ? 1.0 : -1.0;
-    vec3 relief = texture(leafNormals, leafUv, frame.pass.z).xyz * 2.0 - 1.0;
+    vec4 surface = texture(leafSurface, leafUv, frame.pass.z);
+    vec3 relief = surface.xyz * 2.0 - 1.0;
     vec3 bitangent = worldTangent.w * cross(worldNormal, worldTangent.xyz);
     vec3 normal = side * normalize(relief.x * worldTangent.xyz + relief.y * bitangent + relief.z * worldNormal);
     vec3 toEye = normalize(frame.eye.xyz - worldPosition);
@@ -46,7 +47,7 @@ void main()
     // The lower face is paler and duller.
     albedo = side > 0.0 ? albedo : mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.22) * 1.2;
     light += albedo * received.reflected;
-    light += frame.sunColour.rgb * (seen * gloss(normal, toEye, 26.0) * (side > 0.0 ? 0.8 : 0.15) * step(0.0, dot(normal, sun)));
+    light += frame.sunColour.rgb * (seen * gloss(normal, toEye, surface.a) * (side > 0.0 ? 0.8 : 0.15) * step(0.0, dot(normal, sun)));
     // The sky on waxy faces, most at a glance.
     float glance = 1.0 - abs(dot(normal, toEye));
     glance *= glance;

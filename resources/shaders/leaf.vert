@@ -6,6 +6,7 @@
 #include "leaflight.glsl"
 
 uniform float saturation; // of the texture, 0...1: what is grey has no hue to turn
+uniform vec3 filmCast;    // of all leaves' colours
 
 out vec2 leafUv;
 flat out float leafLot;
@@ -46,8 +47,7 @@ void main()
     vec3 fromMiddle = normalize((place - frame.crown.xyz) / (frame.crownRadii.xyz * frame.crownRadii.xyz) + vec3(0.0, 1e-4, 0.0));
     float ambient = ambientShare(place) * crownDepth(place);
     vec3 tint = hueFactor(leafLook.y) * leafLook.z * leafVariety();
-    // Under a warm sun and a filmic curve, leaves as they are would look like paint: this is more like what a camera sees.
-    tint *= vec3(0.84, 0.63, 0.80);
+    tint *= filmCast;
     tint = mix(vec3(dot(tint, vec3(0.21, 0.72, 0.07))), tint, saturation);
     leafUv = cardUv;
     leafLot = lotOfLeaf();

@@ -37,9 +37,11 @@ float sunSeen(vec3 position)
 }
 
 // Normalised Blinn-Phong, its power as Schlick's fraction, with his Fresnel term for a surface that reflects 4 % at a
-// right angle.
-float gloss(vec3 normal, vec3 toEye, float power)
+// right angle. The power is that of a surface whose facets are spread as GGX's roughness says.
+float gloss(vec3 normal, vec3 toEye, float roughness)
 {
+    float spread = max(roughness * roughness, 0.03);
+    float power = 2.0 / (spread * spread);
     vec3 halfway = normalize(toEye + frame.sunDirection.xyz);
     float away = 1.0 - max(dot(halfway, toEye), 0.0);
     float fresnel = 0.04 + 0.96 * away * away * away * away * away;

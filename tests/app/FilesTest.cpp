@@ -147,7 +147,7 @@ void FilesTest::droppedFile_isOpened()
     QCoreApplication::sendEvent(m_window.get(), &drop);
     QVERIFY(m_window->document().tree() == tree);
 
-    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/picture.jpg"))});
+    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/picture.txt"))});
     QDragEnterEvent other(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
     other.ignore();
     QCoreApplication::sendEvent(m_window.get(), &other);

@@ -168,12 +168,12 @@ BENCHMARK(barkAlbedo_1024)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
-void barkNormal_1024(benchmark::State& state)
+void barkTextures_1024(benchmark::State& state)
 {
     for (auto _ : state)
-        benchmark::DoNotOptimize(barkNormal(static_cast<BarkKind>(state.range(0)), 1024));
+        benchmark::DoNotOptimize(barkTextures(static_cast<BarkKind>(state.range(0)), 1024));
 }
-BENCHMARK(barkNormal_1024)
+BENCHMARK(barkTextures_1024)
     ->ArgName("kind")
     ->DenseRange(0, kBarkKindCount - 1)
     ->Unit(benchmark::kMillisecond)

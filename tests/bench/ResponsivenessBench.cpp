@@ -15,13 +15,13 @@
 #include <QTimer>
 
 #include <GL/gl.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <dlfcn.h>
 #include <numbers>
 #include <thread>
 #include <vector>
@@ -38,7 +38,9 @@ extern "C" __attribute__((visibility("default"))) void (*glXGetProcAddress(const
     using Resolve = void (*(*)(const GLubyte*))();
     static const auto resolve = reinterpret_cast<Resolve>(dlsym(RTLD_NEXT, "glXGetProcAddress"));
     const auto* text = reinterpret_cast<const char*>(name);
-    const auto is = [text](const char* prefix) { return std::strncmp(text, prefix, std::strlen(prefix)) == 0; };
+    const auto is = [text](const char* prefix) {
+        return std::strncmp(text, prefix, std::strlen(prefix)) == 0;
+    };
     const bool draws = is("glDraw") && !is("glDrawBuffer");
     const bool sends = is("glBufferData") || is("glBufferSubData") || is("glTexSubImage3D");
     if (draws || sends || is("glBlitFramebuffer"))
@@ -109,7 +111,8 @@ public:
     void run()
     {
         MainWindow& w = m_window;
-        std::printf("%-34s %9s %8s %8s %8s %8s\n", "while", "internodes", "median", "99 %", "worst", "> 50 ms");
+        std::printf("%-34s %9s %8s %8s %8s %8s\n", "while", "internodes", "median", "99 %", "worst",
+                    "> 50 ms");
         QWidget& viewport = w.workspace().viewport();
         const QPoint middle = viewport.rect().center();
 

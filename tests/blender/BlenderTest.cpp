@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/RecipePlayer.h"
+#include "commands/SetParameters.h"
 #include "model/io/Exporter.h"
-#include "tests/support/TreeBuilder.h"
+#include "model/mesh/OwnTextures.h"
+#include "tests/support/OwnImages.h"
+#include "views/render/OffscreenRenderer.h"
 
 #include <QFile>
 #include <QJsonArray>
@@ -13,7 +17,17 @@
 
 using namespace espalier;
 
+Q_DECLARE_METATYPE(espalier::TreeParameters)
+
 namespace {
+
+constexpr QSize kPicture(200, 200);
+const QString kRecipe = QStringLiteral(SOURCE_DIR "/resources/recipes/linden.json");
+
+QJsonArray toJson(const Vec3& v)
+{
+    return {double(v.x()), double(v.y()), double(v.z())};
+}
 
 QJsonObject describe(const ExportScene& scene)
 {
@@ -22,14 +36,73 @@ QJsonObject describe(const ExportScene& scene)
         Box3 box;
         for (const MeshVertex& vertex : mesh.mesh.vertices)
             box.extend(toVec3(vertex.position));
-        const auto corner = [](const Vec3& v) {
-            return QJsonArray{double(v.x()), double(v.y()), double(v.z())};
-        };
         meshes[mesh.name] = QJsonObject{{QStringLiteral("triangles"), qint64(mesh.mesh.indices.size() / 3)},
-                                        {QStringLiteral("lower"), corner(box.min())},
-                                        {QStringLiteral("upper"), corner(box.max())}};
+                                        {QStringLiteral("vertices"), qint64(mesh.mesh.vertices.size())},
+                                        {QStringLiteral("lower"), toJson(box.min())},
+                                        {QStringLiteral("upper"), toJson(box.max())}};
     }
-    return {{QStringLiteral("name"), scene.name}, {QStringLiteral("meshes"), meshes}};
+    return meshes;
+}
+
+QJsonObject describe(const Camera& camera)
+{
+    return {{QStringLiteral("position"), toJson(camera.position())},
+            {QStringLiteral("right"), toJson(camera.right())},
+            {QStringLiteral("up"), toJson(camera.up())},
+            {QStringLiteral("fieldOfView"), double(Camera::kFieldOfView)},
+            {QStringLiteral("size"), QJsonArray{kPicture.width(), kPicture.height()}}};
+}
+
+/// What can be counted in a picture of a tree on nothing.
+struct Seen {
+    int covered = 0; ///< Pixels that are more tree than not
+    int both = 0;    ///< Pixels that the other picture covers, too
+    int either = 0;
+    int green = 0;
+    int brown = 0;
+    int holes = 0; ///< Pixels of nothing with tree to the left, to the right, above and below
+};
+
+Seen look(const QImage& picture, const QImage& other)
+{
+    const auto covers = [](const QImage& image, int x, int y) { return qAlpha(image.pixel(x, y)) > 127; };
+    std::vector<int> first(static_cast<std::size_t>(picture.width()), picture.height());
+    std::vector<int> last(first.size(), -1);
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            if (!covers(picture, x, y))
+                continue;
+            const auto column = static_cast<std::size_t>(x);
+            first[column] = std::min(first[column], y);
+            last[column] = y;
+        }
+    }
+    Seen seen;
+    for (int y = 0; y < picture.height(); ++y) {
+        int left = picture.width();
+        int right = -1;
+        for (int x = 0; x < picture.width(); ++x) {
+            if (covers(picture, x, y)) {
+                left = std::min(left, x);
+                right = x;
+            }
+        }
+        for (int x = 0; x < picture.width(); ++x) {
+            const bool here = covers(picture, x, y);
+            const bool there = covers(other, x, y);
+            seen.covered += here;
+            seen.both += here && there;
+            seen.either += here || there;
+            const auto column = static_cast<std::size_t>(x);
+            seen.holes += !here && x > left && x < right && y > first[column] && y < last[column];
+            const QColor colour = picture.pixelColor(x, y);
+            const int hue = colour.hsvHue();
+            const bool isColourful = here && colour.hsvSaturation() > 25;
+            seen.green += isColourful && hue > 60 && hue < 160;
+            seen.brown += isColourful && hue >= 0 && hue < 60;
+        }
+    }
+    return seen;
 }
 
 } // namespace
@@ -40,25 +113,74 @@ class BlenderTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void blender_readsEveryFormat();
+    void initTestCase();
+    void blender_readsAndRendersEveryFormat_data();
+    void blender_readsAndRendersEveryFormat();
+
+private:
+    QString m_blender;
 };
 
-void BlenderTest::blender_readsEveryFormat()
+void BlenderTest::initTestCase()
 {
-    const QString blender = QStandardPaths::findExecutable(QStringLiteral("blender"));
-    QVERIFY2(!blender.isEmpty(), "this test needs Blender: scripts/setup.sh test");
-    TreeParameters parameters;
-    parameters.growth.lateralsPerNode = 2;
-    const test::TreeBuilder builder = test::randomTree(300, 4, parameters);
+    m_blender = QStandardPaths::findExecutable(QStringLiteral("blender"));
+    if (m_blender.isEmpty())
+        QSKIP("there is no Blender here to read the exports with: scripts/setup.sh test installs it");
+}
+
+void BlenderTest::blender_readsAndRendersEveryFormat_data()
+{
+    // A loose crown of leaves that leave much of their cards empty.
+    TreeParameters parameters = readRecipe(kRecipe)->parameters;
+    parameters.bark.kind = BarkKind::Plated;
+    parameters.leaves.shape = LeafShape::Palmate;
+    parameters.leaves.aspect = 1.0;
+    QTest::addColumn<TreeParameters>("parameters");
+    QTest::addColumn<QStringList>("suffixes");
+    QTest::newRow("drawn") << parameters
+                           << QStringList{QStringLiteral("obj"), QStringLiteral("fbx"),
+                                          QStringLiteral("glb")};
+    adoptImage(parameters.leaves,
+               ImageAsset(test::pngOf(test::drawnLeaf(Qt::transparent)), QStringLiteral("leaf.png")), 0.5);
+    parameters.bark.image =
+        ImageAsset(test::pngOf(test::repeatingBark(128, 128)), QStringLiteral("bark.png"));
+    QTest::newRow("own") << parameters << QStringList{QStringLiteral("fbx"), QStringLiteral("glb")};
+}
+
+void BlenderTest::blender_readsAndRendersEveryFormat()
+{
+    QFETCH(const TreeParameters, parameters);
+    QFETCH(const QStringList, suffixes);
+    TreeDocument document;
+    RecipePlayer(document, *readRecipe(kRecipe)).playAll();
+    setParameters(document, parameters);
     const QString name = QStringLiteral("Wild Apple");
     const ExportOptions options{.textureSize = 256};
     const QTemporaryDir folder;
-    for (const char* suffix : {"obj", "fbx", "glb"}) {
-        const QString fileName = folder.filePath(QStringLiteral("tree.") + QLatin1String(suffix));
-        const Result<void> exported = exportTree(builder.tree, builder.index, name, fileName, options);
+    for (const QString& suffix : suffixes) {
+        const QString fileName = folder.filePath(QStringLiteral("tree.") + suffix);
+        const Result<void> exported = exportTree(document.tree(), document.index(), name, fileName, options);
         QVERIFY2(exported, exported ? "" : qPrintable(exported.error().message));
     }
-    const QJsonObject expected = describe(buildExportScene(builder.tree, builder.index, name, options));
+
+    // Larger, and then made smaller: from afar the viewport lets leaves grow, so that crowns stay dense.
+    PictureRequest request;
+    request.size = 4 * kPicture;
+    request.options.background = QColor(Qt::transparent);
+    request.options.view.groundShown = false;
+    TreeScene scene(document);
+    scene.prepare();
+    request.camera = pictureCamera(NamedView::Front, scene, kPicture);
+    const Result<QImage> own = renderImage(document, request);
+    QVERIFY2(own, own ? "" : qPrintable(own.error().message));
+    const QImage ours = own->scaled(kPicture, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    ours.save(QStringLiteral("%1_own.png").arg(QLatin1String(QTest::currentDataTag())));
+
+    const ExportScene exported = buildExportScene(document.tree(), document.index(), name, options);
+    const QJsonObject expected{{QStringLiteral("name"), exported.name},
+                               {QStringLiteral("suffixes"), QJsonArray::fromStringList(suffixes)},
+                               {QStringLiteral("meshes"), describe(exported)},
+                               {QStringLiteral("camera"), describe(*request.camera)}};
     QCOMPARE(expected[QLatin1String("meshes")].toObject().keys(),
              (QStringList{QStringLiteral("Wild_Apple_LOD0_Bark"), QStringLiteral("Wild_Apple_LOD0_Leaves")}));
     QFile file(folder.filePath(QStringLiteral("expected.json")));
@@ -68,15 +190,47 @@ void BlenderTest::blender_readsEveryFormat()
 
     QProcess process;
     process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(blender,
+    process.start(m_blender,
                   {QStringLiteral("-b"), QStringLiteral("--factory-startup"), QStringLiteral("--python"),
                    QStringLiteral(SOURCE_DIR "/tests/blender/check_exports.py"), QStringLiteral("--"),
                    folder.path()});
     QVERIFY(process.waitForFinished(240'000));
     const QByteArray output = process.readAll();
     QVERIFY2(output.contains("EXPORTS ARE GOOD\n"), output.constData());
+
+    const Seen here = look(ours, ours);
+    QVERIFY(here.holes > here.covered / 20);
+    for (const char* suffix : {"fbx", "glb"}) {
+        const QImage picture(folder.filePath(QLatin1String(suffix) + QStringLiteral(".png")));
+        QCOMPARE(picture.size(), kPicture);
+        // So that they can be looked at.
+        picture.save(
+            QStringLiteral("%1_%2.png").arg(QLatin1String(QTest::currentDataTag()), QLatin1String(suffix)));
+        const Seen there = look(picture, ours);
+        const auto what =
+            QStringLiteral("%1: covered %2 of %3 here, both %4, either %5, holes %6 of %7 here, "
+                           "green %8, brown %9")
+                .arg(QLatin1String(suffix))
+                .arg(there.covered)
+                .arg(here.covered)
+                .arg(there.both)
+                .arg(there.either)
+                .arg(there.holes)
+                .arg(here.holes)
+                .arg(there.green)
+                .arg(there.brown)
+                .toUtf8();
+        qInfo("%s", what.constData());
+        // The same tree at the same place, and sky where its leaves' alpha leaves some: whole cards would
+        // cover a fifth more than is covered here.
+        QVERIFY2(there.covered > 0.8 * here.covered && there.covered < 1.05 * here.covered, what);
+        QVERIFY2(there.both > 0.92 * there.covered, what);
+        QVERIFY2(there.holes > 0.9 * here.holes && there.holes < 1.6 * here.holes, what);
+        QVERIFY2(there.green > 0.6 * there.covered, what);
+        QVERIFY2(there.brown > 0.01 * there.covered, what);
+    }
 }
 
-QTEST_GUILESS_MAIN(BlenderTest)
+QTEST_MAIN(BlenderTest)
 
 #include "BlenderTest.moc"

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads one tree back from OBJ, FBX and GLB in Blender and compares it with what it should be.
+"""Reads one tree back from OBJ, FBX and GLB in Blender, compares it with what it should be, and renders it.
 
 Usage: blender -b --factory-startup --python check_exports.py -- FOLDER
-FOLDER has tree.obj, tree.fbx, tree.glb and expected.json:
+FOLDER has expected.json, and tree.obj, tree.fbx, tree.glb or some of them:
     name     the tree's, which meshes and materials are called after
+    suffixes which of the three there are
     meshes   by name: vertices, triangles, lower and upper corner in metres, y up
-Prints "EXPORTS ARE GOOD" if all is well; Blender's exit code says nothing after an error in Python.
+    camera   position, right and up, y up; full vertical fieldOfView in rad; size in pixels
+Pictures of the FBX and the GLB, on nothing, become fbx.png and glb.png there. Prints "EXPORTS ARE GOOD" if all is well; Blender's exit code says nothing after an error in Python.
 """
 import json
+import math
 import os
 import sys
 
@@ -16,7 +19,7 @@ import numpy
 numpy.bool = bool  # Blender's glTF importer still says np.bool, which NumPy has dropped
 import bmesh
 import bpy
-from mathutils import Vector
+from mathutils import Matrix, Vector
 
 folder = sys.argv[sys.argv.index("--") + 1]
 with open(os.path.join(folder, "expected.json"), encoding="utf-8") as file:
@@ -105,6 +108,33 @@ def check_image(where, image):
     check(image.size[0] > 0, f"{where}: {image.name} cannot be read")
 
 
+def channel_means(image):
+    pixels = numpy.empty(len(image.pixels), dtype=numpy.float32)
+    image.pixels.foreach_get(pixels)
+    return pixels.reshape(-1, 4).mean(axis=0)
+
+
+def check_roughness(where, socket, suffix):
+    image = image_behind(socket)
+    check_image(f"{where}: roughness", image)
+    if image is None:
+        return
+    mean = channel_means(image)[1]
+    check(0.3 < mean < 1.0, f"{where}: a mean roughness of {mean}")
+    check(image.colorspace_settings.name == "Non-Color", f"{where}: the roughness is read as {image.colorspace_settings.name}")
+    if suffix == "glb":
+        source = socket.links[0].from_socket.name
+        check(source == "Green", f"{where}: the roughness comes from {source}")
+
+
+def check_metal(where, socket):
+    if not socket.is_linked:
+        check(socket.default_value == 0.0, f"{where}: it is of metal")
+        return
+    image = image_behind(socket)
+    check(image is not None and channel_means(image)[2] == 0.0, f"{where}: it is of metal in places")
+
+
 def check_material(where, mesh_object, suffix):
     kind = "Leaves" if mesh_object.name.endswith("_Leaves") else "Bark"
     materials = [s.material for s in mesh_object.material_slots]
@@ -117,8 +147,10 @@ def check_material(where, mesh_object, suffix):
     shader = next(n for n in material.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
     check_image(f"{where}: base colour", image_behind(shader.inputs["Base Color"]))
     check_image(f"{where}: normal", image_behind(shader.inputs["Normal"]))
-    check(shader.inputs["Metallic"].default_value == 0.0, f"{where}: it is of metal")
-    check(suffix == "obj" or shader.inputs["Roughness"].default_value > 0.8, f"{where}: it shines")
+    check_metal(where, shader.inputs["Metallic"])
+    # Blender 3.4 does not read the roughness of OBJ's materials.
+    if suffix != "obj":
+        check_roughness(where, shader.inputs["Roughness"], suffix)
     alpha = shader.inputs["Alpha"]
     if kind == "Leaves":
         check_image(f"{where}: alpha", image_behind(alpha))
@@ -132,7 +164,42 @@ def check_material(where, mesh_object, suffix):
         check(not alpha.is_linked and alpha.default_value == 1.0, f"{where}: the bark is transparent")
 
 
-for suffix in ("obj", "fbx", "glb"):
+def render(suffix):
+    """The view of the camera, in Cycles, for the others want a graphics card."""
+    wanted = expected["camera"]
+    position, right, up = (Vector(to_z_up(wanted[name])) for name in ("position", "right", "up"))
+    scene = bpy.context.scene
+    camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    scene.collection.objects.link(camera)
+    camera.matrix_world = Matrix.Translation(position) @ Matrix((right, up, right.cross(up))).transposed().to_4x4()
+    camera.data.sensor_fit = "VERTICAL"
+    camera.data.angle_y = wanted["fieldOfView"]
+    scene.camera = camera
+    sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
+    sun.data.energy = 4.5
+    sun.matrix_world = camera.matrix_world @ Matrix.Rotation(math.radians(40), 4, "Y") @ Matrix.Rotation(math.radians(-40), 4, "X")
+    scene.collection.objects.link(sun)
+    scene.world = bpy.data.worlds.new("World")
+    scene.world.use_nodes = True
+    scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.4
+    scene.render.engine = "CYCLES"
+    scene.cycles.device = "CPU"
+    scene.cycles.samples = 8
+    scene.cycles.use_denoising = False
+    scene.cycles.max_bounces = 1
+    scene.cycles.transparent_max_bounces = 32
+    scene.view_settings.view_transform = "Standard"
+    scene.render.film_transparent = True
+    scene.render.resolution_x, scene.render.resolution_y = wanted["size"]
+    scene.render.resolution_percentage = 100
+    scene.render.image_settings.file_format = "PNG"
+    scene.render.image_settings.color_mode = "RGBA"
+    scene.render.filepath = os.path.join(folder, suffix + ".png")
+    bpy.ops.render.render(write_still=True)
+
+
+for suffix in expected["suffixes"]:
     objects = load(suffix)
     check(sorted(objects) == sorted(expected["meshes"]), f"{suffix}: meshes {sorted(objects)}")
     for name, wanted in expected["meshes"].items():
@@ -142,6 +209,8 @@ for suffix in ("obj", "fbx", "glb"):
         mesh_object = objects[name]
         check(len(mesh_object.data.polygons) == wanted["triangles"],
               f"{where}: {len(mesh_object.data.polygons)} triangles instead of {wanted['triangles']}")
+        check(len(mesh_object.data.vertices) == wanted["vertices"],
+              f"{where}: {len(mesh_object.data.vertices)} vertices instead of {wanted['vertices']}")
         check((mesh_object.matrix_world.translation - Vector((0, 0, 0))).length < 1e-6, f"{where}: pivot is not at the origin")
         check(len(mesh_object.data.uv_layers) >= 1, f"{where}: no texture coordinates")
         check_bounds(where, mesh_object, wanted)
@@ -149,6 +218,8 @@ for suffix in ("obj", "fbx", "glb"):
         check_material(where, mesh_object, suffix)
         if name.endswith("_Bark"):
             check_closed(where, mesh_object)
+    if suffix != "obj":
+        render(suffix)
 
 if not faults:
     print("EXPORTS ARE GOOD")

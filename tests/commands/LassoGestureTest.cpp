@@ -162,8 +162,7 @@ void LassoGestureTest::shapes_areFilledAndKept()
     TreeDocument document;
     const LassoGesture::Begun begun = LassoGesture::fill(document, strokeOf(points, 5.0F));
     QVERIFY(begun);
-    const Envelope envelope =
-        EnvelopeSet::fromStrokes(document.tree().lassosInForce())->envelopes().front();
+    const Envelope envelope = EnvelopeSet::fromStrokes(document.tree().lassosInForce())->envelopes().front();
     QVERIFY(run(**begun) > 0);
     const auto [covered, outside] = crownSilhouette(document, envelope);
     qInfo("%.1f %% covered, %.1f %% outside", 100.0 * covered, 100.0 * outside);

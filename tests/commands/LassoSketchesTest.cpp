@@ -107,8 +107,7 @@ void LassoSketchesTest::crown_fillsTheSilhouetteAndKeepsToIt()
     while ((*begun)->step())
         ++steps;
     QVERIFY(steps < EnvelopeGrowth::kMostSteps);
-    const Envelope envelope =
-        EnvelopeSet::fromStrokes(document.tree().lassosInForce())->envelopes().front();
+    const Envelope envelope = EnvelopeSet::fromStrokes(document.tree().lassosInForce())->envelopes().front();
     (*begun)->finish();
     const auto [covered, outside] = crownSilhouette(document, envelope);
     qInfo("%.1f %% covered, %.1f %% outside, %d steps, %u internodes, %lld ms", 100.0 * covered,

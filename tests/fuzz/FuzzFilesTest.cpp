@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/TreeDocument.h"
+#include "model/io/ImageFile.h"
 #include "model/io/ProjectFile.h"
 #include "model/io/Recipe.h"
+#include "model/mesh/OwnTextures.h"
 #include "tests/fuzz/Mutator.h"
+#include "tests/support/OwnImages.h"
 #include "tests/support/SampleProject.h"
 #include "tests/support/ZipEntries.h"
 
@@ -28,6 +31,7 @@ private Q_SLOTS:
     void damagedArchives();
     void damagedEntries();
     void damagedRecipes();
+    void damagedImages();
 
 private:
     /// Whether the bytes were taken for a project; then it was used as one.
@@ -42,7 +46,15 @@ void FuzzFilesTest::initTestCase()
     Project withPicture = sampleProject(60);
     withPicture.thumbnail = QImage(8, 8, QImage::Format_RGB32);
     withPicture.thumbnail.fill(Qt::darkGreen);
-    m_projects = {*packProject(withPicture), *packProject(sampleProject(25, 2)), *packProject({})};
+    Project illustrated = sampleProject(12, 3);
+    TreeParameters look = illustrated.tree.parameters();
+    look.leaves.image = ImageAsset(pngOf(drawnLeaf(Qt::transparent)), QStringLiteral("leaf.png"));
+    look.bark.image = look.bark.normalImage =
+        ImageAsset(pngOf(repeatingBark(16, 16)), QStringLiteral("bark.png"));
+    illustrated.journal.push_back(std::make_shared<TreeDelta>(parameterChange(illustrated.tree, look)));
+    illustrated.tree.apply(*illustrated.journal.back());
+    m_projects = {*packProject(withPicture), *packProject(sampleProject(25, 2)), *packProject({}),
+                  *packProject(illustrated)};
 
     Recipe recipe;
     recipe.name = QStringLiteral("Fuzz");
@@ -71,6 +83,9 @@ bool FuzzFilesTest::tryProject(const QByteArray& content)
             qFatal("an error without a word");
         return false;
     }
+    // A look at it asks for its images.
+    for (const TreeParameters& set : project->tree.parameterSets())
+        (void)leafTextures(set.leaves, 16);
     // All that a person can do to its history, through the document and all its indices.
     TreeDocument document;
     document.reset(project->tree, project->journal);
@@ -93,6 +108,37 @@ bool FuzzFilesTest::tryProject(const QByteArray& content)
 static int mutations(int usual)
 {
     return usual / std::max(1, qEnvironmentVariableIntValue("ESPALIER_FUZZ_DIVISOR"));
+}
+
+void FuzzFilesTest::damagedImages()
+{
+    QByteArray photo;
+    QBuffer buffer(&photo);
+    repeatingBark(40, 60).save(&buffer, "jpg");
+    const std::vector<QByteArray> images{pngOf(drawnLeaf(Qt::transparent)), pngOf(drawnLeaf(Qt::white)),
+                                         photo};
+    Mutator mutator(5);
+    int good = 0;
+    for (int i = 0; i < mutations(1200); ++i) {
+        const QByteArray& original = images[mutator.below(images.size())];
+        const QByteArray& donor = images[mutator.below(images.size())];
+        const Result<ImageAsset> image = readImage(mutator.mutated(original, donor), QStringLiteral("image"));
+        if (!image) {
+            if (image.error().message.isEmpty())
+                qFatal("an error without a word");
+            continue;
+        }
+        ++good;
+        TreeParameters look;
+        look.leaves.image = look.bark.image = *image;
+        const SurfaceTextures leaf = leafTextures(look.leaves, 64);
+        const SurfaceTextures bark = barkTextures(look.bark, 64);
+        if (leaf.normal.size() != leaf.colour.size() || bark.normal.size() != bark.colour.size())
+            qFatal("images of one material differ in size");
+    }
+    qInfo("%d of %d could be read", good, mutations(1200));
+    QVERIFY(good > mutations(20));
+    QVERIFY(good < mutations(1190));
 }
 
 void FuzzFilesTest::damagedArchives()

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterPanel.h"
 
+#include "commands/SetParameters.h"
 #include "model/document/Lengths.h"
+#include "model/mesh/OwnTextures.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
 #include "panels/BrushPopOut.h"
+#include "panels/LookChoice.h"
 #include "panels/ParameterRow.h"
 #include "panels/ParameterValue.h"
 #include "panels/PressureCurve.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
 #include "panels/ViewRow.h"
+#include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"
 
 #include <QtTest>
@@ -19,6 +23,7 @@
 #include <map>
 
 using namespace espalier;
+using namespace espalier::test;
 
 class ParameterPanelTest : public QObject {
     Q_OBJECT
@@ -33,6 +38,9 @@ private Q_SLOTS:
     void doubleClick_bringsTheDefaultBackAsOneStep();
     void keys_stride();
     void typedNumber_isPutInForceAndUndone();
+    void looks_areListedWithSwatchesAndAWayToChooseAnImage();
+    void imageOfOnesOwn_isListedUntilADrawnLookIsChosen();
+    void imageDroppedOnASheet_isAskedFor();
     void typedLength_isTakenInAnyUnit_data();
     void typedLength_isTakenInAnyUnit();
     void feetAndInches_areShownAndStepped();
@@ -201,6 +209,85 @@ void ParameterPanelTest::typedNumber_isPutInForceAndUndone()
     document.undoStack().undo();
     QCOMPARE(row->value(), before);
     QCOMPARE(number->value(), before);
+}
+
+void ParameterPanelTest::looks_areListedWithSwatchesAndAWayToChooseAnImage()
+{
+    for (const auto& [sheet, key, drawn] :
+         {std::tuple(ParameterSheet::Leaves, "leaves.shape", kLeafShapeCount),
+          std::tuple(ParameterSheet::Branches, "bark.kind", kBarkKindCount)}) {
+        TreeDocument document;
+        ParameterPanel panel(document, sheet);
+        panel.show();
+        LookChoice& look = *panel.row(key)->look();
+        QCOMPARE(look.count(), drawn + 1);
+        for (int i = 0; i < look.count(); ++i) {
+            QVERIFY(!look.itemIcon(i).isNull());
+            QVERIFY(look.itemData(i, Qt::SizeHintRole).toSize().height() >= theme::kTarget);
+        }
+        QVERIFY(!look.accessibleName().isEmpty());
+        QVERIFY(look.itemText(drawn).contains(QChar(0x2026)));
+        // By keys alone: to the last, which asks for a file and changes nothing.
+        const QSignalSpy asked(&panel, &ParameterPanel::imageAsked);
+        look.setFocus();
+        QTest::keyClick(&look, Qt::Key_End);
+        QCOMPARE(asked.count(), 1);
+        QVERIFY(asked[0][0].value<LookKind>() == *LookChoice::kindOf(key));
+        QCOMPARE(look.currentIndex(), 0);
+        QCOMPARE(document.undoStack().count(), 0);
+    }
+}
+
+void ParameterPanelTest::imageOfOnesOwn_isListedUntilADrawnLookIsChosen()
+{
+    TreeDocument document;
+    ParameterPanel panel(document, ParameterSheet::Leaves);
+    panel.show();
+    LookChoice& look = *panel.row("leaves.shape")->look();
+    TreeParameters parameters = document.parameters();
+    adoptImage(parameters.leaves, ImageAsset(pngOf(drawnLeaf(Qt::transparent)), QStringLiteral("ginkgo.png")),
+               0.5);
+    setParameters(document, parameters);
+    QCOMPARE(look.count(), kLeafShapeCount + 2);
+    QCOMPARE(look.currentText(), QStringLiteral("ginkgo"));
+    QVERIFY(!look.itemIcon(look.currentIndex()).isNull());
+    QVERIFY(look.itemData(look.currentIndex(), Qt::AccessibleTextRole)
+                .toString()
+                .contains(QStringLiteral("ginkgo")));
+
+    QTest::keyClick(&look, Qt::Key_Home);
+    QVERIFY(document.parameters().leaves.image.isNull());
+    QCOMPARE(document.parameters().leaves.aspect, LeafParameters().aspect);
+    QCOMPARE(look.count(), kLeafShapeCount + 1);
+    QCOMPARE(document.undoStack().count(), 2);
+    document.undoStack().undo();
+    QVERIFY(document.parameters() == parameters);
+    QCOMPARE(look.currentText(), QStringLiteral("ginkgo"));
+}
+
+void ParameterPanelTest::imageDroppedOnASheet_isAskedFor()
+{
+    TreeDocument document;
+    ParameterPanel panel(document, ParameterSheet::Branches);
+    panel.show();
+    const QSignalSpy dropped(&panel, &ParameterPanel::imageDropped);
+    const auto drop = [&](QWidget& on, const char* file) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(QLatin1String(file))});
+        QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&on, &enter);
+        QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, {});
+        QCoreApplication::sendEvent(&on, &event);
+        return enter.isAccepted();
+    };
+    QVERIFY(drop(panel, "/tmp/oak bark.JPG"));
+    QCOMPARE(dropped.count(), 1);
+    QVERIFY(dropped[0][0].value<LookKind>() == LookKind::Bark);
+    QCOMPARE(dropped[0][1].toString(), QStringLiteral("/tmp/oak bark.JPG"));
+    QVERIFY(drop(*panel.row("bark.kind")->look(), "/tmp/oak.png"));
+    QCOMPARE(dropped.count(), 2);
+    QVERIFY(!drop(panel, "/tmp/oak.espalier"));
+    QCOMPARE(dropped.count(), 2);
 }
 
 void ParameterPanelTest::typedLength_isTakenInAnyUnit_data()

@@ -23,7 +23,7 @@ struct RenderOptions {
     double shadowStrength = 1.0; ///< 0...1, for letting shadows appear softly
     /// The tree may be shown as it was a moment ago, where a large one would take too long to follow.
     bool mayLag = false;
-    bool isPlain = false;        ///< Lit corner by corner, without shadows: about what it will look like
+    bool isPlain = false; ///< Lit corner by corner, without shadows: about what it will look like
 };
 
 } // namespace espalier

@@ -18,7 +18,7 @@ namespace {
 constexpr int kLightUnit = 0;
 constexpr int kShadowUnit = 1;
 constexpr int kColourUnit = 2;
-constexpr int kNormalUnit = 3;
+constexpr int kSurfaceUnit = 3;
 constexpr int kSharpUnit = 2;
 constexpr int kSoftUnit = 3;
 constexpr int kSkyUnit = 4;
@@ -96,9 +96,9 @@ Renderer::Renderer(Gl& gl)
         program->setUniformValue("softShadow", kSoftUnit);
         program->setUniformValue("skyShadow", kSkyUnit);
         program->setUniformValue("barkColour", kColourUnit);
-        program->setUniformValue("barkNormal", kNormalUnit);
+        program->setUniformValue("barkSurface", kSurfaceUnit);
         program->setUniformValue("leafColour", kColourUnit);
-        program->setUniformValue("leafNormals", kNormalUnit);
+        program->setUniformValue("leafSurface", kSurfaceUnit);
     }
     m_leafShadowProgram->bind();
     m_leafShadowProgram->setUniformValue("leafColour", kColourUnit);
@@ -291,15 +291,19 @@ void Renderer::drawTree(const RenderOptions& options, float saturation)
     // Leaves first: what they cover of the wood need not be lit.
     if (options.view.leavesShown) {
         bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.leafColour());
-        bindTexture(kNormalUnit, GL_TEXTURE_2D, m_tree.leafNormal());
+        bindTexture(kSurfaceUnit, GL_TEXTURE_2D, m_tree.leafSurface());
         QOpenGLShaderProgram& leaf = options.isPlain ? *m_plainLeafProgram : *m_leafProgram;
         leaf.bind();
         leaf.setUniformValue("saturation", saturation);
+        // Under a warm sun and a filmic curve, drawn leaves as they are would look like paint: this is more
+        // like what a camera sees. What a camera saw need only be as light.
+        leaf.setUniformValue("filmCast", m_tree.hasOwnLeaves() ? QVector3D(0.75F, 0.75F, 0.75F)
+                                                               : QVector3D(0.84F, 0.63F, 0.80F));
         m_tree.drawLeaves();
     }
     QOpenGLShaderProgram& bark = options.isPlain ? *m_plainBarkProgram : *m_barkProgram;
     bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.barkColour());
-    bindTexture(kNormalUnit, GL_TEXTURE_2D, m_tree.barkNormal());
+    bindTexture(kSurfaceUnit, GL_TEXTURE_2D, m_tree.barkSurface());
     bark.bind();
     bark.setUniformValue("widening", options.samples > 1 ? 0.04F : 0.4F);
     m_tree.drawBark();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TreeBuffers.h"
 
-#include "model/base/Parallel.h"
 #include "model/mesh/LeafCard.h"
-#include "model/mesh/Textures.h"
+#include "model/mesh/OwnTextures.h"
 #include "views/render/TreeScene.h"
 
 #include <cstddef>
@@ -15,26 +14,30 @@ namespace {
 
 constexpr int kBarkEdge = 1024; ///< px
 constexpr int kLeafEdge = 512;  ///< px
+// Of images of the person's own
+constexpr int kOwnBarkEdge = 2048;
+constexpr int kOwnLeafEdge = 1024;
 
-/// A texture and its normal map.
-struct Images {
-    QImage colour;
-    QImage normal;
-};
-
-/// Making textures takes longer than a frame: they are made once, whoever shows them, and both at the same
-/// time.
-template <class Kind>
-const Images& imagesOf(Kind kind, QImage (*makeColour)(Kind), QImage (*makeNormal)(Kind))
+ShaderImages forShaders(const SurfaceTextures& textures)
 {
-    static std::map<Kind, Images> made;
-    Images& images = made[kind];
-    if (images.colour.isNull()) {
-        parallelFor(2, 1, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                (i == 0 ? images.colour : images.normal) = i == 0 ? makeColour(kind) : makeNormal(kind);
-        });
+    QImage surface = textures.normal.convertToFormat(QImage::Format_RGBA8888);
+    for (int y = 0; y < surface.height(); ++y) {
+        const uchar* const roughness = textures.roughness.constScanLine(y);
+        uchar* const line = surface.scanLine(y);
+        for (int x = 0; x < surface.width(); ++x)
+            line[4 * x + 3] = roughness[x];
     }
+    return {textures.colour, surface};
+}
+
+/// Making textures takes longer than a frame: they are made once, whoever shows them.
+template <class Kind, class Make>
+const ShaderImages& imagesOf(Kind kind, Make&& make)
+{
+    static std::map<Kind, ShaderImages> made;
+    ShaderImages& images = made[kind];
+    if (images.colour.isNull())
+        images = forShaders(make(kind));
     return images;
 }
 
@@ -67,9 +70,9 @@ TreeBuffers::TreeBuffers(Gl& gl)
       m_barkArray(gl),
       m_leafArray(gl),
       m_barkColour(gl),
-      m_barkNormal(gl),
+      m_barkSurface(gl),
       m_leafColour(gl),
-      m_leafNormal(gl),
+      m_leafSurface(gl),
       m_light(gl)
 {
     gl.glBindTexture(GL_TEXTURE_3D, m_light.get());
@@ -130,27 +133,41 @@ void TreeBuffers::send(GlBuffer& buffer, std::span<const T> elements, std::span<
 
 void TreeBuffers::fillTextures(const TreeParameters& parameters)
 {
-    if (m_bark != parameters.bark.kind) {
-        m_bark = parameters.bark.kind;
-        const Images& images = imagesOf<BarkKind>(
-            *m_bark, [](BarkKind kind) { return barkAlbedo(kind, kBarkEdge); },
-            [](BarkKind kind) { return espalier::barkNormal(kind, kBarkEdge); });
+    const BarkParameters& bark = parameters.bark;
+    const auto looksLike = [](const BarkParameters& a, const BarkParameters& b) {
+        return a.kind == b.kind && a.image == b.image && a.normalImage == b.normalImage &&
+               a.roughnessImage == b.roughnessImage;
+    };
+    if (!m_bark || !looksLike(*m_bark, bark)) {
+        const ShaderImages images =
+            bark.image.isNull()
+                ? imagesOf(bark.kind, [](BarkKind kind) { return barkTextures(kind, kBarkEdge); })
+                : forShaders(barkTextures(bark, kOwnBarkEdge));
         fillTexture(m_gl, m_barkColour, images.colour, TextureContent::Colour, true);
-        fillTexture(m_gl, m_barkNormal, images.normal, TextureContent::Data, true);
+        fillTexture(m_gl, m_barkSurface, images.surface, TextureContent::Data, true);
     }
+    m_bark = bark;
+
     const LeafParameters& leaves = parameters.leaves;
-    if (m_leaf == leaves.shape && m_leafSaturation == leaves.saturation)
+    const bool hasOtherImage = !m_leaf || !(m_leaf->image == leaves.image);
+    const bool isOther = hasOtherImage || m_leaf->shape != leaves.shape;
+    const bool isPaler = !m_leaf || m_leaf->saturation != leaves.saturation;
+    m_leaf = leaves;
+    if (!isOther && !isPaler)
         return;
-    m_leaf = leaves.shape;
-    m_leafSaturation = leaves.saturation;
-    const Images& images = imagesOf<LeafShape>(
-        *m_leaf, [](LeafShape shape) { return leafAlbedo(shape, kLeafEdge); },
-        [](LeafShape shape) { return espalier::leafNormal(shape, kLeafEdge); });
+    if (hasOtherImage && !leaves.image.isNull())
+        m_ownLeaf = forShaders(leafTextures(leaves, kOwnLeafEdge));
+    const ShaderImages& images =
+        leaves.image.isNull()
+            ? imagesOf(leaves.shape, [](LeafShape shape) { return leafTextures(shape, kLeafEdge); })
+            : m_ownLeaf;
     QImage colour = images.colour;
-    saturateLeaf(colour, m_leafSaturation);
+    saturateLeaf(colour, leaves.saturation);
     fillTexture(m_gl, m_leafColour, colour, TextureContent::Colour, false);
-    fillTexture(m_gl, m_leafNormal, images.normal, TextureContent::Data, false);
-    const LeafCard& card = leafCard(*m_leaf);
+    if (!isOther)
+        return;
+    fillTexture(m_gl, m_leafSurface, images.surface, TextureContent::Data, false);
+    const LeafCard& card = leafCard(leaves.image.isNull() ? leaves.shape : LeafShape::Own);
     m_cardVertices.reserve(card.vertices.size() * sizeof(MeshVertex));
     m_cardVertices.write(0, card.vertices.data(), card.vertices.size() * sizeof(MeshVertex));
     m_cardIndices.reserve(card.indices.size() * sizeof(VertexIndex));

@@ -5,12 +5,21 @@
 #include "model/tree/Parameters.h"
 #include "views/render/GlResources.h"
 
+#include <QImage>
+
 #include <optional>
 #include <span>
 
 namespace espalier {
 
 class TreeScene;
+
+/// A texture as shaders want it: colour, and the normal with the roughness as alpha, so that one look finds
+/// both.
+struct ShaderImages {
+    QImage colour;
+    QImage surface;
+};
 
 /// A scene on the graphics card: buffers and textures. Only what changed in the scene is sent there.
 class TreeBuffers {
@@ -27,9 +36,12 @@ public:
     void drawLeaves();
 
     GLuint barkColour() const { return m_barkColour.get(); }
-    GLuint barkNormal() const { return m_barkNormal.get(); }
+    /// Normal, and roughness as alpha.
+    GLuint barkSurface() const { return m_barkSurface.get(); }
     GLuint leafColour() const { return m_leafColour.get(); }
-    GLuint leafNormal() const { return m_leafNormal.get(); }
+    GLuint leafSurface() const { return m_leafSurface.get(); }
+    /// Whether the leaves are of an image of the person's own.
+    bool hasOwnLeaves() const { return m_leaf && !m_leaf->image.isNull(); }
     GLuint lightVolume() const { return m_light.get(); }
 
 private:
@@ -49,14 +61,15 @@ private:
     GlVertexArray m_barkArray;
     GlVertexArray m_leafArray;
     GlTexture m_barkColour;
-    GlTexture m_barkNormal;
+    GlTexture m_barkSurface;
     GlTexture m_leafColour;
-    GlTexture m_leafNormal;
+    GlTexture m_leafSurface;
     GlTexture m_light;
-    std::uint64_t m_scene = 0;      ///< Number of the scene that is here, 0 for none
-    std::optional<BarkKind> m_bark; ///< Of the textures
-    std::optional<LeafShape> m_leaf;
-    double m_leafSaturation = 1.0;
+    std::uint64_t m_scene = 0; ///< Number of the scene that is here, 0 for none
+    // Of the textures
+    std::optional<BarkParameters> m_bark;
+    std::optional<LeafParameters> m_leaf;
+    ShaderImages m_ownLeaf; ///< Of m_leaf's image, if it has one
     GLsizei m_indexCount = 0;
     GLsizei m_leafCount = 0;
     GLsizei m_cardIndexCount = 0;

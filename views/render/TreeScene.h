@@ -22,8 +22,9 @@ public:
     /// Brings up to date what several changes need only once; before mesh(), light() and
     /// bounds().
     void prepare();
-    /// Brings some of it up to date, for about kSlice; returns whether nothing is left. What has waited longest
-    /// comes first, so that a large tree that goes on growing is followed a little late, but followed.
+    /// Brings some of it up to date, for about kSlice; returns whether nothing is left. What has waited
+    /// longest comes first, so that a large tree that goes on growing is followed a little late, but
+    /// followed.
     bool prepareSome();
     /// When there is time: brings everything to its exact form, likewise.
     bool settleSome();

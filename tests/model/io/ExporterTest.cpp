@@ -4,6 +4,7 @@
 #include "model/io/FbxRepair.h"
 #include "model/mesh/LeafCard.h"
 #include "model/shape/Widths.h"
+#include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -62,6 +63,7 @@ private Q_SLOTS:
     void scene_withoutLeavesHasBarkAlone();
     void leavesOfOneHue_takeOneTile();
     void leavesOfManyHues_lieInTheTileOfTheirHue();
+    void imagesOfOnesOwn_takeThePlaceOfTheDrawnOnes();
     void names_becomeSafe();
     void obj_hasEveryVertexAndRefersToFilesThatExist();
     void glb_hasNamesMaterialsAndTexturesInside();
@@ -97,6 +99,8 @@ void ExporterTest::scene_hasOneMeshAndMaterialEachForBarkAndLeaves()
     QVERIFY(leaf.hasAlphaChannel());
     QCOMPARE(leaf.height(), 32);
     QCOMPARE(QImage::fromData(scene.materials[1].normal.png, "png").size(), leaf.size());
+    QCOMPARE(QImage::fromData(scene.materials[1].roughness.png, "png").size(), leaf.size());
+    QVERIFY(QImage::fromData(scene.materials[0].roughness.png, "png").isGrayscale());
 }
 
 void ExporterTest::scene_withoutLeavesHasBarkAlone()
@@ -181,6 +185,34 @@ void ExporterTest::leavesOfManyHues_lieInTheTileOfTheirHue()
     QVERIFY(hueOfTile(7) > 1.1);
 }
 
+void ExporterTest::imagesOfOnesOwn_takeThePlaceOfTheDrawnOnes()
+{
+    TreeBuilder builder = sampleTree();
+    TreeParameters parameters = builder.tree.parameters();
+    parameters.leaves.image = ImageAsset(pngOf(drawnLeaf(Qt::transparent)), QStringLiteral("leaf.png"));
+    parameters.leaves.hueVariation = 0.0;
+    parameters.leaves.vigourHue = 0.0;
+    parameters.bark.image = ImageAsset(pngOf(repeatingBark(64, 64)), QStringLiteral("bark.png"));
+    builder.apply(parameterChange(builder.tree, parameters));
+    const ExportScene scene =
+        buildExportScene(builder.tree, builder.index, {}, ExportOptions{.textureSize = 512});
+    QCOMPARE(scene.materials.size(), 2U);
+    QCOMPARE(QImage::fromData(scene.materials[0].colour.png, "png").convertToFormat(QImage::Format_RGB888),
+             repeatingBark(64, 64).convertToFormat(QImage::Format_RGB888));
+    const QImage leaf = QImage::fromData(scene.materials[1].colour.png, "png");
+    QVERIFY(std::abs(leaf.width() - 80) <= 3 && std::abs(leaf.height() - 160) <= 3);
+    // In its own colours.
+    const QColor middle = leaf.pixelColor(leaf.width() / 2, leaf.height() / 2);
+    QVERIFY2(std::abs(middle.red() - 70) < 6 && std::abs(middle.green() - 150) < 6 &&
+                 std::abs(middle.blue() - 40) < 6,
+             qPrintable(middle.name()));
+    QCOMPARE(qAlpha(leaf.pixel(0, 0)), 0);
+    for (const ExportTexture* texture : {&scene.materials[1].normal, &scene.materials[1].roughness})
+        QCOMPARE(QImage::fromData(texture->png, "png").size(), leaf.size());
+    const std::size_t perLeaf = leafCard(LeafShape::Own).vertices.size();
+    QCOMPARE(scene.meshes[1].mesh.vertices.size(), placeLeaves(builder.tree, builder.index).size() * perLeaf);
+}
+
 void ExporterTest::names_becomeSafe()
 {
     QCOMPARE(safeExportName(QStringLiteral("Oak")), QStringLiteral("Oak"));
@@ -195,10 +227,12 @@ void ExporterTest::obj_hasEveryVertexAndRefersToFilesThatExist()
     const TreeBuilder builder = sampleTree();
     QVERIFY(exportTree(builder.tree, builder.index, QStringLiteral("Oak"),
                        folder.filePath(QStringLiteral("my oak.obj")), kSmall));
-    QCOMPARE(filesIn(folder),
-             (QStringList{QStringLiteral("my oak.obj"), QStringLiteral("my_oak.mtl"),
-                          QStringLiteral("my_oak_bark.png"), QStringLiteral("my_oak_bark_normal.png"),
-                          QStringLiteral("my_oak_leaf.png"), QStringLiteral("my_oak_leaf_normal.png")}));
+    QCOMPARE(
+        filesIn(folder),
+        (QStringList{QStringLiteral("my oak.obj"), QStringLiteral("my_oak.mtl"),
+                     QStringLiteral("my_oak_bark.png"), QStringLiteral("my_oak_bark_normal.png"),
+                     QStringLiteral("my_oak_bark_roughness.png"), QStringLiteral("my_oak_leaf.png"),
+                     QStringLiteral("my_oak_leaf_normal.png"), QStringLiteral("my_oak_leaf_roughness.png")}));
 
     const ExportScene scene = buildExportScene(builder.tree, builder.index, QStringLiteral("Oak"), kSmall);
     std::vector<MeshVertex> vertices;
@@ -249,7 +283,7 @@ void ExporterTest::obj_hasEveryVertexAndRefersToFilesThatExist()
                      line.constData());
         }
     }
-    QCOMPARE(textures, 5);
+    QCOMPARE(textures, 7);
 }
 
 void ExporterTest::glb_hasNamesMaterialsAndTexturesInside()
@@ -263,7 +297,7 @@ void ExporterTest::glb_hasNamesMaterialsAndTexturesInside()
     const aiScene* const scene = importer.ReadFile(fileName.toStdString(), 0);
     QVERIFY2(scene != nullptr, importer.GetErrorString());
     QCOMPARE(scene->mNumMeshes, 2U);
-    QCOMPARE(scene->mNumTextures, 4U);
+    QCOMPARE(scene->mNumTextures, 6U);
     QVERIFY(scene->mRootNode->FindNode("Oak_LOD0_Bark") != nullptr);
     QVERIFY(scene->mRootNode->FindNode("Oak_LOD0_Leaves") != nullptr);
     const ExportScene original = buildExportScene(builder.tree, builder.index, QStringLiteral("Oak"), kSmall);
@@ -276,6 +310,20 @@ void ExporterTest::glb_hasNamesMaterialsAndTexturesInside()
         for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_NORMALS})
             QCOMPARE(scene->mMaterials[mesh.mMaterialIndex]->GetTextureCount(type), 1U);
     }
+    // glTF has the roughness in green and the metalness in blue.
+    const ExportMaterial& bark = original.materials[0];
+    aiString path;
+    QCOMPARE(scene->mMaterials[scene->mMeshes[0]->mMaterialIndex]->GetTexture(
+                 AI_MATKEY_GLTF_PBRMETALLICROUGHNESS_METALLICROUGHNESS_TEXTURE, &path),
+             aiReturn_SUCCESS);
+    const aiTexture* const packed = scene->GetEmbeddedTexture(path.C_Str());
+    QVERIFY(packed != nullptr);
+    const QImage surface =
+        QImage::fromData(reinterpret_cast<const uchar*>(packed->pcData), int(packed->mWidth), "png");
+    const QImage grey = QImage::fromData(bark.roughness.png, "png");
+    QCOMPARE(surface.size(), grey.size());
+    for (const QPoint place : {QPoint(0, 0), QPoint(13, 40), QPoint(63, 7)})
+        QCOMPARE(surface.pixel(place) & 0xffffU, unsigned(qRed(grey.pixel(place))) << 8U);
     aiString mode;
     float cutoff = 0.0F;
     int twoSided = 0;
@@ -296,8 +344,9 @@ void ExporterTest::fbx_isSoundAndCountsInMetres()
     QVERIFY(exportTree(builder.tree, builder.index, QStringLiteral("Oak"), fileName, kSmall));
     QCOMPARE(filesIn(folder),
              (QStringList{QStringLiteral("oak.fbx"), QStringLiteral("oak_bark.png"),
-                          QStringLiteral("oak_bark_normal.png"), QStringLiteral("oak_leaf.png"),
-                          QStringLiteral("oak_leaf_normal.png")}));
+                          QStringLiteral("oak_bark_normal.png"), QStringLiteral("oak_bark_roughness.png"),
+                          QStringLiteral("oak_leaf.png"), QStringLiteral("oak_leaf_normal.png"),
+                          QStringLiteral("oak_leaf_roughness.png")}));
     const QByteArray content = contentOf(fileName);
     QCOMPARE(*repairFbx(content), content); // nothing is left to mend
     Assimp::Importer importer;
@@ -375,7 +424,7 @@ void ExporterTest::exports_replaceEarlierOnes()
     const qint64 before = QFileInfo(fileName).size();
     QVERIFY(exportTree(small.tree, small.index, {}, fileName, kSmall));
     QVERIFY(QFileInfo(fileName).size() < before);
-    QCOMPARE(filesIn(folder).size(), 6);
+    QCOMPARE(filesIn(folder).size(), 8);
 }
 
 void ExporterTest::unknownEnding_isRefused()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/ProjectFile.h"
 
+#include "tests/support/OwnImages.h"
 #include "tests/support/SampleProject.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/ZipEntries.h"
@@ -49,6 +50,10 @@ private Q_SLOTS:
     void roundTrip_keepsTreeJournalNameAndThumbnail();
     void roundTrip_keepsASeedling();
     void roundTrip_keepsTheLargestSeed();
+    void images_areKeptOnceEach();
+    void missingOrWrongImages_showTheDrawnLook_data();
+    void missingOrWrongImages_showTheDrawnLook();
+    void withoutImages_nothingIsSaidOfThem();
     void equalProjects_giveEqualBytes();
     void reloadedJournal_revertsToTheSeedlingAndComesBack();
     void saveAndLoad_goThroughAFile();
@@ -98,6 +103,98 @@ void ProjectFileTest::roundTrip_keepsTheLargestSeed()
     Project project;
     project.tree = Tree(std::numeric_limits<std::uint64_t>::max());
     QCOMPARE(unpackProject(*packProject(project))->tree.seed(), std::numeric_limits<std::uint64_t>::max());
+}
+
+namespace {
+
+/// Two images in three parameter sets.
+Project illustratedProject()
+{
+    Project project = sampleProject(60);
+    TreeParameters parameters = project.tree.parameters();
+    parameters.leaves.image = ImageAsset(pngOf(drawnLeaf(Qt::transparent)), QStringLiteral("Älteste.png"));
+    parameters.bark.image = ImageAsset(pngOf(repeatingBark(32, 32)), QStringLiteral("bark.png"));
+    const auto change = [&] {
+        auto delta = std::make_shared<TreeDelta>(parameterChange(project.tree, parameters));
+        project.tree.apply(*delta);
+        project.journal.push_back(delta);
+    };
+    change();
+    parameters.bark.normalImage = parameters.bark.image;
+    parameters.leaves.image = {};
+    change();
+    parameters.leaves.image = ImageAsset(pngOf(drawnLeaf(Qt::transparent)), QStringLiteral("Älteste.png"));
+    change();
+    return project;
+}
+
+} // namespace
+
+void ProjectFileTest::images_areKeptOnceEach()
+{
+    const Project project = illustratedProject();
+    const QByteArray file = *packProject(project);
+    QByteArrayList assets;
+    for (const auto& [name, content] : unpackEntries(file)) {
+        if (name.startsWith("assets/"))
+            assets.append(content);
+    }
+    QCOMPARE(assets.size(), 2);
+    QVERIFY(assets.contains(pngOf(drawnLeaf(Qt::transparent))));
+    const Result<Project> back = unpackProject(file);
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QCOMPARE(back->warning, QString());
+    QVERIFY(back->tree == project.tree);
+    QCOMPARE(back->tree.parameters().leaves.image.name(), QStringLiteral("Älteste.png"));
+    QCOMPARE(back->tree.parameters().leaves.image.pixels().size(), QSize(120, 200));
+    QVERIFY(survivesItsHistory(*back));
+    QCOMPARE(*packProject(*back), file);
+}
+
+void ProjectFileTest::missingOrWrongImages_showTheDrawnLook_data()
+{
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("missing") << QByteArray();
+    QTest::newRow("other image") << pngOf(repeatingBark(16, 16));
+    QTest::newRow("no image") << QByteArray("hello");
+    QTest::newRow("nothing") << QByteArray("");
+    QTest::newRow("cut off") << pngOf(drawnLeaf(Qt::transparent)).first(300);
+}
+
+void ProjectFileTest::missingOrWrongImages_showTheDrawnLook()
+{
+    QFETCH(const QByteArray, content);
+    const Project project = illustratedProject();
+    ZipEntries entries = unpackEntries(*packProject(project));
+    const QByteArray name = "assets/" + project.tree.parameters().leaves.image.hash().toLatin1() + ".png";
+    if (content.isNull())
+        std::erase_if(entries, [&](const auto& e) { return e.first == name; });
+    else
+        entry(entries, name.constData()) = content;
+    const Result<Project> back = unpackProject(packEntries(entries));
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QVERIFY(back->tree.parameters().leaves.image.isNull());
+    QVERIFY(back->tree.parameters().bark.image == project.tree.parameters().bark.image);
+    QVERIFY(survivesItsHistory(*back));
+    QCOMPARE(back->warning,
+             QStringLiteral("the image “Älteste.png” is missing in it or broken; the look that was "
+                            "drawn for it shows instead"));
+
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("oak.espalier")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(packEntries(entries));
+    file.close();
+    QVERIFY(loadProject(file.fileName())->warning.startsWith(QStringLiteral("oak.espalier: the image")));
+}
+
+void ProjectFileTest::withoutImages_nothingIsSaidOfThem()
+{
+    const ZipEntries entries = unpackEntries(*packProject(sampleProject(50)));
+    for (const auto& [name, content] : entries) {
+        QVERIFY(!name.startsWith("assets/"));
+        QVERIFY(name != "project.json" || !content.contains("mage"));
+    }
 }
 
 void ProjectFileTest::equalProjects_giveEqualBytes()
@@ -265,6 +362,7 @@ void ProjectFileTest::wrongDescriptions_areRefused_data()
     row("parameterSets", QJsonArray{QJsonObject(), QJsonObject{{QStringLiteral("x"), 1}}},
         "parameterSets[1].x: there is no such parameter");
     row("currentParameters", 2, "currentParameters: a whole number from 0 to 1");
+    row("images", 5, "images: an object");
     row("surplus", 1, "“surplus” is not known here");
 }
 

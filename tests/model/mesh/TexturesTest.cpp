@@ -31,6 +31,8 @@ private Q_SLOTS:
     void leaf_hasTheHueAskedFor();
     void leaf_isPalerWithLessSaturation();
     void leaf_colourGoesOnBeyondItsEdge();
+    void roughness_differsWithinAndBetweenBarks();
+    void roughness_ofLeavesIsThatOfTheirWax();
     void images_areTheSameOnOneThreadAndMany();
 };
 
@@ -129,32 +131,37 @@ void TexturesTest::normals_ofAKnownSlope_areKnown()
     // Rising upward in the image at 45°: the normal leans down, so green is below the middle. 127.5 (1 − √½)
     // = 37.3.
     const auto rising = [](float, float v) { return TexturePoint{{}, v}; };
-    const QImage upward = paintNormals(64, rising, 1.0F, false);
+    const QImage upward = paintSurface(64, rising, 1.0F, false).normal;
     QCOMPARE(qRed(upward.pixel(20, 20)), 128);
     QCOMPARE(qGreen(upward.pixel(20, 20)), 37);
     QCOMPARE(qBlue(upward.pixel(20, 20)), 218);
     // Falling to the right: it leans right, red.
     const auto falling = [](float u, float) { return TexturePoint{{}, 1.0F - u}; };
-    const QImage rightward = paintNormals(64, falling, 1.0F, false);
+    const QImage rightward = paintSurface(64, falling, 1.0F, false).normal;
     QCOMPARE(qRed(rightward.pixel(20, 20)), 218);
     QCOMPARE(qGreen(rightward.pixel(20, 20)), 128);
     const auto flat = [](float, float) { return TexturePoint{{}, 0.7F}; };
-    QCOMPARE(paintNormals(16, flat, 1.0F, true).pixel(3, 3), qRgb(128, 128, 255));
+    QCOMPARE(paintSurface(16, flat, 1.0F, true).normal.pixel(3, 3), qRgb(128, 128, 255));
 }
 
 void TexturesTest::images_haveTheirFormats()
 {
     for (const int size : {16, 128}) {
-        for (const BarkKind kind : kBarks) {
-            for (const QImage& image : {barkAlbedo(kind, size), barkNormal(kind, size)}) {
+        const auto check = [size](const SurfaceTextures& images, QImage::Format colours) {
+            for (const auto& [image, format] : {std::pair(images.colour, colours),
+                                                {images.normal, QImage::Format_RGB888},
+                                                {images.roughness, QImage::Format_Grayscale8}}) {
                 QCOMPARE(image.size(), QSize(size, size));
-                QCOMPARE(image.format(), QImage::Format_RGB888);
+                QCOMPARE(image.format(), format);
             }
+        };
+        for (const BarkKind kind : kBarks) {
+            check(barkTextures(kind, size), QImage::Format_RGB888);
+            QCOMPARE(barkAlbedo(kind, size), barkTextures(kind, size).colour);
         }
         for (const LeafShape shape : kLeaves) {
-            QCOMPARE(leafAlbedo(shape, size).size(), QSize(size, size));
-            QCOMPARE(leafAlbedo(shape, size).format(), QImage::Format_RGBA8888);
-            QCOMPARE(leafNormal(shape, size).format(), QImage::Format_RGB888);
+            check(leafTextures(shape, size), QImage::Format_RGBA8888);
+            QCOMPARE(leafAlbedo(shape, size), leafTextures(shape, size).colour);
         }
     }
 }
@@ -163,7 +170,8 @@ void TexturesTest::bark_repeatsWithoutASeam()
 {
     constexpr int size = 256;
     for (const BarkKind kind : kBarks) {
-        for (const QImage& image : {barkAlbedo(kind, size), barkNormal(kind, size)}) {
+        const SurfaceTextures textures = barkTextures(kind, size);
+        for (const QImage& image : {textures.colour, textures.normal, textures.roughness}) {
             for (const bool rows : {false, true}) {
                 double inside = 0.0;
                 double greatest = 0.0;
@@ -173,7 +181,7 @@ void TexturesTest::bark_repeatsWithoutASeam()
                 }
                 const double seam = between(image, size - 1, 0, rows);
                 QVERIFY2(seam <= greatest && seam < 2.0 * inside, qPrintable(QString::number(seam / inside)));
-                QVERIFY(inside > 1.0);
+                QVERIFY(inside > 0.5);
             }
         }
     }
@@ -199,9 +207,9 @@ void TexturesTest::normalMaps_areUnitAndLookOut()
 {
     std::vector<QImage> maps;
     for (const BarkKind kind : kBarks)
-        maps.push_back(barkNormal(kind, 128));
+        maps.push_back(barkTextures(kind, 128).normal);
     for (const LeafShape shape : kLeaves)
-        maps.push_back(leafNormal(shape, 128));
+        maps.push_back(leafTextures(shape, 128).normal);
     for (const QImage& map : maps) {
         double red = 0.0;
         double green = 0.0;
@@ -309,18 +317,60 @@ void TexturesTest::leaf_colourGoesOnBeyondItsEdge()
     }
 }
 
+namespace {
+
+/// Mean and greatest difference between the roughness of a texture's parts, 0...1.
+std::pair<double, double> roughnessOf(const QImage& roughness)
+{
+    double sum = 0.0;
+    int least = 255;
+    int greatest = 0;
+    forEachTexel(roughness, [&](int, int, QRgb texel) {
+        sum += qRed(texel) / 255.0;
+        least = std::min(least, qRed(texel));
+        greatest = std::max(greatest, qRed(texel));
+    });
+    return {sum / (roughness.width() * roughness.height()), (greatest - least) / 255.0};
+}
+
+} // namespace
+
+void TexturesTest::roughness_differsWithinAndBetweenBarks()
+{
+    std::array<double, kBarks.size()> mean{};
+    for (std::size_t i = 0; i < kBarks.size(); ++i) {
+        const auto [middle, spread] = roughnessOf(barkTextures(kBarks[i], 128).roughness);
+        mean[i] = middle;
+        QVERIFY2(middle > 0.4 && middle < 0.97, qPrintable(QString::number(middle)));
+        QVERIFY2(spread > 0.12, qPrintable(QString::number(spread)));
+    }
+    for (const std::size_t corky : {0U, 2U, 6U}) {
+        QVERIFY(mean[corky] > mean[3] + 0.15); // oak, pine and redwood are duller than birch,
+        QVERIFY(mean[corky] > mean[4] + 0.15); // and cherry shines
+    }
+}
+
+void TexturesTest::roughness_ofLeavesIsThatOfTheirWax()
+{
+    const auto mean = [](LeafShape shape) { return roughnessOf(leafTextures(shape, 128).roughness).first; };
+    for (const LeafShape shape : kLeaves)
+        QVERIFY(mean(shape) > 0.35 && mean(shape) < 0.8);
+    QVERIFY(mean(LeafShape::Needles) < mean(LeafShape::Ovate));
+    QVERIFY(mean(LeafShape::Willow) < mean(LeafShape::Cordate));
+}
+
 void TexturesTest::images_areTheSameOnOneThreadAndMany()
 {
     const auto all = [](std::size_t threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         std::vector<QImage> images;
         for (const BarkKind kind : kBarks) {
-            images.push_back(barkAlbedo(kind, 128));
-            images.push_back(barkNormal(kind, 128));
+            const SurfaceTextures textures = barkTextures(kind, 128);
+            images.insert(images.end(), {textures.colour, textures.normal, textures.roughness});
         }
         for (const LeafShape shape : kLeaves) {
-            images.push_back(leafAlbedo(shape, 128));
-            images.push_back(leafNormal(shape, 128));
+            const SurfaceTextures textures = leafTextures(shape, 128);
+            images.insert(images.end(), {textures.colour, textures.normal, textures.roughness});
         }
         return images;
     };

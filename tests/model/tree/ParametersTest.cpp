@@ -50,6 +50,7 @@ void ParametersTest::everyField_isVisited()
     TreeParameters parameters;
     std::size_t bytes = 0;
     visitParameters(parameters, [&](const ParameterInfo&, auto& field) { bytes += sizeof(field); });
+    visitImages(parameters, [&](const char*, auto& image) { bytes += sizeof(image); });
     // Padding is all that the fields do not fill: less than a word after each switch, count or choice.
     QVERIFY(bytes <= sizeof(TreeParameters));
     QVERIFY(sizeof(TreeParameters) - bytes < 64);

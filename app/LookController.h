@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Error.h"
+#include "model/document/TreeDocument.h"
+#include "panels/LookChoice.h"
+
+#include <QObject>
+
+#include <functional>
+
+namespace espalier {
+
+class Notice;
+class Settings;
+
+/// Gives leaves and bark images of the person's own: asks for a file, reads it in the background, and puts it
+/// in force as one undo step.
+class LookController : public QObject {
+    Q_OBJECT
+
+public:
+    /// @p isBusy tells whether something else is changing the document now; then an image waits.
+    LookController(TreeDocument& document, Settings& settings, Notice& notice, std::function<bool()> isBusy,
+                   QWidget& window);
+
+    /// Asks for a file.
+    void choose(LookKind kind);
+    /// Reads a file, and what belongs to it, and puts it in force; or says why not.
+    void take(LookKind kind, const QString& fileName);
+    /// The same for a file that was dropped anywhere: asks what it shall be.
+    void askAndTake(const QString& fileName);
+
+Q_SIGNALS:
+    /// An image was put in force, or not.
+    void taken();
+
+private:
+    struct Look;
+
+    static Result<Look> read(LookKind kind, const QString& fileName);
+    void putInForce(const Look& look);
+
+    TreeDocument& m_document;
+    Settings& m_settings;
+    Notice& m_notice;
+    std::function<bool()> m_isBusy;
+    QWidget& m_window;
+};
+
+} // namespace espalier
