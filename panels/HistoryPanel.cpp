@@ -9,22 +9,30 @@
 
 namespace espalier {
 
-HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent) : Bar(parent)
+HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent)
+    : Bar(parent), m_list(new QUndoView(&stack, this))
 {
     auto* title = new QLabel(tr("History"), this);
-    auto* list = new QUndoView(&stack, this);
-    list->setObjectName(QStringLiteral("history"));
-    list->setAccessibleName(tr("History"));
-    list->setEmptyLabel(tr("Seedling"));
-    list->setFrameShape(QFrame::NoFrame);
-    list->setUniformItemSizes(true);
-    list->setStyleSheet(QStringLiteral("QListView::item { min-height: %1px; }").arg(theme::kTarget));
-    title->setBuddy(list);
+    m_list->setObjectName(QStringLiteral("history"));
+    m_list->setAccessibleName(tr("History"));
+    m_list->setEmptyLabel(tr("Seedling"));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setUniformItemSizes(true);
+    m_list->setStyleSheet(QStringLiteral("QListView::item { min-height: %1px; }").arg(theme::kTarget));
+    title->setBuddy(m_list);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 10, 12, 12);
     column->setSpacing(6);
     column->addWidget(title);
-    column->addWidget(list, 1);
+    column->addWidget(m_list, 1);
+}
+
+void HistoryPanel::resizeEvent(QResizeEvent* event)
+{
+    Bar::resizeEvent(event);
+    // Where one is stays in sight.
+    layout()->activate();
+    m_list->scrollTo(m_list->currentIndex());
 }
 
 } // namespace espalier

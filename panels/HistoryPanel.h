@@ -4,6 +4,7 @@
 #include "panels/Bar.h"
 
 class QUndoStack;
+class QUndoView;
 
 namespace espalier {
 
@@ -15,6 +16,12 @@ public:
     explicit HistoryPanel(QUndoStack& stack, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {220, 360}; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    QUndoView* m_list;
 };
 
 } // namespace espalier

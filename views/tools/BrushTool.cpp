@@ -46,6 +46,7 @@ const QColor kBrushColour(232, 168, 100);
 const QColor kMarkerColour(255, 214, 120);
 const QColor kPickedColour(240, 168, 184);
 const QColor kHintColour(150, 168, 190);
+const QColor kHintOverLight(70, 86, 106);
 
 } // namespace
 
@@ -236,8 +237,8 @@ void BrushTool::paint(Overlay& overlay) const
     const Vec3& centre = brush.position;
     if (view.planeShown) {
         const float reach = std::max(3.0F * brush.radius, 0.12F * camera.distance());
-        QColor faint = kHintColour;
-        faint.setAlphaF(0.15F);
+        QColor faint = isBackdropLight(view) ? kHintOverLight : kHintColour;
+        faint.setAlphaF(0.2F);
         overlay.addGrid({.centre = centre,
                          .right = camera.right(),
                          .up = camera.up(),
