@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Trees grown in lassos that untrained hands drew. Six sketches by default; all of them with
 // ESPALIER_ALL_SKETCHES=1 in the environment. Skipped where the sketches are not at hand.
+#include "commands/EnvelopeGrowth.h"
 #include "commands/LassoGesture.h"
 #include "model/envelope/LassoLoop.h"
 #include "tests/support/CrownSilhouette.h"
