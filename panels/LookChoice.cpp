@@ -40,6 +40,18 @@ QIcon swatchOf(const QImage& texture, LookKind kind)
     return QIcon(pixmap);
 }
 
+/// About as broad as such leaves are by their length; a texture is square.
+QImage inShape(const QImage& texture, LeafShape shape)
+{
+    double aspect = 0.85;
+    if (shape == LeafShape::Lanceolate || shape == LeafShape::Willow)
+        aspect = 0.3;
+    else if (shape == LeafShape::Frond || shape == LeafShape::Needles)
+        aspect = 0.55;
+    return texture.scaled(static_cast<int>(aspect * texture.width()), texture.height(), Qt::IgnoreAspectRatio,
+                          Qt::SmoothTransformation);
+}
+
 QIcon swatchOf(const ImageAsset& image, LookKind kind)
 {
     if (kind == LookKind::Leaf) {
@@ -149,7 +161,8 @@ void LookChoice::showEvent(QShowEvent* event)
     if (!std::exchange(m_hasSwatches, true)) {
         constexpr int edge = 64;
         for (int i = 0; i < m_drawnCount; ++i) {
-            setItemIcon(i, swatchOf(m_kind == LookKind::Leaf ? leafAlbedo(static_cast<LeafShape>(i), edge)
+            const auto shape = static_cast<LeafShape>(i);
+            setItemIcon(i, swatchOf(m_kind == LookKind::Leaf ? inShape(leafAlbedo(shape, edge), shape)
                                                              : barkAlbedo(static_cast<BarkKind>(i), edge),
                                     m_kind));
         }
@@ -160,7 +173,10 @@ void LookChoice::showEvent(QShowEvent* event)
 void LookChoice::showPopup()
 {
     constexpr int kRoom = 40; ///< px, for what stands around an item's text
-    view()->setMinimumWidth(view()->sizeHintForColumn(0) + kRoom);
+    int widest = 0;
+    for (int i = 0; i < count(); ++i)
+        widest = std::max(widest, view()->fontMetrics().horizontalAdvance(itemText(i)));
+    view()->setMinimumWidth(widest + kSwatch + kRoom);
     QComboBox::showPopup();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panels/Notice.h"
 #include "tests/support/OwnImages.h"
+
+#include "panels/Notice.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 

@@ -163,7 +163,7 @@ void BlenderTest::blender_readsAndRendersEveryFormat()
         QVERIFY2(exported, exported ? "" : qPrintable(exported.error().message));
     }
 
-    // Larger, and then made smaller: from afar the viewport lets leaves grow, so that crowns stay dense.
+    // Larger, and then made smaller, for edges as fine as those of many samples.
     PictureRequest request;
     request.size = 4 * kPicture;
     request.options.background = QColor(Qt::transparent);
@@ -222,10 +222,10 @@ void BlenderTest::blender_readsAndRendersEveryFormat()
                 .toUtf8();
         qInfo("%s", what.constData());
         // The same tree at the same place, and sky where its leaves' alpha leaves some: whole cards would
-        // cover a fifth more than is covered here.
-        QVERIFY2(there.covered > 0.8 * here.covered && there.covered < 1.05 * here.covered, what);
-        QVERIFY2(there.both > 0.92 * there.covered, what);
-        QVERIFY2(there.holes > 0.9 * here.holes && there.holes < 1.6 * here.holes, what);
+        // cover a sixth more, those of the drawn leaves even a third.
+        QVERIFY2(std::abs(there.covered - here.covered) < 0.1 * here.covered, what);
+        QVERIFY2(there.both > 0.9 * there.covered, what);
+        QVERIFY2(std::abs(there.holes - here.holes) < 0.2 * here.holes, what);
         QVERIFY2(there.green > 0.6 * there.covered, what);
         QVERIFY2(there.brown > 0.01 * there.covered, what);
     }

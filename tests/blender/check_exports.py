@@ -185,8 +185,9 @@ def render(suffix):
     scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0.4
     scene.render.engine = "CYCLES"
     scene.cycles.device = "CPU"
-    scene.cycles.samples = 8
+    scene.cycles.samples = 12
     scene.cycles.use_denoising = False
+    scene.cycles.pixel_filter_type = "BOX"
     scene.cycles.max_bounces = 1
     scene.cycles.transparent_max_bounces = 32
     scene.view_settings.view_transform = "Standard"
