@@ -44,6 +44,7 @@ double distance(const QPointF& a, const QPointF& b)
 
 const QColor kBrushColour(232, 168, 100);
 const QColor kMarkerColour(255, 214, 120);
+const QColor kMarkerOverLight(206, 122, 24);
 const QColor kPickedColour(240, 168, 184);
 const QColor kHintColour(150, 168, 190);
 const QColor kHintOverLight(70, 86, 106);
@@ -219,7 +220,8 @@ void BrushTool::paint(Overlay& overlay) const
     const Camera& camera = context().camera();
     const ViewValues& view = context().viewSettings().values();
     if (m_gesture && view.markersShown)
-        overlay.addDots(m_gesture->markers(), kMarkerColour, 3.0F, 0.7F);
+        overlay.addDots(m_gesture->markers(), isBackdropLight(view) ? kMarkerOverLight : kMarkerColour, 3.0F,
+                        0.7F);
     if (m_held && !m_held->isChosen) {
         // The ring closes in on the bud until it is chosen.
         const Vec3& place = m_held->bud.position;
