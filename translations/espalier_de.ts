@@ -315,6 +315,10 @@
         <source>How Espalier looks, and how it takes your hand.</source>
         <translation>Wie Espalier aussieht und wie es auf die Hand reagiert.</translation>
     </message>
+    <message>
+        <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
+        <translation>Größe des Pinsels, Druck des Stifts und der Wuchsraum, den der Pinsel verteilt.</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -426,6 +430,33 @@
     <message>
         <source>Press and hold: the tree grows until you let go.</source>
         <translation>Drücken und halten: Der Baum wächst bis zum Loslassen.</translation>
+    </message>
+</context>
+<context>
+    <name>ImageFile</name>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>it is neither a PNG nor a JPEG image</source>
+        <translation>ist weder ein PNG- noch ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>the image is broken</source>
+        <translation>das Bild ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
+        <translation>hat %1 × %2 Pixel; höchstens %3 je Kante sind möglich</translation>
+    </message>
+    <message>
+        <source>it has only %1 × %2 pixels</source>
+        <translation>hat nur %1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>eine solche Datei gibt es nicht</translation>
     </message>
 </context>
 <context>
@@ -588,6 +619,10 @@
         <source>Remove Envelope</source>
         <translation>Hülle entfernen</translation>
     </message>
+    <message>
+        <source>There is no envelope to fill.</source>
+        <translation>Es gibt keine Hülle zum Ausfüllen.</translation>
+    </message>
 </context>
 <context>
     <name>LassoTool</name>
@@ -662,10 +697,10 @@
     </message>
 </context>
 <context>
-    <name>Overlay</name>
+    <name>OwnTextures</name>
     <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
+        <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
+        <translation>%1: das Blatt lässt sich nicht von dem unterscheiden, was dahinter ist; das Bild braucht einen transparenten oder einfarbigen Hintergrund</translation>
     </message>
 </context>
 <context>
@@ -1123,10 +1158,6 @@
         <translation>Dahinter</translation>
     </message>
     <message>
-        <source>What stands behind the tree.</source>
-        <translation>Was hinter dem Baum steht.</translation>
-    </message>
-    <message>
         <source>Ground</source>
         <translation>Boden</translation>
     </message>
@@ -1446,6 +1477,42 @@
         <source>ringed</source>
         <translation>geringelt</translation>
     </message>
+    <message>
+        <source>What stands behind the tree. The studio is dark or light as the program is.</source>
+        <translation>Was hinter dem Baum steht. Das Studio ist dunkel oder hell, wie das Programm.</translation>
+    </message>
+    <message>
+        <source>dark_studio</source>
+        <translation>dunkles Studio</translation>
+    </message>
+    <message>
+        <source>light_studio</source>
+        <translation>helles Studio</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>A pen's pressure scales the brush: the radius is what a firm hand reaches.</source>
+        <translation>Der Stiftdruck bestimmt die Größe des Pinsels mit: Den ganzen Radius erreicht eine feste Hand.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marker</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <translation>Die Punkte freien Raums zeigen, die der Pinsel verteilt und zu denen die Triebe wachsen.</translation>
+    </message>
+    <message>
+        <source>Drawing plane</source>
+        <translation>Zeichenebene</translation>
+    </message>
+    <message>
+        <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
+        <translation>Zeigen, in welcher Tiefe des Baums der Pinsel zeichnet: ein blasses Gitter um ihn herum.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -1484,6 +1551,14 @@
     <message>
         <source>there is no such parameter</source>
         <translation>einen solchen Parameter gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the name of an image is expected</source>
+        <translation>der Name eines Bilds wird erwartet</translation>
+    </message>
+    <message>
+        <source>there are no images here</source>
+        <translation>hier gibt es keine Bilder</translation>
     </message>
 </context>
 <context>
@@ -1546,6 +1621,14 @@
     <message>
         <source>it is larger than %1 GB</source>
         <translation>ist größer als %1 GB</translation>
+    </message>
+    <message>
+        <source>at most %1 images are expected</source>
+        <translation>höchstens %1 Bilder werden erwartet</translation>
+    </message>
+    <message>
+        <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
+        <translation>das Bild „%1“ fehlt darin oder ist beschädigt; stattdessen erscheint das von Espalier gezeichnete Aussehen</translation>
     </message>
 </context>
 <context>
@@ -1652,6 +1735,18 @@
     <message>
         <source>a recipe has at most %1 operations</source>
         <translation>ein Rezept hat höchstens %1 Operationen</translation>
+    </message>
+    <message>
+        <source>a recipe that is no file has no images</source>
+        <translation>ein Rezept, das keine Datei ist, hat keine Bilder</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 images</source>
+        <translation>ein Rezept hat höchstens %1 Bilder</translation>
+    </message>
+    <message>
+        <source>a path relative to the recipe is expected</source>
+        <translation>ein Pfad relativ zum Rezept wird erwartet</translation>
     </message>
 </context>
 <context>
@@ -2018,34 +2113,33 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
-    <name>espalier::BrushPopOut</name>
+    <name>espalier::BrushPanel</name>
     <message>
-        <source>Pressure</source>
-        <translation>Druck</translation>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
     </message>
     <message>
-        <source>Markers</source>
-        <translation>Marker</translation>
+        <source>Size</source>
+        <translation>Größe</translation>
     </message>
+    <message>
+        <source>Pen</source>
+        <translation>Stift</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Draw the curve, or press here with your pen to try it.</source>
+        <translation>&lt;b&gt;Druckkurve&lt;/b&gt;&lt;br&gt;Wie fest der Stift für den ganzen Radius drücken muss. Die Kurve ziehen, oder zum Ausprobieren hier mit dem Stift drücken.</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Anzeige</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BrushRadius</name>
     <message>
         <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
         <translation>&lt;b&gt;Pinselradius&lt;/b&gt; [ ]&lt;br&gt;Ein großer Pinsel lässt eine Krone in den Raum wachsen, den er durchstreift; gegen null zeichnet er einen einzelnen Ast genau entlang des Strichs.</translation>
-    </message>
-    <message>
-        <source>A pen's pressure scales the brush.</source>
-        <translation>Der Stiftdruck bestimmt die Größe des Pinsels mit.</translation>
-    </message>
-    <message>
-        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
-        <translation>Die Punkte freien Raums zeigen, die der Pinsel verteilt und zu denen die Triebe wachsen.</translation>
-    </message>
-    <message>
-        <source>%L1 m</source>
-        <translation>%L1 m</translation>
-    </message>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
     </message>
     <message>
         <source>draws a branch</source>
@@ -2481,6 +2575,56 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::LookChoice</name>
+    <message>
+        <source>Choose an image…</source>
+        <translation>Bild wählen…</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background</source>
+        <translation>Ein PNG oder JPEG eines einzelnen Blatts, der Stiel unten, ohne Hintergrund oder vor einem einfarbigen</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
+        <translation>Ein PNG oder JPEG von Rinde; Karten der Normalen und der Rauheit, die danebenliegen, werden mit übernommen</translation>
+    </message>
+    <message>
+        <source>Image of your own: %1</source>
+        <translation>Eigenes Bild: %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LookController</name>
+    <message>
+        <source>Image of a Leaf</source>
+        <translation>Bild eines Blatts</translation>
+    </message>
+    <message>
+        <source>Image of Bark</source>
+        <translation>Bild der Rinde</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.jpg *.jpeg)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>What shall %1 be?</source>
+        <translation>Was soll %1 werden?</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Blätter</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Rinde</translation>
+    </message>
+    <message>
+        <source>The maps of normals and roughness beside it were taken too.</source>
+        <translation>Die danebenliegenden Karten der Normalen und der Rauheit wurden mit übernommen.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2667,10 +2811,6 @@ geschrieben werden konnte.
     <message>
         <source>Folder of the Library</source>
         <translation>Ordner der Bibliothek</translation>
-    </message>
-    <message>
-        <source>The language changes with the next start.</source>
-        <translation>Die Sprache wechselt beim nächsten Start.</translation>
     </message>
     <message>
         <source>Language</source>

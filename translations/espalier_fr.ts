@@ -315,6 +315,10 @@
         <source>How Espalier looks, and how it takes your hand.</source>
         <translation>L’aspect d’Espalier, et sa façon de répondre à la main.</translation>
     </message>
+    <message>
+        <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
+        <translation>Taille du pinceau, pression du stylet, et place que répand le pinceau.</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -426,6 +430,33 @@
     <message>
         <source>Press and hold: the tree grows until you let go.</source>
         <translation>Appuyer et maintenir : l’arbre pousse jusqu’au relâchement.</translation>
+    </message>
+</context>
+<context>
+    <name>ImageFile</name>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>la taille dépasse %1 Mo</translation>
+    </message>
+    <message>
+        <source>it is neither a PNG nor a JPEG image</source>
+        <translation>ce n’est une image ni PNG ni JPEG</translation>
+    </message>
+    <message>
+        <source>the image is broken</source>
+        <translation>l’image est endommagée</translation>
+    </message>
+    <message>
+        <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
+        <translation>l’image fait %1 × %2 pixels ; le maximum par côté est %3</translation>
+    </message>
+    <message>
+        <source>it has only %1 × %2 pixels</source>
+        <translation>l’image ne fait que %1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
     </message>
 </context>
 <context>
@@ -588,6 +619,10 @@
         <source>Remove Envelope</source>
         <translation>Retrait de l’enveloppe</translation>
     </message>
+    <message>
+        <source>There is no envelope to fill.</source>
+        <translation>Il n’y a pas d’enveloppe à remplir.</translation>
+    </message>
 </context>
 <context>
     <name>LassoTool</name>
@@ -662,10 +697,10 @@
     </message>
 </context>
 <context>
-    <name>Overlay</name>
+    <name>OwnTextures</name>
     <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
+        <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
+        <translation>%1 : impossible de distinguer la feuille de ce qui est derrière elle ; l’image a besoin d’un fond transparent ou uni</translation>
     </message>
 </context>
 <context>
@@ -673,10 +708,6 @@
     <message>
         <source>Behind</source>
         <translation>Derrière</translation>
-    </message>
-    <message>
-        <source>What stands behind the tree.</source>
-        <translation>Ce qui se trouve derrière l’arbre.</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -1446,6 +1477,42 @@
         <source>ringed</source>
         <translation>annelée</translation>
     </message>
+    <message>
+        <source>What stands behind the tree. The studio is dark or light as the program is.</source>
+        <translation>Ce qui se trouve derrière l’arbre. Le studio est sombre ou clair, comme le programme.</translation>
+    </message>
+    <message>
+        <source>dark_studio</source>
+        <translation>studio sombre</translation>
+    </message>
+    <message>
+        <source>light_studio</source>
+        <translation>studio clair</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Pression</translation>
+    </message>
+    <message>
+        <source>A pen's pressure scales the brush: the radius is what a firm hand reaches.</source>
+        <translation>La pression d’un stylet modifie la taille du pinceau : le rayon entier est ce qu’atteint une main ferme.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <translation>Afficher les points d’espace libre que répand le pinceau et vers lesquels les pousses se dirigent.</translation>
+    </message>
+    <message>
+        <source>Drawing plane</source>
+        <translation>Plan de dessin</translation>
+    </message>
+    <message>
+        <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
+        <translation>Montrer à quelle profondeur de l’arbre le pinceau dessine : une grille pâle autour de lui.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -1484,6 +1551,14 @@
     <message>
         <source>there is no such parameter</source>
         <translation>il n’y a pas de tel paramètre</translation>
+    </message>
+    <message>
+        <source>the name of an image is expected</source>
+        <translation>le nom d’une image est attendu</translation>
+    </message>
+    <message>
+        <source>there are no images here</source>
+        <translation>il n’y a pas d’images ici</translation>
     </message>
 </context>
 <context>
@@ -1546,6 +1621,14 @@
     <message>
         <source>it is larger than %1 GB</source>
         <translation>la taille dépasse %1 Go</translation>
+    </message>
+    <message>
+        <source>at most %1 images are expected</source>
+        <translation>au plus %1 images sont attendues</translation>
+    </message>
+    <message>
+        <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
+        <translation>l’image « %1 » y manque ou est endommagée ; l’aspect dessiné par Espalier apparaît à sa place</translation>
     </message>
 </context>
 <context>
@@ -1652,6 +1735,18 @@
     <message>
         <source>a recipe has at most %1 operations</source>
         <translation>une recette a au plus %1 opérations</translation>
+    </message>
+    <message>
+        <source>a recipe that is no file has no images</source>
+        <translation>une recette qui n’est pas un fichier n’a pas d’images</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 images</source>
+        <translation>une recette a au plus %1 images</translation>
+    </message>
+    <message>
+        <source>a path relative to the recipe is expected</source>
+        <translation>un chemin relatif à la recette est attendu</translation>
     </message>
 </context>
 <context>
@@ -2017,34 +2112,33 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
-    <name>espalier::BrushPopOut</name>
+    <name>espalier::BrushPanel</name>
     <message>
-        <source>Pressure</source>
-        <translation>Pression</translation>
+        <source>Brush</source>
+        <translation>Pinceau</translation>
     </message>
     <message>
-        <source>Markers</source>
-        <translation>Marqueurs</translation>
+        <source>Size</source>
+        <translation>Taille</translation>
     </message>
+    <message>
+        <source>Pen</source>
+        <translation>Stylet</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Draw the curve, or press here with your pen to try it.</source>
+        <translation>&lt;b&gt;Courbe de pression&lt;/b&gt;&lt;br&gt;Avec quelle fermeté le stylet doit appuyer pour atteindre le rayon entier. Faire glisser la courbe, ou appuyer ici avec le stylet pour essayer.</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Affichage</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BrushRadius</name>
     <message>
         <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
         <translation>&lt;b&gt;Rayon du pinceau&lt;/b&gt; [ ]&lt;br&gt;Un grand pinceau fait pousser un houppier dans l’espace où il passe ; près de zéro, il trace une seule branche en suivant exactement le trait.</translation>
-    </message>
-    <message>
-        <source>A pen's pressure scales the brush.</source>
-        <translation>La pression d’un stylet modifie la taille du pinceau.</translation>
-    </message>
-    <message>
-        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
-        <translation>Afficher les points d’espace libre que répand le pinceau et vers lesquels les pousses se dirigent.</translation>
-    </message>
-    <message>
-        <source>%L1 m</source>
-        <translation>%L1 m</translation>
-    </message>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
     </message>
     <message>
         <source>draws a branch</source>
@@ -2480,6 +2574,56 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::LookChoice</name>
+    <message>
+        <source>Choose an image…</source>
+        <translation>Choisir une image…</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background</source>
+        <translation>Un PNG ou un JPEG d’une seule feuille, pétiole en bas, sans fond ou sur un fond uni</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
+        <translation>Un PNG ou un JPEG d’écorce ; les cartes de normales et de rugosité placées à côté sont prises aussi</translation>
+    </message>
+    <message>
+        <source>Image of your own: %1</source>
+        <translation>Image personnelle : %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LookController</name>
+    <message>
+        <source>Image of a Leaf</source>
+        <translation>Image de feuille</translation>
+    </message>
+    <message>
+        <source>Image of Bark</source>
+        <translation>Image d’écorce</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.jpg *.jpeg)</source>
+        <translation>Images (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>What shall %1 be?</source>
+        <translation>Que doit devenir %1 ?</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Écorce</translation>
+    </message>
+    <message>
+        <source>The maps of normals and roughness beside it were taken too.</source>
+        <translation>Les cartes de normales et de rugosité placées à côté ont été prises aussi.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2666,10 +2810,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Folder of the Library</source>
         <translation>Dossier de la bibliothèque</translation>
-    </message>
-    <message>
-        <source>The language changes with the next start.</source>
-        <translation>La langue changera au prochain démarrage.</translation>
     </message>
     <message>
         <source>Language</source>

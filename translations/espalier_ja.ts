@@ -315,6 +315,10 @@
         <source>How Espalier looks, and how it takes your hand.</source>
         <translation>Espalier の見た目と、手の動きの受け取り方です。</translation>
     </message>
+    <message>
+        <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
+        <translation>ブラシの大きさ、筆圧、ブラシが広げる余地を決めます。</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -426,6 +430,33 @@
     <message>
         <source>Press and hold: the tree grows until you let go.</source>
         <translation>押している間、木が成長します。</translation>
+    </message>
+</context>
+<context>
+    <name>ImageFile</name>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>%1 MB を超えています</translation>
+    </message>
+    <message>
+        <source>it is neither a PNG nor a JPEG image</source>
+        <translation>PNG 画像でも JPEG 画像でもありません</translation>
+    </message>
+    <message>
+        <source>the image is broken</source>
+        <translation>画像が壊れています</translation>
+    </message>
+    <message>
+        <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
+        <translation>%1 × %2 ピクセルあります。1 辺は %3 ピクセルまでです</translation>
+    </message>
+    <message>
+        <source>it has only %1 × %2 pixels</source>
+        <translation>%1 × %2 ピクセルしかありません</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>そのようなファイルはありません</translation>
     </message>
 </context>
 <context>
@@ -588,6 +619,10 @@
         <source>Remove Envelope</source>
         <translation>外形の削除</translation>
     </message>
+    <message>
+        <source>There is no envelope to fill.</source>
+        <translation>満たす外形がありません。</translation>
+    </message>
 </context>
 <context>
     <name>LassoTool</name>
@@ -662,10 +697,10 @@
     </message>
 </context>
 <context>
-    <name>Overlay</name>
+    <name>OwnTextures</name>
     <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
+        <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
+        <translation>%1: 葉とその背景を見分けられません。透明か無地の背景の画像が必要です</translation>
     </message>
 </context>
 <context>
@@ -673,10 +708,6 @@
     <message>
         <source>Behind</source>
         <translation>背後</translation>
-    </message>
-    <message>
-        <source>What stands behind the tree.</source>
-        <translation>木の後ろに見えるものです。</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -1446,6 +1477,42 @@
         <source>ringed</source>
         <translation>環状</translation>
     </message>
+    <message>
+        <source>What stands behind the tree. The studio is dark or light as the program is.</source>
+        <translation>木の後ろに見えるものです。スタジオの明暗はプログラムのテーマに従います。</translation>
+    </message>
+    <message>
+        <source>dark_studio</source>
+        <translation>暗いスタジオ</translation>
+    </message>
+    <message>
+        <source>light_studio</source>
+        <translation>明るいスタジオ</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>筆圧</translation>
+    </message>
+    <message>
+        <source>A pen's pressure scales the brush: the radius is what a firm hand reaches.</source>
+        <translation>筆圧でブラシの大きさを変えます。半径は、強く押したときの大きさです。</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>マーカー</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <translation>ブラシが散らし、シュートが目指す空き空間の点を表示します。</translation>
+    </message>
+    <message>
+        <source>Drawing plane</source>
+        <translation>描画面</translation>
+    </message>
+    <message>
+        <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
+        <translation>ブラシが木のどの奥行きに描くかを、まわりの薄いグリッドで示します。</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -1484,6 +1551,14 @@
     <message>
         <source>there is no such parameter</source>
         <translation>そのようなパラメーターはありません</translation>
+    </message>
+    <message>
+        <source>the name of an image is expected</source>
+        <translation>画像の名前が必要です</translation>
+    </message>
+    <message>
+        <source>there are no images here</source>
+        <translation>ここには画像がありません</translation>
     </message>
 </context>
 <context>
@@ -1546,6 +1621,14 @@
     <message>
         <source>it is larger than %1 GB</source>
         <translation>%1 GB を超えています</translation>
+    </message>
+    <message>
+        <source>at most %1 images are expected</source>
+        <translation>画像は %1 枚までです</translation>
+    </message>
+    <message>
+        <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
+        <translation>画像「%1」がファイルにないか、壊れています。代わりに Espalier の描いた見た目で表示します</translation>
     </message>
 </context>
 <context>
@@ -1652,6 +1735,18 @@
     <message>
         <source>a recipe has at most %1 operations</source>
         <translation>レシピの操作は %1 個までです</translation>
+    </message>
+    <message>
+        <source>a recipe that is no file has no images</source>
+        <translation>ファイルでないレシピでは画像を使えません</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 images</source>
+        <translation>レシピの画像は %1 枚までです</translation>
+    </message>
+    <message>
+        <source>a path relative to the recipe is expected</source>
+        <translation>レシピからの相対パスが必要です</translation>
     </message>
 </context>
 <context>
@@ -2017,34 +2112,33 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
 </context>
 <context>
-    <name>espalier::BrushPopOut</name>
+    <name>espalier::BrushPanel</name>
     <message>
-        <source>Pressure</source>
-        <translation>筆圧</translation>
+        <source>Brush</source>
+        <translation>ブラシ</translation>
     </message>
     <message>
-        <source>Markers</source>
-        <translation>マーカー</translation>
+        <source>Size</source>
+        <translation>大きさ</translation>
     </message>
+    <message>
+        <source>Pen</source>
+        <translation>ペン</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Draw the curve, or press here with your pen to try it.</source>
+        <translation>&lt;b&gt;筆圧カーブ&lt;/b&gt;&lt;br&gt;半径いっぱいにするのに、ペンをどれだけ強く押すかです。カーブをドラッグして変えるか、ここをペンで押して試せます。</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>表示</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BrushRadius</name>
     <message>
         <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
         <translation>&lt;b&gt;ブラシの半径&lt;/b&gt; [ ]&lt;br&gt;大きいブラシは通った空間に樹冠を育て、ゼロに近いとストロークどおりに 1 本の枝を描きます。</translation>
-    </message>
-    <message>
-        <source>A pen's pressure scales the brush.</source>
-        <translation>筆圧でブラシの大きさを変えます。</translation>
-    </message>
-    <message>
-        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
-        <translation>ブラシが散らし、シュートが目指す空き空間の点を表示します。</translation>
-    </message>
-    <message>
-        <source>%L1 m</source>
-        <translation>%L1 m</translation>
-    </message>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
     </message>
     <message>
         <source>draws a branch</source>
@@ -2480,6 +2574,56 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
 </context>
 <context>
+    <name>espalier::LookChoice</name>
+    <message>
+        <source>Choose an image…</source>
+        <translation>画像を選択…</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background</source>
+        <translation>葉 1 枚の PNG か JPEG。葉柄を下にし、背景は透明か無地のもの</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
+        <translation>樹皮の PNG か JPEG。同じ場所にある法線マップと粗さマップも取り込みます</translation>
+    </message>
+    <message>
+        <source>Image of your own: %1</source>
+        <translation>自分の画像: %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LookController</name>
+    <message>
+        <source>Image of a Leaf</source>
+        <translation>葉の画像</translation>
+    </message>
+    <message>
+        <source>Image of Bark</source>
+        <translation>樹皮の画像</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.jpg *.jpeg)</source>
+        <translation>画像 (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>What shall %1 be?</source>
+        <translation>%1 を何に使いますか？</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>葉</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>樹皮</translation>
+    </message>
+    <message>
+        <source>The maps of normals and roughness beside it were taken too.</source>
+        <translation>同じ場所にある法線マップと粗さマップも取り込みました。</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2666,10 +2810,6 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <message>
         <source>Folder of the Library</source>
         <translation>ライブラリのフォルダー</translation>
-    </message>
-    <message>
-        <source>The language changes with the next start.</source>
-        <translation>言語は次の起動から変わります。</translation>
     </message>
     <message>
         <source>Language</source>

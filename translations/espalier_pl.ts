@@ -315,6 +315,10 @@
         <source>How Espalier looks, and how it takes your hand.</source>
         <translation>Jak Espalier wygląda i jak reaguje na rękę.</translation>
     </message>
+    <message>
+        <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
+        <translation>Rozmiar pędzla, nacisk pióra i miejsce, które rozsiewa pędzel.</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -426,6 +430,33 @@
     <message>
         <source>Press and hold: the tree grows until you let go.</source>
         <translation>Nacisnąć i przytrzymać: drzewo rośnie aż do puszczenia.</translation>
+    </message>
+</context>
+<context>
+    <name>ImageFile</name>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>rozmiar przekracza %1 MB</translation>
+    </message>
+    <message>
+        <source>it is neither a PNG nor a JPEG image</source>
+        <translation>to nie jest obraz PNG ani JPEG</translation>
+    </message>
+    <message>
+        <source>the image is broken</source>
+        <translation>obraz jest uszkodzony</translation>
+    </message>
+    <message>
+        <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
+        <translation>wymiary to %1 × %2 pikseli; bok może mieć najwyżej %3</translation>
+    </message>
+    <message>
+        <source>it has only %1 × %2 pixels</source>
+        <translation>wymiary to tylko %1 × %2 pikseli</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>nie ma takiego pliku</translation>
     </message>
 </context>
 <context>
@@ -588,6 +619,10 @@
         <source>Remove Envelope</source>
         <translation>Usunięcie obwiedni</translation>
     </message>
+    <message>
+        <source>There is no envelope to fill.</source>
+        <translation>Nie ma obwiedni, którą drzewo mogłoby wypełnić.</translation>
+    </message>
 </context>
 <context>
     <name>LassoTool</name>
@@ -662,10 +697,10 @@
     </message>
 </context>
 <context>
-    <name>Overlay</name>
+    <name>OwnTextures</name>
     <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
+        <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
+        <translation>%1: nie można odróżnić liścia od tego, co za nim; obraz musi mieć przezroczyste lub jednolite tło</translation>
     </message>
 </context>
 <context>
@@ -673,10 +708,6 @@
     <message>
         <source>Behind</source>
         <translation>W tle</translation>
-    </message>
-    <message>
-        <source>What stands behind the tree.</source>
-        <translation>Co widać za drzewem.</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -1446,6 +1477,42 @@
         <source>ringed</source>
         <translation>pierścieniowa</translation>
     </message>
+    <message>
+        <source>What stands behind the tree. The studio is dark or light as the program is.</source>
+        <translation>Co widać za drzewem. Studio jest ciemne lub jasne, tak jak program.</translation>
+    </message>
+    <message>
+        <source>dark_studio</source>
+        <translation>ciemne studio</translation>
+    </message>
+    <message>
+        <source>light_studio</source>
+        <translation>jasne studio</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Nacisk</translation>
+    </message>
+    <message>
+        <source>A pen's pressure scales the brush: the radius is what a firm hand reaches.</source>
+        <translation>Nacisk pióra zmienia rozmiar pędzla: pełny promień osiąga się mocnym naciskiem.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Znaczniki</translation>
+    </message>
+    <message>
+        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <translation>Pokazuje punkty wolnego miejsca, które rozsiewa pędzel i ku którym rosną pędy.</translation>
+    </message>
+    <message>
+        <source>Drawing plane</source>
+        <translation>Płaszczyzna</translation>
+    </message>
+    <message>
+        <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
+        <translation>Pokazuje, na jakiej głębokości drzewa rysuje pędzel: blada siatka wokół niego.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -1484,6 +1551,14 @@
     <message>
         <source>there is no such parameter</source>
         <translation>nie ma takiego parametru</translation>
+    </message>
+    <message>
+        <source>the name of an image is expected</source>
+        <translation>oczekiwano nazwy obrazu</translation>
+    </message>
+    <message>
+        <source>there are no images here</source>
+        <translation>tutaj nie ma obrazów</translation>
     </message>
 </context>
 <context>
@@ -1546,6 +1621,14 @@
     <message>
         <source>it is larger than %1 GB</source>
         <translation>rozmiar przekracza %1 GB</translation>
+    </message>
+    <message>
+        <source>at most %1 images are expected</source>
+        <translation>oczekiwano najwyżej %1 obrazów</translation>
+    </message>
+    <message>
+        <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
+        <translation>brakuje w nim obrazu „%1” albo jest on uszkodzony; zamiast niego widać wygląd, który rysuje Espalier</translation>
     </message>
 </context>
 <context>
@@ -1652,6 +1735,18 @@
     <message>
         <source>a recipe has at most %1 operations</source>
         <translation>przepis ma najwyżej %1 operacji</translation>
+    </message>
+    <message>
+        <source>a recipe that is no file has no images</source>
+        <translation>przepis, który nie jest plikiem, nie ma obrazów</translation>
+    </message>
+    <message>
+        <source>a recipe has at most %1 images</source>
+        <translation>przepis ma najwyżej %1 obrazów</translation>
+    </message>
+    <message>
+        <source>a path relative to the recipe is expected</source>
+        <translation>oczekiwano ścieżki względem przepisu</translation>
     </message>
 </context>
 <context>
@@ -2017,34 +2112,33 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
-    <name>espalier::BrushPopOut</name>
+    <name>espalier::BrushPanel</name>
     <message>
-        <source>Pressure</source>
-        <translation>Nacisk</translation>
+        <source>Brush</source>
+        <translation>Pędzel</translation>
     </message>
     <message>
-        <source>Markers</source>
-        <translation>Znaczniki</translation>
+        <source>Size</source>
+        <translation>Rozmiar</translation>
     </message>
+    <message>
+        <source>Pen</source>
+        <translation>Pióro</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Draw the curve, or press here with your pen to try it.</source>
+        <translation>&lt;b&gt;Krzywa nacisku&lt;/b&gt;&lt;br&gt;Jak mocno trzeba nacisnąć pióro, by uzyskać cały promień. Przeciągnąć krzywą albo nacisnąć tu piórem, aby wypróbować.</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Widoczne</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::BrushRadius</name>
     <message>
         <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
         <translation>&lt;b&gt;Promień pędzla&lt;/b&gt; [ ]&lt;br&gt;Duży pędzel hoduje koronę w przestrzeni, którą przechodzi; przy promieniu bliskim zera rysuje pojedynczą gałąź dokładnie wzdłuż pociągnięcia.</translation>
-    </message>
-    <message>
-        <source>A pen's pressure scales the brush.</source>
-        <translation>Nacisk pióra zmienia rozmiar pędzla.</translation>
-    </message>
-    <message>
-        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
-        <translation>Pokazuje punkty wolnego miejsca, które rozsiewa pędzel i ku którym rosną pędy.</translation>
-    </message>
-    <message>
-        <source>%L1 m</source>
-        <translation>%L1 m</translation>
-    </message>
-    <message>
-        <source>%L1 cm</source>
-        <translation>%L1 cm</translation>
     </message>
     <message>
         <source>draws a branch</source>
@@ -2480,6 +2574,56 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::LookChoice</name>
+    <message>
+        <source>Choose an image…</source>
+        <translation>Wybierz obraz…</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background</source>
+        <translation>PNG lub JPEG z jednym liściem, ogonkiem w dół, bez tła lub na jednolitym tle</translation>
+    </message>
+    <message>
+        <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
+        <translation>PNG lub JPEG z korą; mapy normalnych i chropowatości leżące obok też zostaną użyte</translation>
+    </message>
+    <message>
+        <source>Image of your own: %1</source>
+        <translation>Własny obraz: %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::LookController</name>
+    <message>
+        <source>Image of a Leaf</source>
+        <translation>Obraz liścia</translation>
+    </message>
+    <message>
+        <source>Image of Bark</source>
+        <translation>Obraz kory</translation>
+    </message>
+    <message>
+        <source>Images (*.png *.jpg *.jpeg)</source>
+        <translation>Obrazy (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>What shall %1 be?</source>
+        <translation>Czym ma być %1?</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Liście</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Kora</translation>
+    </message>
+    <message>
+        <source>The maps of normals and roughness beside it were taken too.</source>
+        <translation>Użyto też leżących obok map normalnych i chropowatości.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::MainWindow</name>
     <message>
         <source>The tree has no more room to grow in.</source>
@@ -2666,10 +2810,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Folder of the Library</source>
         <translation>Folder biblioteki</translation>
-    </message>
-    <message>
-        <source>The language changes with the next start.</source>
-        <translation>Język zmieni się przy następnym uruchomieniu.</translation>
     </message>
     <message>
         <source>Language</source>
