@@ -120,7 +120,7 @@ void LookController::putInForce(const Look& look)
     if (look.normal.isNull() && look.roughness.isNull())
         m_notice.finish();
     else
-        m_notice.showInformation(tr("The maps of normals and roughness beside it were taken too."));
+        m_notice.showInformation(tr("Maps that lie beside it were taken too."));
     Q_EMIT taken();
 }
 

@@ -44,10 +44,12 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
     kept.points = simplified(stroke.points);
     if (!isLasso(kept))
         return Error{Error::Kind::Input, Text::tr("The lasso's drawing plane is not valid.")};
-    // Alone it must enclose something, or it would be kept for nothing.
-    if (const Result<Envelope> alone = Envelope::fromStrokes(std::span(&kept, 1)); !alone)
-        return alone.error();
     std::vector<LassoStroke> strokes = document.tree().lassosInForce();
+    // Among others it must enclose something by itself, or it would be kept for nothing.
+    if (!strokes.empty()) {
+        if (const Result<Envelope> alone = Envelope::fromStrokes(std::span(&kept, 1)); !alone)
+            return alone.error();
+    }
     strokes.push_back(kept);
     Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(strokes);
     if (!envelopes)

@@ -2620,8 +2620,8 @@ geschrieben werden konnte.
         <translation>Rinde</translation>
     </message>
     <message>
-        <source>The maps of normals and roughness beside it were taken too.</source>
-        <translation>Die danebenliegenden Karten der Normalen und der Rauheit wurden mit übernommen.</translation>
+        <source>Maps that lie beside it were taken too.</source>
+        <translation>Karten, die daneben liegen, wurden mit übernommen.</translation>
     </message>
 </context>
 <context>

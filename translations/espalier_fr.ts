@@ -2619,8 +2619,8 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Écorce</translation>
     </message>
     <message>
-        <source>The maps of normals and roughness beside it were taken too.</source>
-        <translation>Les cartes de normales et de rugosité placées à côté ont été prises aussi.</translation>
+        <source>Maps that lie beside it were taken too.</source>
+        <translation>Les cartes qui se trouvent à côté ont été prises aussi.</translation>
     </message>
 </context>
 <context>

@@ -2619,8 +2619,8 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
         <translation>樹皮</translation>
     </message>
     <message>
-        <source>The maps of normals and roughness beside it were taken too.</source>
-        <translation>同じ場所にある法線マップと粗さマップも取り込みました。</translation>
+        <source>Maps that lie beside it were taken too.</source>
+        <translation>隣にあるマップも取り込みました。</translation>
     </message>
 </context>
 <context>

@@ -2619,8 +2619,8 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kora</translation>
     </message>
     <message>
-        <source>The maps of normals and roughness beside it were taken too.</source>
-        <translation>Użyto też leżących obok map normalnych i chropowatości.</translation>
+        <source>Maps that lie beside it were taken too.</source>
+        <translation>Wzięto też mapy leżące obok.</translation>
     </message>
 </context>
 <context>
