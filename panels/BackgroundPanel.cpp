@@ -153,19 +153,20 @@ BackgroundPanel::BackgroundPanel(ViewSettings& settings, QWidget* parent)
     columns->setContentsMargins(20, 14, 20, 12);
     columns->setSpacing(kSpacing);
 
-    QVBoxLayout* behind = addColumn(tr("Background"), kBehindWidth);
+    QVBoxLayout* behind = addBarColumn(*m_content, tr("Background"), kBehindWidth);
     addRow(*behind, BackdropField);
     m_colour = addColour(*behind, "backgroundColour", tr("The colour, or that at the lower edge."),
                          &ViewValues::backgroundColour);
     m_topColour =
         addColour(*behind, "backgroundTop", tr("The colour at the upper edge."), &ViewValues::backgroundTop);
-    QVBoxLayout* ground = addColumn(tr("Ground"), kGroundWidth);
+    QVBoxLayout* ground = addBarColumn(*m_content, tr("Ground"), kGroundWidth);
     for (const FieldPlace field : {GroundField, GridField, ShadowsField})
         addRow(*ground, field);
-    QVBoxLayout* sun = addColumn(tr("Sun"), kSunWidth);
+    QVBoxLayout* sun = addBarColumn(*m_content, tr("Sun"), kSunWidth);
     for (const FieldPlace field : {SunShownField, SunPinnedField, AzimuthField, ElevationField})
         addRow(*sun, field);
-    addTracing(*addColumn(tr("Picture to draw after"), kTracingWidth + kSpacing + kPlaceWidth));
+    addTracing(
+        *addBarColumn(*m_content, tr("Picture to draw after"), kTracingWidth + kSpacing + kPlaceWidth));
     for (QVBoxLayout* column : {behind, ground, sun})
         column->addStretch();
 
@@ -174,21 +175,6 @@ BackgroundPanel::BackgroundPanel(ViewSettings& settings, QWidget* parent)
     whole->addWidget(new Sideways(m_content, this));
     connect(&settings, &ViewSettings::changed, this, &BackgroundPanel::showValues);
     showValues();
-}
-
-QVBoxLayout* BackgroundPanel::addColumn(const QString& title, int width)
-{
-    auto* columns = static_cast<QHBoxLayout*>(m_content->layout());
-    if (columns->count() > 0)
-        columns->addWidget(barSeparator(Qt::Vertical, m_content));
-    auto* box = new QWidget(m_content);
-    box->setFixedWidth(width);
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addWidget(barHeading(title, box));
-    columns->addWidget(box);
-    return column;
 }
 
 void BackgroundPanel::addRow(QVBoxLayout& column, std::size_t field)

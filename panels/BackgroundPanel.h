@@ -29,7 +29,6 @@ public:
     void trace(const QString& file);
 
 private:
-    QVBoxLayout* addColumn(const QString& title, int width);
     void addRow(QVBoxLayout& column, std::size_t field);
     QPushButton* addColour(QVBoxLayout& column, const char* name, const QString& toolTip,
                            QColor ViewValues::*colour);

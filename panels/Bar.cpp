@@ -6,6 +6,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QBoxLayout>
 #include <QFrame>
 #include <QKeyEvent>
 #include <QLabel>
@@ -128,6 +129,21 @@ QLabel* barHeading(const QString& text, QWidget* parent)
     title->setFixedHeight(24);
     title->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     return title;
+}
+
+QVBoxLayout* addBarColumn(QWidget& content, const QString& title, int width)
+{
+    auto* columns = static_cast<QHBoxLayout*>(content.layout());
+    if (columns->count() > 0)
+        columns->addWidget(barSeparator(Qt::Vertical, &content));
+    auto* box = new QWidget(&content);
+    box->setFixedWidth(width);
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(barHeading(title, box));
+    columns->addWidget(box);
+    return column;
 }
 
 } // namespace espalier

@@ -6,6 +6,7 @@
 
 class QAction;
 class QLabel;
+class QVBoxLayout;
 
 namespace espalier {
 
@@ -55,5 +56,7 @@ private:
 QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent);
 /// A heading above controls that belong together.
 QLabel* barHeading(const QString& text, QWidget* parent);
+/// A column with a heading, @p width px wide, at the end of @p content, whose layout is a row of such.
+QVBoxLayout* addBarColumn(QWidget& content, const QString& title, int width);
 
 } // namespace espalier

@@ -39,13 +39,13 @@ BrushPanel::BrushPanel(TreeDocument& document, ViewSettings& settings, double so
     columns->setContentsMargins(20, 14, 20, 12);
     columns->setSpacing(18);
 
-    QVBoxLayout* size = addColumn(tr("Size"), kSizeWidth);
+    QVBoxLayout* size = addBarColumn(*m_content, tr("Size"), kSizeWidth);
     auto* radius = new BrushRadius(document, settings, m_content);
     radius->setMaximumHeight(kRadiusHeight);
     size->addWidget(radius, 1);
     size->addStretch();
 
-    QVBoxLayout* pen = addColumn(tr("Pen"), kPenWidth);
+    QVBoxLayout* pen = addBarColumn(*m_content, tr("Pen"), kPenWidth);
     pen->addWidget(makeBrushSwitch(BrushSwitch::Pressure, settings, m_content));
     m_curve->setFixedSize(kPenWidth, kCurveHeight);
     m_curve->setToolTip(
@@ -58,7 +58,7 @@ BrushPanel::BrushPanel(TreeDocument& document, ViewSettings& settings, double so
     for (const ParameterSection& section : parameterSections()) {
         if (section.sheet != ParameterSheet::Brush)
             continue;
-        QVBoxLayout* column = addColumn(parameterTr(section.title), kColumnWidth);
+        QVBoxLayout* column = addBarColumn(*m_content, parameterTr(section.title), kColumnWidth);
         for (const ParameterText& text : section.parameters) {
             m_rows.push_back(new ParameterRow(m_editor, text, m_content));
             column->addWidget(m_rows.back());
@@ -66,7 +66,7 @@ BrushPanel::BrushPanel(TreeDocument& document, ViewSettings& settings, double so
         column->addStretch();
     }
 
-    QVBoxLayout* shown = addColumn(tr("Shown"), kShownWidth);
+    QVBoxLayout* shown = addBarColumn(*m_content, tr("Shown"), kShownWidth);
     for (const BrushSwitch which : {BrushSwitch::Markers, BrushSwitch::Plane})
         shown->addWidget(makeBrushSwitch(which, settings, m_content));
     shown->addStretch();
@@ -74,21 +74,6 @@ BrushPanel::BrushPanel(TreeDocument& document, ViewSettings& settings, double so
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(1, 1, 1, 1);
     whole->addWidget(new Sideways(m_content, this));
-}
-
-QVBoxLayout* BrushPanel::addColumn(const QString& title, int width)
-{
-    auto* columns = static_cast<QHBoxLayout*>(m_content->layout());
-    if (columns->count() > 0)
-        columns->addWidget(barSeparator(Qt::Vertical, m_content));
-    auto* box = new QWidget(m_content);
-    box->setFixedWidth(width);
-    auto* column = new QVBoxLayout(box);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addWidget(barHeading(title, box));
-    columns->addWidget(box);
-    return column;
 }
 
 ParameterRow* BrushPanel::row(std::string_view key) const

@@ -37,8 +37,6 @@ Q_SIGNALS:
     void pressureExponentEdited(double exponent);
 
 private:
-    QVBoxLayout* addColumn(const QString& title, int width);
-
     ParameterEditor m_editor;
     QWidget* m_content;
     PressureCurve* m_curve;

@@ -102,6 +102,8 @@ struct Recipe {
 /// The limits of a recipe beside those of the parameters (see visitParameters); resources/recipe.schema.json
 /// has them too.
 namespace recipeLimits {
+/// Its value is the version.
+inline constexpr QLatin1StringView kVersionKey("espalier-recipe");
 inline constexpr int kVersion = 1;
 inline constexpr double kCoordinate = 1000.0;    ///< m, either way
 inline constexpr double kRadius = 100.0;         ///< m
