@@ -8,7 +8,15 @@
 #include <memory>
 #include <utility>
 
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
+
 namespace espalier {
+
+/// Of threads that work in the background, −20...19.
+inline constexpr int kBackgroundNiceness = 10;
 
 /// Calls @p work() on a worker thread, then @p done(its result) on the GUI thread, unless @p owner has gone
 /// by then. What work takes along must be its own: snapshots and values.
@@ -17,6 +25,10 @@ void runInBackground(QObject* owner, Work work, Done done)
 {
     QThreadPool::globalInstance()->start(
         [guard = QPointer<QObject>(owner), work = std::move(work), done = std::move(done)]() mutable {
+#ifdef Q_OS_LINUX
+            // Where cores are few, the window comes first; Qt's priorities mean nothing to Linux.
+            setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kBackgroundNiceness);
+#endif
             auto result = std::make_shared<decltype(work())>(work());
             QMetaObject::invokeMethod(
                 QCoreApplication::instance(),

@@ -103,8 +103,8 @@ bool TreeScene::prepareSome()
 /// A slice of what waits; returns whether nothing is left.
 bool TreeScene::workSome()
 {
-    constexpr std::size_t tubes = 512;
-    constexpr std::size_t nodes = 4096;
+    constexpr std::size_t tubes = 256;
+    constexpr std::size_t nodes = 2048;
     QElapsedTimer timer;
     timer.start();
     while (timer.elapsed() < kSlice) {

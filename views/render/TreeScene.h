@@ -12,7 +12,7 @@ namespace espalier {
 class TreeScene {
 public:
     /// A part of a frame, ms.
-    static constexpr int kSlice = 6;
+    static constexpr int kSlice = 5;
 
     /// Shows the tree as it is. @p document outlives the scene.
     explicit TreeScene(const TreeDocument& document);
