@@ -170,7 +170,7 @@ void FilesTest::crash_losesNothingThatWasFinished()
     Autosave& autosave = m_window->files().autosave();
     QSignalSpy written(&autosave, &Autosave::written);
     brush();
-    QVERIFY(written.count() > 0 || written.wait());
+    QVERIFY(written.count() > 0 || written.wait(30000));
     QVERIFY(Autosave::leftovers().empty());
     const Tree grown = m_window->document().tree();
 
