@@ -8,6 +8,7 @@ namespace {
 constexpr int kTick = 16;             ///< ms
 constexpr double kLongestTick = 0.1;  ///< s; a slow machine takes longer, but never jumps
 constexpr double kHurriedTick = 0.25; ///< s of the recipe's time
+constexpr int kHurriedWork = 25;      ///< ms between two pictures, where these are slow or ticks short
 constexpr double kRest = 0.9;         ///< s before and after what happens at once
 constexpr double kFilmStep = 0.12;    ///< s between several of the same kind: steps back in time make a film
 
@@ -63,7 +64,15 @@ void RecipeRunner::advance()
         return;
     }
     const RecipeOperation* before = m_player->operation();
-    m_player->advance(isHurried ? kHurriedTick : std::min(seconds, kLongestTick));
+    if (isHurried) {
+        QElapsedTimer work;
+        work.start();
+        do {
+            m_player->advance(kHurriedTick);
+        } while (!m_player->isDone() && work.elapsed() < kHurriedWork);
+    } else {
+        m_player->advance(std::min(seconds, kLongestTick));
+    }
     const RecipeOperation* after = m_player->operation();
     if (before && after && after != before)
         m_pause = restBetween(*before, *after);
