@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Demo.h"
 
-#include "app/BatchJob.h"
 #include "app/MainWindow.h"
-#include "app/Outputs.h"
+#include "app/cli/BatchJob.h"
+#include "app/files/Outputs.h"
 #include "views/render/OffscreenRenderer.h"
 
 #include <QDir>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/base/Error.h"
-#include "model/io/Recipe.h"
+#include "model/io/recipe/Recipe.h"
 
 #include <QStringList>
 

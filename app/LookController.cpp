@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/LookController.h"
 
-#include "app/Background.h"
-#include "app/Settings.h"
+#include "app/files/Settings.h"
+#include "app/runners/Background.h"
 #include "commands/ParameterGesture.h"
 #include "model/io/ImageFile.h"
-#include "model/mesh/OwnTextures.h"
+#include "model/texture/OwnTextures.h"
 #include "panels/Notice.h"
 
 #include <QFileDialog>

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
 
-#include "app/GrowTool.h"
 #include "app/HelpController.h"
 #include "app/Language.h"
-#include "app/LassoTool.h"
-#include "app/LibraryPanel.h"
-#include "app/RecipeTool.h"
-#include "app/SettingsSheet.h"
 #include "app/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
@@ -16,10 +11,16 @@
 #include "panels/HistoryPanel.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
+#include "panels/SettingsSheet.h"
+#include "panels/Theme.h"
+#include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
 #include "views/tools/BendTool.h"
 #include "views/tools/BrushTool.h"
+#include "views/tools/GrowTool.h"
+#include "views/tools/LassoTool.h"
 #include "views/tools/PruneTool.h"
+#include "views/tools/RecipeTool.h"
 #include "views/tools/SelectBudTool.h"
 #include "views/tools/WidthTool.h"
 
@@ -305,7 +306,8 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
 {
     cancelAll();
     Viewport& viewport = m_workspace->viewport();
-    viewport.setTool(std::make_unique<RecipeTool>(viewport.toolContext(), m_recipeRunner));
+    viewport.setTool(
+        std::make_unique<RecipeTool>(viewport.toolContext(), [this] { return m_recipeRunner.player(); }));
     m_recipeRunner.start(recipe, pace);
     // A recipe may take back more than a person wants to.
     m_document.undoStack().setUndoLimit(0);

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/Actions.h"
-#include "app/FileController.h"
-#include "app/GrowRunner.h"
-#include "app/LassoRunner.h"
-#include "app/LibraryController.h"
 #include "app/LookController.h"
-#include "app/RecipeRunner.h"
-#include "app/Settings.h"
-#include "app/TimeRunner.h"
 #include "app/Workspace.h"
+#include "app/files/FileController.h"
+#include "app/files/LibraryController.h"
+#include "app/files/Settings.h"
+#include "app/runners/GrowRunner.h"
+#include "app/runners/LassoRunner.h"
+#include "app/runners/RecipeRunner.h"
+#include "app/runners/TimeRunner.h"
+#include "panels/Actions.h"
 
 #include <QElapsedTimer>
 #include <QMainWindow>

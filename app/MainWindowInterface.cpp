@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that makes what a person sees, and makes it anew in another language.
 #include "app/HelpController.h"
-#include "app/LibraryPanel.h"
 #include "app/MainWindow.h"
-#include "app/RecipeTool.h"
-#include "app/SettingsSheet.h"
 #include "app/Tour.h"
 #include "panels/BrushPanel.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/ParameterPanel.h"
+#include "panels/SettingsSheet.h"
 #include "panels/architecture/ArchitecturePanel.h"
+#include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
+#include "views/tools/RecipeTool.h"
 
 #include <QImage>
 
@@ -83,7 +83,8 @@ void MainWindow::remakeInterface()
 
     if (m_recipeRunner.isRunning()) {
         Viewport& viewport = m_workspace->viewport();
-        viewport.setTool(std::make_unique<RecipeTool>(viewport.toolContext(), m_recipeRunner));
+        viewport.setTool(
+            std::make_unique<RecipeTool>(viewport.toolContext(), [this] { return m_recipeRunner.player(); }));
         updateTip();
     } else {
         takeTool();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Program.h"
 
-#include "app/BatchJob.h"
-#include "app/CommandLine.h"
 #include "app/Demo.h"
-#include "app/Display.h"
 #include "app/HelpController.h"
 #include "app/Language.h"
 #include "app/MainWindow.h"
-#include "app/Settings.h"
+#include "app/cli/BatchJob.h"
+#include "app/cli/CommandLine.h"
+#include "app/cli/Display.h"
+#include "app/files/Settings.h"
 #include "panels/Notice.h"
 #include "panels/Theme.h"
 #include "views/render/GlResources.h"

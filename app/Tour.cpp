@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Tour.h"
 
-#include "app/Actions.h"
 #include "app/Workspace.h"
+#include "panels/Actions.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Workspace.h"
 
-#include "app/LibraryPanel.h"
-#include "app/Settings.h"
 #include "app/TreeCounts.h"
+#include "app/files/Library.h"
+#include "app/files/Settings.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPanel.h"
@@ -17,6 +17,7 @@
 #include "panels/RotationStrip.h"
 #include "panels/Theme.h"
 #include "panels/architecture/ArchitecturePanel.h"
+#include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
 
 #include <QLabel>
@@ -51,7 +52,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_brushSheet(new BrushPanel(document, settings, Preferences::kSoftest, Preferences::kFirmest, this)),
       m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
-      m_library(new LibraryPanel(this)),
+      m_library(new LibraryPanel(libraryPicture, this)),
       m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),

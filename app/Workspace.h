@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/Bars.h"
 #include "model/document/TreeDocument.h"
-#include "model/document/ViewSettings.h"
+#include "model/settings/ViewSettings.h"
+#include "panels/Bars.h"
 
 #include <QTimer>
 #include <QWidget>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/TreeDocument.h"
-#include "model/io/ProjectFile.h"
+#include "model/io/project/ProjectFile.h"
 
 namespace espalier {
 

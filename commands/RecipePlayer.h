@@ -4,7 +4,7 @@
 #include "commands/BrushGesture.h"
 #include "commands/GrowGesture.h"
 #include "commands/LassoGesture.h"
-#include "model/io/Recipe.h"
+#include "model/io/recipe/Recipe.h"
 
 #include <memory>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/document/ViewSettings.h"
+#include "model/settings/ViewSettings.h"
 #include "panels/Bar.h"
 
 class QSlider;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/BrushControls.h"
 
-#include "model/document/Lengths.h"
+#include "model/settings/Lengths.h"
 #include "panels/RadiusSlider.h"
 #include "panels/Theme.h"
 #include "panels/ViewField.h"

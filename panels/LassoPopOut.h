@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/TreeDocument.h"
-#include "model/document/ViewSettings.h"
+#include "model/settings/ViewSettings.h"
 #include "panels/Bar.h"
 
 class QPushButton;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/LookChoice.h"
 
-#include "model/mesh/OwnTextures.h"
+#include "model/texture/OwnTextures.h"
 #include "panels/Icon.h"
 #include "panels/Theme.h"
 

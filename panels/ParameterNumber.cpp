@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/ParameterNumber.h"
 
-#include "model/document/Lengths.h"
+#include "model/settings/Lengths.h"
 
 #include <QKeyEvent>
 #include <QSignalBlocker>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/RadiusSlider.h"
 
-#include "model/document/Lengths.h"
+#include "model/settings/Lengths.h"
 #include "panels/Theme.h"
 
 #include <QMouseEvent>

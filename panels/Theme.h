@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/settings/Preferences.h"
+
 #include <QColor>
 
 class QApplication;
@@ -8,8 +10,6 @@ class QWidget;
 
 /// How the program looks: the colours that its widgets are drawn with, and the style made of them.
 namespace espalier::theme {
-
-enum class Look : int { Dark, Light, System };
 
 struct Colours {
     QColor workspace{0x23, 0x27, 0x2e};

@@ -12,15 +12,18 @@ import tempfile
 from pathlib import Path
 
 BELOW_ROOMS = {"model/base", "model/tree"}
-ROOMS = {"model/growth", "model/shape", "model/envelope", "model/sketch", "model/strands", "model/mesh"}
-MODEL = BELOW_ROOMS | ROOMS | {"model/document", "model/io"}
+ROOMS = {"model/growth", "model/shape", "model/envelope", "model/sketch", "model/strands", "model/mesh",
+         "model/texture"}
+MODEL = BELOW_ROOMS | ROOMS | {"model/settings", "model/document", "model/io"}
 
 # What each place may include besides itself.
 MAY_INCLUDE = {
     "model/base": set(),
     "model/tree": {"model/base"},
     **{room: BELOW_ROOMS for room in ROOMS},
-    "model/mesh": BELOW_ROOMS | {"model/growth", "model/shape"},
+    "model/mesh": BELOW_ROOMS | {"model/growth", "model/shape", "model/texture"},
+    # What belongs to the person who works, not to a document: views and panels share it.
+    "model/settings": {"model/base"},
     "model/document": BELOW_ROOMS | ROOMS,
     # A project file reads and writes a document.
     "model/io": BELOW_ROOMS | ROOMS | {"model/document"},

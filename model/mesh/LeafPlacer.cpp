@@ -3,8 +3,8 @@
 
 #include "model/base/Parallel.h"
 #include "model/base/Random.h"
-#include "model/mesh/Textures.h"
 #include "model/mesh/Tubes.h"
+#include "model/texture/Textures.h"
 
 #include <cassert>
 #include <cmath>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/HelpController.h"
-#include "app/LibraryPanel.h"
 #include "app/MainWindow.h"
-#include "app/SettingsSheet.h"
 #include "app/Tour.h"
 #include "commands/GrowGesture.h"
 #include "commands/ParameterGesture.h"
@@ -16,12 +14,14 @@
 #include "panels/ParameterRow.h"
 #include "panels/RadiusSlider.h"
 #include "panels/RotationStrip.h"
+#include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
 #include "panels/ViewRow.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "panels/architecture/DiagramHandle.h"
 #include "panels/architecture/TropismDiagram.h"
 #include "panels/architecture/ValueField.h"
+#include "panels/library/LibraryPanel.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WidgetKinds.h"
 #include "tests/support/WindowPanes.h"
@@ -216,7 +216,7 @@ void EveryWidgetTest::prepare(QWidget& widget)
     if (auto* sheet = qobject_cast<SettingsSheet*>(widget.window())) {
         Preferences others = sheet->preferences();
         others.undoSteps = 77;
-        others.look = theme::Look::Dark;
+        others.look = Look::Dark;
         others.areToolsRight = false;
         others.language.clear();
         sheet->setPreferences(others);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/GrowRunner.h"
-#include "app/LassoRunner.h"
+#include "app/runners/GrowRunner.h"
+#include "app/runners/LassoRunner.h"
 #include "commands/GrowGesture.h"
 #include "panels/ParameterEditor.h"
 

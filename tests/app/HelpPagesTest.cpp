@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/Actions.h"
 #include "commands/RecipePlayer.h"
+#include "panels/Actions.h"
 #include "panels/HelpPage.h"
 #include "panels/HelpPanel.h"
 #include "panels/ParameterTexts.h"

@@ -2,9 +2,9 @@
 #include "app/HelpController.h"
 #include "app/Language.h"
 #include "app/MainWindow.h"
-#include "app/SettingsSheet.h"
 #include "app/Workspace.h"
 #include "panels/HelpPanel.h"
+#include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
 #include "views/Viewport.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/LibraryPanel.h"
+#include "panels/library/LibraryPanel.h"
 
-#include "app/LibraryView.h"
 #include "app/MainWindow.h"
 #include "commands/GrowGesture.h"
 #include "commands/SetParameters.h"
 #include "panels/Notice.h"
+#include "panels/library/LibraryView.h"
 #include "tests/support/LibraryProjects.h"
 #include "tests/support/TestClasses.h"
 #include "views/Viewport.h"

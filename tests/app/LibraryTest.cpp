@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/Library.h"
+#include "app/files/Library.h"
 
 #include "commands/GrowGesture.h"
 #include "commands/SetParameters.h"

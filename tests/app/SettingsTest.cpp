@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
-#include "app/SettingsSheet.h"
 #include "panels/BrushPopOut.h"
 #include "panels/HistoryPanel.h"
 #include "panels/ParameterRow.h"
 #include "panels/PressureCurve.h"
+#include "panels/SettingsSheet.h"
+#include "panels/Theme.h"
 #include "tests/support/TestClasses.h"
 #include "views/Viewport.h"
 
@@ -144,7 +145,7 @@ void SettingsTest::nonsense_isTheDefaultOrTheNearest()
     store.setValue(QStringLiteral("window/language"), QStringLiteral("klingon"));
     store.setValue(QStringLiteral("files/autosaveInterval"), 1'000'000);
     const Preferences read = Settings().preferences();
-    QCOMPARE(read.look, theme::Look::Dark);
+    QCOMPARE(read.look, Look::Dark);
     QCOMPARE(read.mouse, MouseScheme::Espalier);
     QCOMPARE(read.pressureExponent, 1.0);
     QCOMPARE(read.undoSteps, 0);
@@ -349,7 +350,7 @@ void SettingsTest::recipes_areNotHeldToTheUndoSteps()
 
 void SettingsTest::defaults_bringAllBack()
 {
-    Preferences others{theme::Look::Light, true, 2.0, MouseScheme::Blender, 60, 50, QDir::tempPath()};
+    Preferences others{Look::Light, true, 2.0, MouseScheme::Blender, 60, 50, QDir::tempPath()};
     SettingsSheet sheet(others);
     QVERIFY(sheet.preferences() == others);
     for (auto* button : sheet.findChildren<QPushButton*>()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/io/Exporter.h"
-#include "model/io/ProjectFile.h"
+#include "model/io/export/Exporter.h"
+#include "model/io/project/ProjectFile.h"
 #include "tests/support/SampleProject.h"
 
 #include <QTemporaryDir>

@@ -3,7 +3,7 @@
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
 #include "model/mesh/MeshPool.h"
-#include "model/mesh/Textures.h"
+#include "model/texture/Textures.h"
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>

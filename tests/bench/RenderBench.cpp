@@ -4,7 +4,7 @@
 // internodes with leaves.
 #include "commands/DocumentProject.h"
 #include "commands/GrowGesture.h"
-#include "model/io/ProjectFile.h"
+#include "model/io/project/ProjectFile.h"
 #include "model/mesh/LeafCard.h"
 #include "views/render/FramePacer.h"
 #include "views/render/OffscreenRenderer.h"

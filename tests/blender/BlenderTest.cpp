@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/RecipePlayer.h"
 #include "commands/SetParameters.h"
-#include "model/io/Exporter.h"
-#include "model/mesh/OwnTextures.h"
+#include "model/io/export/Exporter.h"
+#include "model/texture/OwnTextures.h"
 #include "tests/support/OwnImages.h"
 #include "views/render/OffscreenRenderer.h"
 

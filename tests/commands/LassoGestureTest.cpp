@@ -3,7 +3,7 @@
 
 #include "commands/RecipePlayer.h"
 #include "commands/SetParameters.h"
-#include "model/io/ProjectFile.h"
+#include "model/io/project/ProjectFile.h"
 #include "tests/model/envelope/Silhouettes.h"
 #include "tests/support/CrownSilhouette.h"
 #include "tests/support/Documents.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/RecipePlayer.h"
-#include "model/io/ProjectFile.h"
+#include "model/io/project/ProjectFile.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/TreeDocument.h"
 #include "model/io/ImageFile.h"
-#include "model/io/ProjectFile.h"
-#include "model/io/Recipe.h"
-#include "model/mesh/OwnTextures.h"
+#include "model/io/project/ProjectFile.h"
+#include "model/io/recipe/Recipe.h"
+#include "model/texture/OwnTextures.h"
 #include "tests/fuzz/Mutator.h"
 #include "tests/support/OwnImages.h"
 #include "tests/support/SampleProject.h"

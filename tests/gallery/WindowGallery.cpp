@@ -3,10 +3,10 @@
 // once for each size, theme, language and scale.
 #include "app/HelpController.h"
 #include "app/MainWindow.h"
-#include "app/SettingsSheet.h"
 #include "app/Tour.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
+#include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "views/Viewport.h"
@@ -23,7 +23,7 @@ namespace {
 
 class Photographer {
 public:
-    Photographer(const QSize& size, theme::Look look)
+    Photographer(const QSize& size, Look look)
     {
         Preferences preferences;
         preferences.look = look;
@@ -189,7 +189,7 @@ int main(int argc, char** argv)
         QCoreApplication::installTranslator(&translator);
         QLocale::setDefault(QLocale(arguments[3]));
     }
-    const theme::Look look = arguments[2] == QLatin1String("light") ? theme::Look::Light : theme::Look::Dark;
+    const Look look = arguments[2] == QLatin1String("light") ? Look::Light : Look::Dark;
     theme::apply(application, look);
     const QStringList size = arguments[1].split(QLatin1Char('x'));
     Photographer(QSize(size.value(0).toInt(), size.value(1).toInt()), look).takeAll();

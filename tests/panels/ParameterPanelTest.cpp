@@ -2,8 +2,8 @@
 #include "panels/ParameterPanel.h"
 
 #include "commands/SetParameters.h"
-#include "model/document/Lengths.h"
-#include "model/mesh/OwnTextures.h"
+#include "model/settings/Lengths.h"
+#include "model/texture/OwnTextures.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
 #include "panels/BrushPopOut.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/document/TreeDocument.h"
-#include "model/io/Recipe.h"
+#include "model/io/recipe/Recipe.h"
 #include "tests/soak/RandomOperations.h"
 
 namespace espalier::test {

@@ -3,7 +3,7 @@
 
 #include "model/base/Random.h"
 #include "model/document/TreeDocument.h"
-#include "model/io/Recipe.h"
+#include "model/io/recipe/Recipe.h"
 
 namespace espalier::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/io/Recipe.h"
+#include "model/io/recipe/Recipe.h"
 
 #include <QFile>
 

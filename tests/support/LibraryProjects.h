@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/Library.h"
+#include "app/files/Library.h"
 #include "commands/GrowGesture.h"
 
 namespace espalier::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/io/ProjectFile.h"
+#include "model/io/project/ProjectFile.h"
 #include "tests/support/TreeBuilder.h"
 
 namespace espalier::test {

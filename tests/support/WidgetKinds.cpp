@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/WidgetKinds.h"
 
-#include "app/LibraryView.h"
 #include "panels/HelpPage.h"
 #include "panels/ParameterRow.h"
 #include "panels/PressureCurve.h"
@@ -11,6 +10,7 @@
 #include "panels/architecture/Diagram.h"
 #include "panels/architecture/DiagramHandle.h"
 #include "panels/architecture/ValueField.h"
+#include "panels/library/LibraryView.h"
 #include "views/Viewport.h"
 
 #include <QtTest>

@@ -2,9 +2,6 @@
 #include "tests/support/WindowPanes.h"
 
 #include "app/HelpController.h"
-#include "app/LibraryPanel.h"
-#include "app/LibraryView.h"
-#include "app/SettingsSheet.h"
 #include "app/Tour.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
@@ -17,8 +14,11 @@
 #include "panels/Notice.h"
 #include "panels/ParameterRow.h"
 #include "panels/RotationStrip.h"
+#include "panels/SettingsSheet.h"
 #include "panels/TourCard.h"
 #include "panels/architecture/ArchitecturePanel.h"
+#include "panels/library/LibraryPanel.h"
+#include "panels/library/LibraryView.h"
 
 #include <QtTest>
 #include <QtWidgets>

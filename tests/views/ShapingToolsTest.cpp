@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/document/Lengths.h"
+#include "model/settings/Lengths.h"
 #include "model/shape/Widths.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TreeBuilder.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/document/ViewSettings.h"
+#include "model/settings/ViewSettings.h"
 
-#include "model/document/Lengths.h"
+#include "model/settings/Lengths.h"
 
 #include <QLocale>
 #include <QtTest>

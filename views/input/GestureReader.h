@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "views/input/MouseScheme.h"
+#include "model/settings/MouseScheme.h"
 #include "views/input/PointerSample.h"
 
 #include <QRectF>

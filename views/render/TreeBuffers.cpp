@@ -2,7 +2,7 @@
 #include "views/render/TreeBuffers.h"
 
 #include "model/mesh/LeafCard.h"
-#include "model/mesh/OwnTextures.h"
+#include "model/texture/OwnTextures.h"
 #include "views/render/TreeScene.h"
 
 #include <cstddef>

@@ -3,6 +3,7 @@
 
 #include "commands/Prune.h"
 #include "model/shape/Pruning.h"
+#include "views/tools/ToolColours.h"
 
 #include <algorithm>
 #include <array>
@@ -42,10 +43,8 @@ double distance(const QPointF& a, const QPointF& b)
     return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
-const QColor kBrushColour(232, 168, 100);
 const QColor kMarkerColour(255, 214, 120);
 const QColor kMarkerOverLight(206, 122, 24);
-const QColor kPickedColour(240, 168, 184);
 const QColor kHintColour(150, 168, 190);
 const QColor kHintOverLight(70, 86, 106);
 

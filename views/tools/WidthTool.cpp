@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/tools/WidthTool.h"
 
-#include "model/document/Lengths.h"
+#include "model/settings/Lengths.h"
 #include "model/shape/Widths.h"
 
 #include <array>

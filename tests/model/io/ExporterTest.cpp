@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/io/Exporter.h"
+#include "model/io/export/Exporter.h"
 
-#include "model/io/FbxRepair.h"
+#include "model/io/export/FbxRepair.h"
 #include "model/mesh/LeafCard.h"
 #include "model/shape/Widths.h"
 #include "tests/support/OwnImages.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/io/FbxRepair.h"
+#include "model/io/export/FbxRepair.h"
 
 #include "tests/support/TestClasses.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/io/ProjectFile.h"
+#include "model/io/project/ProjectFile.h"
 
 #include "tests/support/OwnImages.h"
 #include "tests/support/SampleProject.h"

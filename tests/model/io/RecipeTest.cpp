@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/io/Recipe.h"
+#include "model/io/recipe/Recipe.h"
 
 #include "model/base/Random.h"
 #include "model/io/JsonReader.h"

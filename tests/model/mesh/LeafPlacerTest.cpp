@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/LeafPlacer.h"
 
-#include "model/mesh/Textures.h"
 #include "model/mesh/Tubes.h"
+#include "model/texture/Textures.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 

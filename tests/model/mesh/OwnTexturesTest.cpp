@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mesh/OwnTextures.h"
+#include "model/texture/OwnTextures.h"
 
 #include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mesh/Textures.h"
+#include "model/texture/Textures.h"
 
 #include "model/mesh/LeafCard.h"
-#include "model/mesh/TextureShading.h"
-#include "model/mesh/TileNoise.h"
+#include "model/texture/TextureShading.h"
+#include "model/texture/TileNoise.h"
 #include "tests/support/TestClasses.h"
 
 #include <QColor>

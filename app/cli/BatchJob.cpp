@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/BatchJob.h"
+
+#include "app/TreeCounts.h"
+#include "app/files/Outputs.h"
+#include "commands/DocumentProject.h"
+#include "commands/RecipePlayer.h"
+#include "model/io/ParametersJson.h"
+#include "model/io/recipe/Recipe.h"
+#include "model/mesh/BranchMesher.h"
+#include "model/mesh/LeafCard.h"
+#include "views/render/OffscreenRenderer.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace espalier {
+
+namespace {
+
+/// Says how far something has got, if somebody watches.
+void tellProgress(const QString& text)
+{
+    static const bool isWatched = isatty(STDERR_FILENO) != 0;
+    if (!isWatched)
+        return;
+    std::fprintf(stderr, "\r\033[K%s", qPrintable(text));
+    std::fflush(stderr);
+}
+
+ExitCode fail(const Error& error)
+{
+    complain(error.message);
+    return error.kind == Error::Kind::Input ? kInputUnreadable : kOutputNotWritten;
+}
+
+double secondsOf(const QElapsedTimer& timer)
+{
+    return static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+}
+
+/// The largest memory that this process has had in use, MB; 0 where the system does not say.
+double peakMemory()
+{
+    QFile status(QStringLiteral("/proc/self/status"));
+    if (!status.open(QIODevice::ReadOnly))
+        return 0.0;
+    for (const QByteArray& line : status.readAll().split('\n')) {
+        if (line.startsWith("VmHWM:"))
+            return line.mid(6).trimmed().split(' ').constFirst().toDouble() / 1024.0;
+    }
+    return 0.0;
+}
+
+/// What takes how long, s.
+struct Times {
+    double growth = 0.0;
+    double mesh = 0.0;
+    double exports = 0.0;
+    double total = 0.0;
+};
+
+struct MeshCounts {
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+};
+
+/// Of the mesh that is exported.
+MeshCounts countMesh(const Tree& tree, const TreeIndex& index)
+{
+    const BranchMesh wood = meshBranches(tree, index, Widths(tree, index));
+    const LeafCard& card = leafCard(tree.parameters().leaves.shape);
+    const std::uint64_t leaves = placeLeaves(tree, index).size();
+    return {wood.vertices.size() + leaves * card.vertices.size(),
+            (wood.indices.size() + leaves * card.indices.size()) / 3};
+}
+
+QJsonValue number(std::uint64_t value)
+{
+    return QJsonValue(static_cast<qint64>(value));
+}
+
+QJsonObject countsToJson(const TreeCounts& counts)
+{
+    return {{QStringLiteral("internodes"), number(counts.internodes)},
+            {QStringLiteral("buds"), number(counts.buds)},
+            {QStringLiteral("leaves"), number(counts.leaves)},
+            {QStringLiteral("axes"), number(counts.axes)},
+            {QStringLiteral("steps"), number(counts.steps)}};
+}
+
+Result<void> writeStats(const TreeDocument& document, const MeshCounts& mesh, const Times& times,
+                        const QString& fileName)
+{
+    QJsonObject stats = countsToJson(countTree(document.tree(), document.index()));
+    stats[QStringLiteral("vertices")] = number(mesh.vertices);
+    stats[QStringLiteral("triangles")] = number(mesh.triangles);
+    stats[QStringLiteral("seconds")] = QJsonObject{{QStringLiteral("growth"), times.growth},
+                                                   {QStringLiteral("mesh"), times.mesh},
+                                                   {QStringLiteral("export"), times.exports},
+                                                   {QStringLiteral("total"), times.total}};
+    stats[QStringLiteral("peakRssMb")] = peakMemory();
+    return writeBytes(QJsonDocument(stats).toJson(), fileName);
+}
+
+Result<void> writePictureOf(const TreeDocument& document, const CommandLine& line, const QString& recipeView)
+{
+    PictureRequest request;
+    request.size = line.size;
+    request.view = namedView(line.camera.isEmpty() ? recipeView : line.camera);
+    if (line.transparent) {
+        request.options.background = QColor(Qt::transparent);
+        request.options.view.groundShown = line.groundShadow;
+    }
+    const Result<QImage> picture = renderImage(document, request);
+    if (!picture)
+        return Error{Error::Kind::Output,
+                     QStringLiteral("%1: %2").arg(line.picture, picture.error().message)};
+    return writePicture(*picture, line.picture);
+}
+
+Result<void> writeOutputs(const Project& project, const QStringList& fileNames)
+{
+    for (const QString& fileName : fileNames) {
+        tellProgress(QStringLiteral("%1…").arg(fileName));
+        const Result<void> written = writeOutput(project, fileName);
+        tellProgress({});
+        if (!written)
+            return written.error();
+    }
+    return {};
+}
+
+/// Plays the recipes one after another on one document. Returns the view that the last of them asks for.
+Result<QString> playRecipes(TreeDocument& document, QString& name, const CommandLine& line)
+{
+    std::vector<Recipe> recipes;
+    for (const QString& fileName : line.inputs) {
+        Result<Recipe> recipe = readRecipe(fileName);
+        if (!recipe)
+            return recipe.error();
+        recipes.push_back(std::move(*recipe));
+    }
+    if (line.seed)
+        recipes.front().seed = *line.seed;
+    name = recipes.front().name.isEmpty() ? QFileInfo(line.inputs.constFirst()).completeBaseName()
+                                          : recipes.front().name;
+
+    QString view;
+    for (std::size_t i = 0; i < recipes.size(); ++i) {
+        if (!recipes[i].camera.view.isEmpty())
+            view = recipes[i].camera.view;
+        const auto operations = recipes[i].operations.size();
+        RecipePlayer player(document, std::move(recipes[i]),
+                            i == 0 ? RecipePlayer::Start::Anew : RecipePlayer::Start::GoOn);
+        for (std::size_t done = 1; !player.isDone(); ++done) {
+            tellProgress(QStringLiteral("%1: %2/%3")
+                             .arg(line.inputs[static_cast<qsizetype>(i)])
+                             .arg(done)
+                             .arg(operations));
+            player.playOperation();
+        }
+        tellProgress({});
+    }
+    return view;
+}
+
+Result<void> replay(const CommandLine& line)
+{
+    QElapsedTimer total;
+    total.start();
+    Times times;
+    TreeDocument document;
+
+    QElapsedTimer timer;
+    timer.start();
+    QString name;
+    const Result<QString> view = playRecipes(document, name, line);
+    if (!view)
+        return view.error();
+    times.growth = secondsOf(timer);
+
+    MeshCounts mesh;
+    timer.start();
+    if (!line.stats.isEmpty())
+        mesh = countMesh(document.tree(), document.index());
+    times.mesh = secondsOf(timer);
+
+    timer.start();
+    const Project project = projectOf(document, name);
+    if (const Result<void> written = writeOutputs(project, line.outputs); !written)
+        return written.error();
+    times.exports = secondsOf(timer);
+
+    if (!line.picture.isEmpty()) {
+        if (const Result<void> written = writePictureOf(document, line, *view); !written)
+            return written.error();
+    }
+    times.total = secondsOf(total);
+    return line.stats.isEmpty() ? Result<void>() : writeStats(document, mesh, times, line.stats);
+}
+
+/// Says what of the file could not be taken over, if anything.
+Result<Project> loadInput(const CommandLine& line)
+{
+    Result<Project> project = loadProject(line.inputs.constFirst());
+    if (project && !project->warning.isEmpty())
+        complain(project->warning);
+    return project;
+}
+
+Result<void> exportProject(const CommandLine& line)
+{
+    const Result<Project> project = loadInput(line);
+    if (!project)
+        return project.error();
+    return writeOutputs(*project, line.outputs);
+}
+
+Result<void> render(const CommandLine& line)
+{
+    Result<Project> project = loadInput(line);
+    if (!project)
+        return project.error();
+    TreeDocument document;
+    showProject(document, std::move(*project));
+    return writePictureOf(document, line, {});
+}
+
+QJsonArray pointToJson(const Vec3& point)
+{
+    // As many digits as a float has.
+    const auto digits = [](float value) { return QString::number(value, 'g', 7).toDouble(); };
+    return {digits(point.x()), digits(point.y()), digits(point.z())};
+}
+
+Result<void> info(const CommandLine& line)
+{
+    const Result<Project> project = loadInput(line);
+    if (!project)
+        return project.error();
+    const Tree tree = shownTree(*project);
+    const TreeIndex index(tree);
+    const Box3 bounds = treeBounds(tree, index);
+    const QJsonObject json{
+        {QStringLiteral("version"), projectLimits::kVersion},
+        {QStringLiteral("name"), project->name},
+        {QStringLiteral("seed"), QString::number(project->tree.seed())},
+        {QStringLiteral("counts"), countsToJson(countTree(tree, index))},
+        {QStringLiteral("bounds"), QJsonObject{{QStringLiteral("minimum"), pointToJson(bounds.min())},
+                                               {QStringLiteral("maximum"), pointToJson(bounds.max())}}},
+        {QStringLiteral("journalLength"), number(project->journal.size())},
+        {QStringLiteral("parameters"), toJson(tree.parameters())},
+    };
+    const QByteArray text = QJsonDocument(json).toJson();
+    if (std::fwrite(text.constData(), 1, static_cast<std::size_t>(text.size()), stdout) !=
+            static_cast<std::size_t>(text.size()) ||
+        std::fflush(stdout) != 0)
+        return Error{Error::Kind::Output, QStringLiteral("standard output: %1").arg(qt_error_string())};
+    return {};
+}
+
+} // namespace
+
+NamedView namedView(const QString& name)
+{
+    if (name == QStringLiteral("side"))
+        return NamedView::Side;
+    if (name == QStringLiteral("top"))
+        return NamedView::Top;
+    if (name == QStringLiteral("three-quarter"))
+        return NamedView::ThreeQuarter;
+    return NamedView::Front;
+}
+
+void complain(const QString& sentence)
+{
+    std::fprintf(stderr, "espalier: %s\n", qPrintable(sentence.simplified()));
+}
+
+ExitCode runBatchJob(const CommandLine& line)
+{
+    Result<void> result;
+    switch (line.verb) {
+    case CommandLine::Verb::Replay:
+        result = replay(line);
+        break;
+    case CommandLine::Verb::Export:
+        result = exportProject(line);
+        break;
+    case CommandLine::Verb::Render:
+        result = render(line);
+        break;
+    case CommandLine::Verb::Info:
+        result = info(line);
+        break;
+    default:
+        Q_UNREACHABLE();
+    }
+    return result ? kDone : fail(result.error());
+}
+
+} // namespace espalier

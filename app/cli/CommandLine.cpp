@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/CommandLine.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QRegularExpression>
+
+#include <array>
+#include <span>
+
+namespace espalier {
+
+namespace {
+
+using Verb = CommandLine::Verb;
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("CommandLine", text);
+}
+
+Error usage(const QString& message)
+{
+    return {Error::Kind::Input, message};
+}
+
+constexpr int kMaxPictureEdge = 16384;
+constexpr int kMaxThreads = 1024;
+
+Result<QSize> parseSize(const QString& text)
+{
+    static const QRegularExpression pattern(QStringLiteral("^([0-9]{1,5})x([0-9]{1,5})$"));
+    const QRegularExpressionMatch match = pattern.match(text);
+    const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
+    if (!match.hasMatch() || size.width() < 1 || size.height() < 1 || size.width() > kMaxPictureEdge ||
+        size.height() > kMaxPictureEdge)
+        return usage(tr("--size wants WIDTHxHEIGHT of up to %1 pixels each, not \"%2\"")
+                         .arg(kMaxPictureEdge)
+                         .arg(text));
+    return size;
+}
+
+/// An option and how its value gets into the command line.
+struct Option {
+    const char* name;
+    const char* verbs; ///< Those that know it, between blanks
+    Result<void> (*take)(CommandLine&, const QString& value);
+    bool isFlag = false; ///< Without a value
+};
+
+constexpr Option kOptions[] = {
+    {"-o", " replay export ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         static const QStringList known{QStringLiteral("espalier"), QStringLiteral("obj"),
+                                        QStringLiteral("fbx"), QStringLiteral("glb"), QStringLiteral("csv")};
+         if (!known.contains(QFileInfo(value).suffix().toLower()))
+             return usage(tr("%1: the suffix of an output says its format, and is one of .espalier .obj .fbx "
+                             ".glb .csv")
+                              .arg(value));
+         line.outputs.append(value);
+         return {};
+     }},
+    {"--png", " replay render ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         line.picture = value;
+         return {};
+     }},
+    {"--size", " replay render ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         const Result<QSize> size = parseSize(value);
+         if (!size)
+             return size.error();
+         line.size = *size;
+         return {};
+     }},
+    {"--camera", " replay render ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         static const QStringList known{QStringLiteral("front"), QStringLiteral("side"),
+                                        QStringLiteral("top"), QStringLiteral("three-quarter")};
+         if (!known.contains(value))
+             return usage(tr("--camera is front, side, top or three-quarter, not \"%1\"").arg(value));
+         line.camera = value;
+         return {};
+     }},
+    {"--transparent", " replay render ",
+     [](CommandLine& line, const QString&) -> Result<void> {
+         line.transparent = true;
+         return {};
+     },
+     true},
+    {"--ground-shadow", " replay render ",
+     [](CommandLine& line, const QString&) -> Result<void> {
+         line.groundShadow = true;
+         return {};
+     },
+     true},
+    {"--stats", " replay ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         line.stats = value;
+         return {};
+     }},
+    {"--threads", " replay ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         bool isNumber = false;
+         line.threads = value.toInt(&isNumber);
+         if (!isNumber || line.threads < 1 || line.threads > kMaxThreads)
+             return usage(
+                 tr("--threads wants a number from 1 to %1, not \"%2\"").arg(kMaxThreads).arg(value));
+         return {};
+     }},
+    {"--seed", " replay ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         bool isNumber = false;
+         line.seed = value.toULongLong(&isNumber);
+         if (!isNumber)
+             return usage(
+                 tr("--seed wants a whole number from 0 to 18446744073709551615, not \"%1\"").arg(value));
+         return {};
+     }},
+};
+
+const Option* findOption(const QString& name, const QString& verb)
+{
+    const QByteArray spaced = ' ' + verb.toLatin1() + ' ';
+    for (const Option& option : kOptions) {
+        if (name == QLatin1String(option.name) && QByteArray(option.verbs).contains(spaced))
+            return &option;
+    }
+    return nullptr;
+}
+
+/// Reads what follows a verb.
+Result<void> parseArguments(CommandLine& line, const QString& verb, std::span<const QString> arguments)
+{
+    bool onlyFiles = false;
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const QString& argument = arguments[i];
+        if (onlyFiles || !argument.startsWith(QLatin1Char('-')) || argument.size() < 2) {
+            line.inputs.append(argument);
+            continue;
+        }
+        if (argument == QStringLiteral("--")) {
+            onlyFiles = true;
+            continue;
+        }
+        const auto equals =
+            argument.startsWith(QStringLiteral("--")) ? argument.indexOf(QLatin1Char('=')) : -1;
+        const QString name = equals < 0 ? argument : argument.left(equals);
+        const Option* option = findOption(name, verb);
+        if (!option)
+            return usage(tr("%1 knows no option %2").arg(verb, name));
+        if (option->isFlag) {
+            if (equals >= 0)
+                return usage(tr("%1 wants no value").arg(name));
+            if (const Result<void> taken = option->take(line, {}); !taken)
+                return taken.error();
+            continue;
+        }
+        if (equals < 0 && i + 1 == arguments.size())
+            return usage(tr("%1 wants a value after it").arg(name));
+        const QString value = equals < 0 ? arguments[++i] : argument.mid(equals + 1);
+        if (value.isEmpty())
+            return usage(tr("%1 wants a value after it").arg(name));
+        if (const Result<void> taken = option->take(line, value); !taken)
+            return taken.error();
+    }
+    return {};
+}
+
+/// Whether the verb has what it needs, and no more.
+Result<void> checkComplete(const CommandLine& line)
+{
+    if (line.transparent && line.picture.isEmpty())
+        return usage(tr("--transparent wants --png FILE"));
+    if (line.groundShadow && !line.transparent)
+        return usage(tr("--ground-shadow wants --transparent"));
+    switch (line.verb) {
+    case Verb::Replay:
+        if (line.inputs.isEmpty())
+            return usage(tr("replay wants at least one recipe"));
+        break;
+    case Verb::Export:
+    case Verb::Render:
+        if (line.inputs.size() != 1)
+            return usage(
+                tr("%1 wants one project")
+                    .arg(line.verb == Verb::Export ? QStringLiteral("export") : QStringLiteral("render")));
+        if (line.verb == Verb::Render && line.picture.isEmpty())
+            return usage(tr("render wants --png FILE"));
+        break;
+    case Verb::Info:
+        if (line.inputs.size() != 1)
+            return usage(tr("info wants one file"));
+        break;
+    default:
+        if (line.inputs.size() > 1)
+            return usage(tr("a window shows one file, so what is \"%1\"?").arg(line.inputs[1]));
+    }
+    return {};
+}
+
+} // namespace
+
+bool CommandLine::needsDisplay() const
+{
+    return verb == Verb::Window || verb == Verb::Demo || !picture.isEmpty();
+}
+
+Result<CommandLine> parseCommandLine(const QStringList& arguments)
+{
+    CommandLine line;
+    const std::span<const QString> all(arguments.data(), static_cast<std::size_t>(arguments.size()));
+    if (all.empty())
+        return line;
+
+    const QString& first = all.front();
+    if (first == QStringLiteral("--help") || first == QStringLiteral("-h")) {
+        line.verb = Verb::Help;
+        return line;
+    }
+    if (first == QStringLiteral("--version") || first == QStringLiteral("-v")) {
+        line.verb = Verb::Version;
+        return line;
+    }
+    QString name = QStringLiteral("espalier");
+    std::size_t rest = 1;
+    if (first == QStringLiteral("replay"))
+        line.verb = Verb::Replay;
+    else if (first == QStringLiteral("export"))
+        line.verb = Verb::Export;
+    else if (first == QStringLiteral("render"))
+        line.verb = Verb::Render;
+    else if (first == QStringLiteral("info"))
+        line.verb = Verb::Info;
+    else if (first == QStringLiteral("--demo"))
+        line.verb = Verb::Demo;
+    else
+        rest = 0;
+    if (rest == 1 && line.verb != Verb::Demo)
+        name = first;
+
+    if (const Result<void> parsed = parseArguments(line, name, all.subspan(rest)); !parsed)
+        return parsed.error();
+    if (const Result<void> complete = checkComplete(line); !complete)
+        return complete.error();
+    return line;
+}
+
+QString commandLineHelp()
+{
+    return tr("Espalier: brush trees into being.\n"
+              "\n"
+              "espalier [PROJECT]\n"
+              "    Opens the window.\n"
+              "\n"
+              "espalier --demo [RECIPE]\n"
+              "    Opens the window and brushes a tree in it; then it is yours.\n"
+              "\n"
+              "espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]\n"
+              "                [--camera front|side|top|three-quarter]\n"
+              "                [--transparent [--ground-shadow]]\n"
+              "                [--stats FILE] [--threads N] [--seed N]\n"
+              "    Does what a recipe says, without a window, and writes what comes of it.\n"
+              "    Of several recipes each continues the tree of the one before: the first\n"
+              "    says the seed, and each begins by putting its parameters in force.\n"
+              "\n"
+              "espalier export PROJECT [-o OUT]...\n"
+              "    Writes a project in other formats.\n"
+              "\n"
+              "espalier render PROJECT --png FILE [--size WxH] [--camera ...]\n"
+              "                [--transparent [--ground-shadow]]\n"
+              "    Takes a picture. It wants a display; a virtual one will do.\n"
+              "    --transparent: the tree alone, with straight alpha; --ground-shadow keeps\n"
+              "    its shadow, as black of some opacity.\n"
+              "\n"
+              "espalier info FILE\n"
+              "    Says as JSON what is in a project.\n"
+              "\n"
+              "espalier --help, --version\n"
+              "\n"
+              "OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and\n"
+              "textures) or .csv (skeleton).\n"
+              "Ends with 0 when done, 2 when the command line is wrong, 3 when an input is\n"
+              "unreadable or wrong, 4 when an output could not be written.\n");
+}
+
+} // namespace espalier

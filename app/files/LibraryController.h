@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/files/Library.h"
+
+#include <QObject>
+
+namespace espalier {
+
+class FileController;
+class LibraryPanel;
+class Notice;
+
+/// Does what a person asks of the library, and tells how it went.
+class LibraryController : public QObject {
+    Q_OBJECT
+
+public:
+    LibraryController(LibraryPanel& panel, FileController& files, Notice& notice, Library library,
+                      QObject* parent = nullptr);
+
+    void setFolder(const QString& folder);
+    /// Looks what there is now.
+    void refresh();
+
+private:
+    void keep();
+    void showKept(const QString& fileName);
+    void rename(const QString& fileName, const QString& name);
+    void duplicate(const QString& fileName);
+    void moveToTrash(const QString& fileName);
+    bool isOpen(const QString& fileName) const;
+
+    LibraryPanel& m_panel;
+    FileController& m_files;
+    Notice& m_notice;
+    Library m_library;
+    bool m_hasSpecies = false;
+};
+
+} // namespace espalier

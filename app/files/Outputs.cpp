@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/Outputs.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QSaveFile>
+
+namespace espalier {
+
+Result<void> writeOutput(const Project& project, const QString& fileName, const Progress& progress)
+{
+    if (QFileInfo(fileName).suffix().toLower() == QStringLiteral("espalier"))
+        return saveProject(project, fileName);
+    const Tree tree = shownTree(project);
+    return exportTree(tree, TreeIndex(tree), project.name, fileName, {}, progress);
+}
+
+Result<void> writePicture(const QImage& picture, const QString& fileName)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG")) {
+        return Error{
+            Error::Kind::Output,
+            QCoreApplication::translate("Outputs", "%1: the picture could not be packed").arg(fileName)};
+    }
+    return writeBytes(bytes, fileName);
+}
+
+Result<void> writeBytes(const QByteArray& bytes, const QString& fileName)
+{
+    QSaveFile file(fileName);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return Error{Error::Kind::Output, QStringLiteral("%1: %2").arg(fileName, file.errorString())};
+    return {};
+}
+
+} // namespace espalier

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Error.h"
+#include "model/io/export/Exporter.h"
+#include "model/io/project/ProjectFile.h"
+
+#include <QImage>
+
+namespace espalier {
+
+/// Writes a project in the format that the file's suffix names: .espalier, or one of exportSuffixes(). May
+/// run on any thread. What is exported is the tree at the moment shown.
+Result<void> writeOutput(const Project& project, const QString& fileName, const Progress& progress = {});
+
+/// Replaces the file whole or leaves it as it was.
+Result<void> writePicture(const QImage& picture, const QString& fileName);
+Result<void> writeBytes(const QByteArray& bytes, const QString& fileName);
+
+} // namespace espalier

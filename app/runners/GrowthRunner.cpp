@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/runners/GrowthRunner.h"
+
+#include "app/runners/Background.h"
+#include "commands/GrowthReplica.h"
+#include "model/base/Parallel.h"
+
+#include <algorithm>
+
+namespace espalier {
+
+GrowthRunner::GrowthRunner(TreeDocument& document, QObject* parent) : QObject(parent), m_document(document)
+{
+    m_due.setTimerType(Qt::PreciseTimer);
+    m_due.setSingleShot(true);
+    connect(&m_due, &QTimer::timeout, this, &GrowthRunner::show);
+    connect(&document, &TreeDocument::parametersHeld, this, &GrowthRunner::holdParameters);
+}
+
+GrowthRunner::~GrowthRunner() = default;
+
+void GrowthRunner::start(std::unique_ptr<GrowthGesture> gesture, Pace pace, Continuation goOn)
+{
+    m_gesture = std::move(gesture);
+    m_pace = pace;
+    m_goOn = std::move(goOn);
+    m_sinceLast.invalidate();
+    if (!m_document.areParametersHeld())
+        grow();
+    Q_EMIT runningChanged(true);
+}
+
+void GrowthRunner::grow()
+{
+    m_replica = std::make_shared<GrowthReplica>(m_document.tree(), m_gesture->takeProcess());
+    ask();
+}
+
+void GrowthRunner::ask()
+{
+    runInBackground(
+        this, [replica = m_replica] { return leavingOneThread([&] { return replica->grow(); }); },
+        [this, asked = std::weak_ptr(m_replica)](GrownStep grown) {
+            // What an older copy has come to is of no use any more.
+            if (m_replica && asked.lock() == m_replica)
+                receive(std::move(grown));
+        });
+}
+
+void GrowthRunner::receive(GrownStep grown)
+{
+    m_next = std::move(grown);
+    const qint64 passed = m_sinceLast.isValid() ? m_sinceLast.elapsed() : m_pace.interval;
+    if (passed >= m_pace.interval)
+        show();
+    else
+        m_due.start(static_cast<int>(m_pace.interval - passed));
+}
+
+void GrowthRunner::show()
+{
+    m_sinceLast.start();
+    if (!m_gesture->add(*std::exchange(m_next, std::nullopt))) {
+        end();
+        Q_EMIT exhausted();
+    } else if (--m_pace.steps == 0) {
+        end();
+        Q_EMIT finished();
+    } else {
+        ask();
+    }
+}
+
+void GrowthRunner::holdParameters(bool held)
+{
+    if (!isRunning())
+        return;
+    if (held) {
+        stop();
+        m_gesture->finish();
+    } else if ((m_gesture = m_goOn())) {
+        grow();
+    } else {
+        Q_EMIT runningChanged(false);
+    }
+}
+
+void GrowthRunner::stop()
+{
+    m_due.stop();
+    m_next.reset();
+    m_replica.reset();
+}
+
+void GrowthRunner::release()
+{
+    if (isRunning() && m_gesture->stepCount() == 0)
+        m_pace.steps = 1;
+    else
+        end();
+}
+
+void GrowthRunner::end()
+{
+    if (!isRunning())
+        return;
+    stop();
+    const auto gesture = std::move(m_gesture);
+    gesture->finish();
+    Q_EMIT runningChanged(false);
+}
+
+void GrowthRunner::cancel()
+{
+    if (!isRunning())
+        return;
+    stop();
+    m_gesture.reset();
+    Q_EMIT runningChanged(false);
+}
+
+} // namespace espalier

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/export/ExportScene.h"
+
+#include "model/base/Parallel.h"
+#include "model/mesh/BranchMesher.h"
+#include "model/mesh/LeafCard.h"
+#include "model/texture/OwnTextures.h"
+
+#include <QBuffer>
+#include <QImageWriter>
+
+#include <cmath>
+#include <cstring>
+
+namespace espalier {
+
+namespace {
+
+constexpr std::size_t kMostTiles = 8;
+/// rad; hues closer than this need no tile of their own.
+constexpr float kTileHue = static_cast<float>(radians(1.0));
+/// Of 100: PNG packs fast rather than tightly.
+constexpr int kPngQuality = 80;
+
+/// One colour that leaves are painted in.
+struct LeafTile {
+    double hueShift = 0.0; ///< rad, mean of its leaves
+    double value = 0.0;    ///< Factor of the brightness, mean of its leaves
+    int leaves = 0;
+};
+
+/// Which tile each leaf takes: equal steps of hue, from the least to the greatest.
+struct LeafTiles {
+    std::vector<LeafTile> tiles;
+    std::vector<std::uint8_t> tileOf; ///< A row a leaf that is shown
+};
+
+LeafTiles chooseTiles(std::span<const LeafInstance> leaves)
+{
+    float least = std::numeric_limits<float>::infinity();
+    float greatest = -least;
+    for (const LeafInstance& leaf : leaves) {
+        if (leaf.length > 0.0F) {
+            least = std::min(least, leaf.hueShift);
+            greatest = std::max(greatest, leaf.hueShift);
+        }
+    }
+    const float spread = std::max(0.0F, greatest - least);
+    const auto count = std::clamp(static_cast<std::size_t>(spread / kTileHue), std::size_t{1}, kMostTiles);
+    LeafTiles result{std::vector<LeafTile>(count), {}};
+    result.tileOf.reserve(leaves.size());
+    for (const LeafInstance& leaf : leaves) {
+        if (leaf.length <= 0.0F)
+            continue;
+        const float place = spread > 0.0F ? (leaf.hueShift - least) / spread : 0.0F;
+        const auto tile = std::min(static_cast<std::size_t>(place * static_cast<float>(count)), count - 1);
+        result.tileOf.push_back(static_cast<std::uint8_t>(tile));
+        result.tiles[tile].hueShift += leaf.hueShift;
+        result.tiles[tile].value += leaf.value;
+        ++result.tiles[tile].leaves;
+    }
+    for (LeafTile& tile : result.tiles) {
+        tile.hueShift /= std::max(1, tile.leaves);
+        tile.value /= std::max(1, tile.leaves);
+    }
+    return result;
+}
+
+/// Images of equal size in a row.
+QImage inARow(const std::vector<QImage>& images)
+{
+    const QImage& first = images.front();
+    QImage row(first.width() * static_cast<int>(images.size()), first.height(), first.format());
+    const auto bytes = static_cast<std::size_t>(first.width()) * static_cast<std::size_t>(first.depth() / 8);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        for (int y = 0; y < row.height(); ++y)
+            std::memcpy(row.scanLine(y) + i * bytes, images[i].constScanLine(y), bytes);
+    }
+    return row;
+}
+
+/// Light that a leaf lets through to its other side is yellower and redder than what it reflects. Here it is
+/// drawn as such; the plain materials that travel know no such light, and would look dull and cold: so their
+/// colours have it in them. Red, green, blue, linear.
+constexpr std::array kThrough{1.35, 1.0, 0.9};
+
+/// Multiplies colours by linear factors.
+void multiply(QImage& image, const std::array<double, 3>& factors)
+{
+    std::array<std::array<uchar, 256>, 3> tables;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        // A power is near enough to sRGB's transfer function to scale by.
+        const double factor = std::pow(factors[channel], 1.0 / 2.2);
+        for (std::size_t i = 0; i < 256; ++i)
+            tables[channel][i] = static_cast<uchar>(std::min(255.0, static_cast<double>(i) * factor + 0.5));
+    }
+    for (int y = 0; y < image.height(); ++y) {
+        uchar* pixel = image.scanLine(y);
+        for (int x = 0; x < image.width(); ++x, pixel += 4) {
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                pixel[channel] = tables[channel][pixel[channel]];
+        }
+    }
+}
+
+QImage leafColours(LeafShape shape, double saturation, int size, const std::vector<LeafTile>& tiles)
+{
+    std::array<double, 3> through;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        through[channel] = 1.0 + std::min(saturation, 1.0) * (kThrough[channel] - 1.0);
+    std::vector<QImage> images(tiles.size());
+    parallelFor(tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            images[i] = leafAlbedo(shape, size, kLeafTextureHue + tiles[i].hueShift);
+            saturateLeaf(images[i], saturation);
+            const double value = tiles[i].value;
+            multiply(images[i], {value * through[0], value * through[1], value * through[2]});
+        }
+    });
+    return inARow(images);
+}
+
+/// The image of the person's own in each tile's hue, as it is shown here.
+QImage ownColours(const QImage& image, double saturation, const std::vector<LeafTile>& tiles)
+{
+    std::vector<QImage> images(tiles.size(), image);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        std::array<double, 3> factors = hueFactors(tiles[i].hueShift);
+        for (double& factor : factors)
+            factor *= tiles[i].value;
+        saturateLeaf(images[i], saturation);
+        multiply(images[i], factors);
+    }
+    return inARow(images);
+}
+
+QByteArray toPng(const QImage& image)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    QImageWriter writer(&buffer, "png");
+    writer.setQuality(kPngQuality);
+    writer.write(image);
+    return png;
+}
+
+/// A material without its images yet.
+ExportMaterial namedMaterial(const QString& name, const QString& textures, bool isLeaf)
+{
+    return {name,
+            {textures, {}},
+            {textures + QLatin1String("_normal"), {}},
+            {textures + QLatin1String("_roughness"), {}},
+            isLeaf};
+}
+
+/// Packs the images of a material, side by side.
+void pack(ExportMaterial& material, const SurfaceTextures& textures)
+{
+    const std::array<const QImage*, 3> images{&textures.colour, &textures.normal, &textures.roughness};
+    const std::array<ExportTexture*, 3> targets{&material.colour, &material.normal, &material.roughness};
+    parallelFor(images.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            targets[i]->png = toPng(*images[i]);
+    });
+}
+
+/// The textures of all leaves: a tile for each hue.
+SurfaceTextures leafTiles(const LeafParameters& leaves, int size, const std::vector<LeafTile>& tiles)
+{
+    const SurfaceTextures one = leafTextures(leaves, size);
+    return {leaves.image.isNull() ? leafColours(leaves.shape, leaves.saturation, size, tiles)
+                                  : ownColours(one.colour, leaves.saturation, tiles),
+            inARow(std::vector(tiles.size(), one.normal)), inARow(std::vector(tiles.size(), one.roughness))};
+}
+
+/// Lets each leaf's texture coordinates lie in its tile.
+void moveIntoTiles(TriangleMesh& mesh, const LeafTiles& tiles, std::size_t verticesPerLeaf)
+{
+    const float width = 1.0F / static_cast<float>(tiles.tiles.size());
+    for (std::size_t leaf = 0; leaf < tiles.tileOf.size(); ++leaf) {
+        for (std::size_t i = 0; i < verticesPerLeaf; ++i) {
+            float& u = mesh.vertices[leaf * verticesPerLeaf + i].uv[0];
+            u = (static_cast<float>(tiles.tileOf[leaf]) + u) * width;
+        }
+    }
+}
+
+} // namespace
+
+QString safeExportName(const QString& name)
+{
+    QString safe;
+    for (const QChar c : name.simplified())
+        safe += c.isLetterOrNumber() || c == u'-' || c == u'_' ? c : QChar(u'_');
+    return safe.isEmpty() ? QStringLiteral("Tree") : safe;
+}
+
+ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QString& name,
+                             const ExportOptions& options)
+{
+    const TreeParameters& parameters = tree.parameters();
+    ExportScene scene{safeExportName(name), {}, {}};
+    scene.meshes.reserve(2);
+    scene.materials.reserve(2);
+
+    const Widths widths(tree, index);
+    scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Bark"),
+                            meshBranches(tree, index, widths, {.detail = options.detail}), 0});
+    scene.materials.push_back(
+        namedMaterial(scene.name + QLatin1String("_Bark"), QStringLiteral("bark"), false));
+    pack(scene.materials.back(), barkTextures(parameters.bark, options.textureSize));
+
+    const MeshBuffer<LeafInstance> leaves =
+        options.leaves ? placeLeaves(tree, index) : MeshBuffer<LeafInstance>();
+    const LeafTiles tiles = chooseTiles(leaves);
+    if (!tiles.tileOf.empty()) {
+        const auto shape = static_cast<LeafShape>(leaves.front().shape);
+        TriangleMesh mesh = expandLeaves(leaves);
+        moveIntoTiles(mesh, tiles, leafCard(shape).vertices.size());
+        scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Leaves"), std::move(mesh), 1});
+        scene.materials.push_back(
+            namedMaterial(scene.name + QLatin1String("_Leaves"), QStringLiteral("leaf"), true));
+        pack(scene.materials.back(), leafTiles(parameters.leaves, options.textureSize / 2, tiles.tiles));
+    }
+    return scene;
+}
+
+} // namespace espalier

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/settings/Lengths.h"
+#include "model/settings/MouseScheme.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace espalier {
+
+/// Colours of the window: dark, light, or as the system has them.
+enum class Look : int { Dark, Light, System };
+
+/// What a person sets once, in the sheet of settings.
+struct Preferences {
+    static constexpr double kSoftest = 0.25;
+    static constexpr double kFirmest = 4.0;
+    static constexpr int kLongestInterval = 3600;
+    static constexpr int kMostUndoSteps = 10'000;
+
+    Look look = Look::Dark;
+    bool areToolsRight = false; ///< The bar of tools is on the right, for those who draw with the left hand
+    double pressureExponent = 1.0; ///< kSoftest...kFirmest; see PointerReader::setPressureExponent
+    MouseScheme mouse = MouseScheme::Espalier;
+    int autosaveInterval = 20; ///< Shortest time between two autosaves, s, 1...kLongestInterval
+    int undoSteps = 0;         ///< As many can be taken back, 0...kMostUndoSteps; 0 for all
+    QString
+        libraryFolder{}; ///< Where the library keeps its trees; empty for a folder among the program's data
+    Units units = Units::Metric;
+    QString language{}; ///< One of Preferences::languages(); empty for the system's
+
+    /// Codes of the languages that the program speaks, as "de"; English first.
+    static QStringList languages();
+
+    bool operator==(const Preferences&) const = default;
+};
+
+} // namespace espalier

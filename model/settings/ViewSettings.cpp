@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/settings/ViewSettings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+double steppedBrushRadius(double radius, double notches)
+{
+    constexpr double kSmallest = 0.02;
+    constexpr double kRatio = 1.1;
+    if (radius < kSmallest && notches <= 0.0)
+        return 0.0;
+    const double stepped = std::max(radius, kSmallest / kRatio) * std::pow(kRatio, notches);
+    return stepped < 0.999 * kSmallest ? 0.0 : std::min(stepped, kMaxBrushRadius);
+}
+
+Backdrop shownBackdrop(const ViewValues& values)
+{
+    if (values.backdrop != Backdrop::Studio)
+        return values.backdrop;
+    return values.isThemeLight ? Backdrop::LightStudio : Backdrop::DarkStudio;
+}
+
+bool isBackdropLight(const ViewValues& values)
+{
+    switch (shownBackdrop(values)) {
+    case Backdrop::Plain:
+    case Backdrop::Gradient: {
+        const QColor& colour = values.backgroundColour;
+        constexpr int kMiddle = 136;
+        return (299 * colour.red() + 587 * colour.green() + 114 * colour.blue()) / 1000 > kMiddle;
+    }
+    case Backdrop::Horizon:
+    case Backdrop::LightStudio:
+        return true;
+    default:
+        return false;
+    }
+}
+
+void ViewSettings::setValues(const ViewValues& values)
+{
+    ViewValues wanted = values;
+    wanted.brushRadius = std::clamp(wanted.brushRadius, 0.0, kMaxBrushRadius);
+    for (double* weight : {&wanted.bendingWeight, &wanted.stretchingWeight})
+        *weight = std::clamp(*weight, kLeastBendWeight, kMostBendWeight);
+    wanted.sunElevation = std::clamp(wanted.sunElevation, kLeastSunElevation, radians(90));
+    TracingImage& tracing = wanted.tracing;
+    for (double* offset : {&tracing.right, &tracing.up})
+        *offset = std::clamp(*offset, -TracingImage::kMaxOffset, TracingImage::kMaxOffset);
+    tracing.height = std::clamp(tracing.height, 0.01, TracingImage::kMaxHeight);
+    tracing.opacity = std::clamp(tracing.opacity, 0.0, 1.0);
+    if (wanted == m_values)
+        return;
+    m_values = wanted;
+    Q_EMIT changed();
+}
+
+} // namespace espalier

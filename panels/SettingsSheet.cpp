@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/SettingsSheet.h"
+
+#include "panels/Bar.h"
+#include "panels/PressureCurve.h"
+#include "panels/Theme.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+
+#include <algorithm>
+#include <cmath>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kSteps = 100; ///< Of the slider, to either side
+constexpr int kColumn = 300;
+constexpr int kLabel = 148;
+constexpr int kControl = theme::kTarget;
+
+/// The slider is logarithmic: its middle is a straight line.
+int sliderOf(double exponent)
+{
+    return static_cast<int>(std::lround(kSteps * std::log(exponent) / std::log(Preferences::kFirmest)));
+}
+
+double exponentOf(int slider)
+{
+    return std::pow(Preferences::kFirmest, static_cast<double>(slider) / kSteps);
+}
+
+QString mouseNote(MouseScheme scheme)
+{
+    switch (scheme) {
+    case MouseScheme::Blender:
+        return SettingsSheet::tr(
+            "Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and "
+            "the left button turn, too.");
+    case MouseScheme::Maya:
+        return SettingsSheet::tr(
+            "Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.");
+    case MouseScheme::Espalier:
+        break;
+    }
+    return SettingsSheet::tr(
+        "Right or middle button turns, Shift and the middle button move. Alt and the left "
+        "button turn, too.");
+}
+
+} // namespace
+
+SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
+    : QDialog(parent),
+      m_look(new QComboBox(this)),
+      m_side(new QComboBox(this)),
+      m_language(new QComboBox(this)),
+      m_units(new QComboBox(this)),
+      m_curve(new PressureCurve(Preferences::kSoftest, Preferences::kFirmest, this)),
+      m_softness(new QSlider(Qt::Horizontal, this)),
+      m_mouse(new QComboBox(this)),
+      m_mouseNote(makeNote()),
+      m_autosave(new QSpinBox(this)),
+      m_undo(new QSpinBox(this)),
+      m_folder(makeNote()),
+      m_defaults(new QPushButton(tr("Defaults"), this))
+{
+    setWindowTitle(tr("Settings"));
+    auto* left = new QVBoxLayout;
+    left->setSpacing(8);
+    left->addLayout(makeAppearance());
+    left->addSpacing(14);
+    left->addLayout(makeWork());
+    left->addStretch(1);
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(34);
+    columns->addLayout(left);
+    columns->addLayout(makeHand());
+    auto* close = new QPushButton(tr("Close"), this);
+    close->setDefault(true);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_defaults);
+    buttons->addStretch(1);
+    buttons->addWidget(close);
+    for (QPushButton* button : {m_defaults, close})
+        button->setMinimumSize(110, theme::kTarget);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(26, 20, 26, 20);
+    all->setSpacing(18);
+    all->addLayout(columns);
+    all->addLayout(buttons);
+    all->setSizeConstraint(QLayout::SetFixedSize);
+
+    for (QComboBox* box : {m_look, m_side, m_language, m_units, m_mouse}) {
+        box->setMinimumHeight(kControl);
+        connect(box, &QComboBox::currentIndexChanged, this, &SettingsSheet::edit);
+    }
+    for (QSpinBox* box : {m_autosave, m_undo}) {
+        box->setMinimumHeight(kControl);
+        box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        connect(box, &QSpinBox::valueChanged, this, &SettingsSheet::edit);
+    }
+    connect(m_softness, &QSlider::valueChanged, this, [this](int value) {
+        if (m_isShowing)
+            return;
+        m_curve->setExponent(exponentOf(value));
+        edit();
+    });
+    connect(m_curve, &PressureCurve::exponentEdited, this, [this] { edit(); });
+    connect(m_defaults, &QPushButton::clicked, this, [this] { take({}); });
+    connect(close, &QPushButton::clicked, this, &QDialog::close);
+    setPreferences(preferences);
+}
+
+QLabel* SettingsSheet::makeNote(const QString& text)
+{
+    auto* note = new QLabel(text, this);
+    note->setTextFormat(Qt::PlainText);
+    note->setWordWrap(true);
+    note->setFixedWidth(kColumn);
+    theme::setTone(*note, theme::Tone::Dim);
+    return note;
+}
+
+QLabel* SettingsSheet::makeLabel(const QString& text, QWidget* buddy)
+{
+    auto* label = new QLabel(text, this);
+    label->setFixedSize(kLabel, kControl);
+    label->setBuddy(buddy);
+    return label;
+}
+
+QLayout* SettingsSheet::makeAppearance()
+{
+    m_look->addItems({tr("Dark"), tr("Light"), tr("Like the system")});
+    m_look->setObjectName(QStringLiteral("look"));
+    m_side->addItems({tr("On the left"), tr("On the right")});
+    m_side->setObjectName(QStringLiteral("side"));
+    auto* form = new QFormLayout;
+    form->setVerticalSpacing(8);
+    form->setHorizontalSpacing(18);
+    form->addRow(barHeading(tr("Appearance"), this));
+    form->addRow(makeLabel(tr("Theme"), m_look), m_look);
+    form->addRow(makeLabel(tr("Tools"), m_side), m_side);
+    m_language->setObjectName(QStringLiteral("language"));
+    m_language->addItem(tr("Like the system"));
+    for (const QString& code : Preferences::languages()) {
+        const QLocale locale(code);
+        m_language->addItem(locale.nativeLanguageName(), code);
+    }
+    form->addRow(makeLabel(tr("Language"), m_language), m_language);
+    m_units->addItems({tr("Metres, centimetres"), tr("Feet, inches")});
+    m_units->setObjectName(QStringLiteral("units"));
+    form->addRow(makeLabel(tr("Lengths"), m_units), m_units);
+    return form;
+}
+
+QLayout* SettingsSheet::makeHand()
+{
+    m_softness->setRange(-kSteps, kSteps);
+    m_softness->setMinimumHeight(kControl);
+    m_softness->setObjectName(QStringLiteral("softness"));
+    m_softness->setAccessibleName(tr("Pressure"));
+    m_softness->setToolTip(tr("How firmly a pen must press for a large brush."));
+    m_curve->setToolTip(tr("Press here with your pen to try it."));
+    m_mouse->addItems({QStringLiteral("Espalier"), QStringLiteral("Blender"), QStringLiteral("Maya")});
+    m_mouse->setObjectName(QStringLiteral("mouse"));
+    m_mouse->setAccessibleName(tr("Mouse"));
+    m_mouseNote->setMinimumHeight(3 * m_mouseNote->fontMetrics().lineSpacing());
+    m_mouseNote->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto* scale = new QHBoxLayout;
+    scale->addWidget(new QLabel(tr("Soft"), this));
+    scale->addWidget(m_softness, 1);
+    scale->addWidget(new QLabel(tr("Firm"), this));
+    auto* column = new QVBoxLayout;
+    column->setSpacing(8);
+    column->addWidget(barHeading(tr("Pen pressure"), this));
+    column->addWidget(m_curve);
+    column->addLayout(scale);
+    column->addSpacing(14);
+    column->addWidget(barHeading(tr("Mouse"), this));
+    column->addWidget(m_mouse);
+    column->addWidget(m_mouseNote);
+    column->addStretch(1);
+    return column;
+}
+
+QLayout* SettingsSheet::makeWork()
+{
+    m_autosave->setRange(1, Preferences::kLongestInterval);
+    m_autosave->setSuffix(tr(" s"));
+    m_autosave->setObjectName(QStringLiteral("autosave"));
+    m_undo->setRange(0, Preferences::kMostUndoSteps);
+    m_undo->setSpecialValueText(tr("all"));
+    m_undo->setObjectName(QStringLiteral("undo"));
+    auto* change = new QPushButton(tr("Change…"), this);
+    change->setMinimumHeight(kControl);
+    connect(change, &QPushButton::clicked, this, &SettingsSheet::chooseFolder);
+    auto* form = new QFormLayout;
+    form->setVerticalSpacing(8);
+    form->setHorizontalSpacing(18);
+    form->addRow(barHeading(tr("Work"), this));
+    form->addRow(makeLabel(tr("Safety copy every"), m_autosave), m_autosave);
+    form->addRow(makeLabel(tr("Steps to undo"), m_undo), m_undo);
+    form->addRow(makeNote(tr("The number of steps counts from the next tree on that you begin or open.")));
+    form->addRow(makeLabel(tr("Library"), change), change);
+    form->addRow(m_folder);
+    return form;
+}
+
+void SettingsSheet::setPreferences(const Preferences& preferences)
+{
+    m_preferences = preferences;
+    display(preferences);
+}
+
+void SettingsSheet::display(const Preferences& preferences)
+{
+    m_isShowing = true;
+    m_look->setCurrentIndex(static_cast<int>(preferences.look));
+    m_side->setCurrentIndex(preferences.areToolsRight ? 1 : 0);
+    m_language->setCurrentIndex(std::max(0, m_language->findData(preferences.language)));
+    m_units->setCurrentIndex(static_cast<int>(preferences.units));
+    m_curve->setExponent(preferences.pressureExponent);
+    m_softness->setValue(sliderOf(preferences.pressureExponent));
+    m_mouse->setCurrentIndex(static_cast<int>(preferences.mouse));
+    m_mouseNote->setText(mouseNote(preferences.mouse));
+    m_autosave->setValue(preferences.autosaveInterval);
+    m_undo->setValue(preferences.undoSteps);
+    const QString folder = QDir::toNativeSeparators(preferences.libraryFolder);
+    m_folder->setText(folder.isEmpty()
+                          ? tr("In a folder of Espalier's own")
+                          : m_folder->fontMetrics().elidedText(folder, Qt::ElideMiddle, kColumn));
+    m_folder->setToolTip(folder);
+    m_isShowing = false;
+}
+
+void SettingsSheet::edit()
+{
+    if (m_isShowing)
+        return;
+    Preferences edited = m_preferences;
+    edited.look = static_cast<Look>(m_look->currentIndex());
+    edited.areToolsRight = m_side->currentIndex() == 1;
+    edited.language = m_language->currentData().toString();
+    edited.units = static_cast<Units>(m_units->currentIndex());
+    edited.pressureExponent = m_curve->exponent();
+    edited.mouse = static_cast<MouseScheme>(m_mouse->currentIndex());
+    edited.autosaveInterval = m_autosave->value();
+    edited.undoSteps = m_undo->value();
+    take(edited);
+}
+
+void SettingsSheet::take(const Preferences& preferences)
+{
+    if (preferences == m_preferences)
+        return;
+    m_preferences = preferences;
+    display(preferences);
+    Q_EMIT preferencesEdited(preferences);
+}
+
+void SettingsSheet::chooseFolder()
+{
+    const QString folder =
+        QFileDialog::getExistingDirectory(this, tr("Folder of the Library"), m_preferences.libraryFolder);
+    if (folder.isEmpty())
+        return;
+    Preferences edited = m_preferences;
+    edited.libraryFolder = folder;
+    take(edited);
+}
+
+} // namespace espalier

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/settings/Preferences.h"
+
+#include <QDialog>
+
+class QComboBox;
+class QLabel;
+class QLayout;
+class QPushButton;
+class QSlider;
+class QSpinBox;
+
+namespace espalier {
+
+class PressureCurve;
+
+/// What a person sets once. Each change takes effect at once, so that there is nothing to confirm.
+class SettingsSheet : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit SettingsSheet(const Preferences& preferences, QWidget* parent = nullptr);
+
+    const Preferences& preferences() const { return m_preferences; }
+    /// Shows what was preferred elsewhere; no signal.
+    void setPreferences(const Preferences& preferences);
+
+Q_SIGNALS:
+    void preferencesEdited(const espalier::Preferences& preferences);
+
+private:
+    QLayout* makeAppearance();
+    QLayout* makeHand();
+    QLayout* makeWork();
+    QLabel* makeLabel(const QString& text, QWidget* buddy);
+    QLabel* makeNote(const QString& text = {});
+    void display(const Preferences& preferences);
+    /// Takes what is shown.
+    void edit();
+    /// Shows them, and tells if they are others than before.
+    void take(const Preferences& preferences);
+    void chooseFolder();
+
+    Preferences m_preferences;
+    bool m_isShowing = false;
+    QComboBox* m_look;
+    QComboBox* m_side;
+    QComboBox* m_language;
+    QComboBox* m_units;
+    PressureCurve* m_curve;
+    QSlider* m_softness;
+    QComboBox* m_mouse;
+    QLabel* m_mouseNote;
+    QSpinBox* m_autosave;
+    QSpinBox* m_undo;
+    QLabel* m_folder;
+    QPushButton* m_defaults;
+};
+
+} // namespace espalier

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/tree/LassoStroke.h"
+#include "views/tools/EnvelopeView.h"
+#include "views/tools/Tool.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+
+/// The filling of envelopes that the Lasso tool starts and stops; the program implements it.
+class EnvelopeFilling {
+public:
+    virtual ~EnvelopeFilling() = default;
+    /// Adds the envelope of @p stroke and fills it, after ending what is under way.
+    virtual void fill(const LassoStroke& stroke) = 0;
+    /// Ends at once and keeps what has grown.
+    virtual void end() = 0;
+    /// World positions of the living markers of free space, m; empty while nothing is filled.
+    virtual std::span<const Vec3> markers() const = 0;
+};
+
+/// The lasso (TreeSketch §3.2): a closed stroke draws the silhouette of the tree or of a part of it, in the
+/// plane that is parallel to the screen and goes through the base of the tree, or through the branch that
+/// the stroke begins at. When it ends, the tree fills it; a press while that goes on leaves it as it is.
+class LassoTool : public Tool {
+    Q_DECLARE_TR_FUNCTIONS(LassoTool)
+
+public:
+    LassoTool(ToolContext& context, EnvelopeFilling& filling) : Tool(context), m_filling(filling) {}
+    /// Keeps what has grown.
+    ~LassoTool() override { m_filling.end(); }
+
+    void begin(const PointerSample& sample) override;
+    void move(const PointerSample& sample) override;
+    void end(const PointerSample& sample) override;
+    void cancel() override;
+    void tick(double now) override;
+
+    bool isActive() const override { return m_isActive; }
+    bool wantsTicks() const override { return m_isActive; }
+    void paint(Overlay& overlay) const override;
+    QString tip() const override;
+
+private:
+    void add(const QPointF& screen);
+
+    EnvelopeFilling& m_filling;
+    bool m_isActive = false;
+    LassoStroke m_stroke;
+    std::size_t m_previewed = 0; ///< Points that the preview knows
+    double m_previewTime = 0.0;  ///< s, of the samples' clock
+    EnvelopeView m_preview;
+    mutable EnvelopeView m_standing; ///< Made when it is painted
+};
+
+} // namespace espalier
