@@ -282,7 +282,7 @@ void MainWindow::followDocument()
             m_document.undoStack().setUndoLimit(m_preferences.undoSteps);
     });
     QUndoStack& stack = m_document.undoStack();
-    connect(m_actions[ActionId::Undo], &QAction::triggered, this, [this, &stack] {
+    connect(m_actions[ActionId::Undo], &QAction::triggered, this, [this] {
         // What grows is taken back before what was done.
         for (GrowthRunner* runner :
              {static_cast<GrowthRunner*>(&m_growRunner), static_cast<GrowthRunner*>(&m_lassoRunner)}) {
@@ -292,11 +292,11 @@ void MainWindow::followDocument()
             }
         }
         if (!isBusy())
-            stack.undo();
+            m_document.undo();
     });
-    connect(m_actions[ActionId::Redo], &QAction::triggered, this, [this, &stack] {
+    connect(m_actions[ActionId::Redo], &QAction::triggered, this, [this] {
         if (!isBusy())
-            stack.redo();
+            m_document.redo();
     });
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateEnabled);
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateTip);

@@ -9,8 +9,6 @@ namespace espalier {
 
 namespace {
 
-using FrameChange = TreeDelta::FrameChange;
-
 /// What @p first and then @p second do, both ascending.
 std::vector<FrameChange> joined(const std::vector<FrameChange>& first, const std::vector<FrameChange>& second)
 {
@@ -37,10 +35,9 @@ std::vector<FrameChange> joined(const std::vector<FrameChange>& first, const std
 
 BendGesture::BendGesture(TreeDocument& document, InternodeId base, std::vector<BranchBend::Handle> handles,
                          const BendOptions& options)
-    : m_document(document),
+    : m_edit(document, [this] { finish(); }),
       m_options(options),
-      m_bend(bendOf(document, base, handles, options)),
-      m_preview(document)
+      m_bend(bendOf(document, base, handles, options))
 {
     measure(handles);
 }
@@ -67,16 +64,16 @@ void BendGesture::measure(std::span<const BranchBend::Handle> handles)
 
 void BendGesture::regrip(InternodeId base, std::vector<BranchBend::Handle> handles)
 {
-    if (m_preview.hasEnded())
+    if (!m_edit.isActive())
         return;
     m_done = joined(m_done, m_bend.changes());
-    m_bend = bendOf(m_document, base, handles, m_options);
+    m_bend = bendOf(m_edit.document(), base, handles, m_options);
     measure(handles);
 }
 
 bool BendGesture::moveTo(std::span<const Vec3> targets)
 {
-    if (m_preview.hasEnded() || m_bend.path().empty())
+    if (!m_edit.isActive() || m_bend.path().empty())
         return true;
     const bool settled = m_bend.solve(targets);
     show();
@@ -85,7 +82,7 @@ bool BendGesture::moveTo(std::span<const Vec3> targets)
 
 void BendGesture::settleAt(std::span<const Vec3> targets)
 {
-    if (m_preview.hasEnded() || m_bend.path().empty())
+    if (!m_edit.isActive() || m_bend.path().empty())
         return;
     for (int call = 0; call < kMostCalls && !m_bend.solve(targets); ++call) {
     }
@@ -94,19 +91,31 @@ void BendGesture::settleAt(std::span<const Vec3> targets)
 
 void BendGesture::show()
 {
-    TreeDelta delta = TreeDelta::startingAt(m_document.tree());
-    delta.frames = joined(m_done, m_bend.changes());
-    m_preview.show(std::move(delta));
+    std::vector<FrameChange> changes = joined(m_done, m_bend.changes());
+    apply(changes);
+    // A branch that is stretched out of the world stays as it was before.
+    const TreeDocument& document = m_edit.document();
+    const bool isInWorld = std::ranges::all_of(document.index().recentlyMoved(), [&](InternodeId id) {
+        return document.index().nodePosition(id).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kFarthestNode;
+    });
+    if (isInWorld)
+        m_shown = std::move(changes);
+    else
+        apply(m_shown);
+}
+
+void BendGesture::apply(const std::vector<FrameChange>& changes)
+{
+    m_edit.takeBack();
+    TreeDelta delta = TreeDelta::startingAt(m_edit.document().tree());
+    for (const FrameChange& change : changes)
+        delta.addFrame(change.id, change.before, change.after, change.lengthBefore, change.lengthAfter);
+    m_edit.apply(std::move(delta));
 }
 
 void BendGesture::finish()
 {
-    m_preview.finish(QCoreApplication::translate("Commands", "Bend"));
-}
-
-void BendGesture::cancel()
-{
-    m_preview.cancel();
+    m_edit.commit(QCoreApplication::translate("Commands", "Bend"));
 }
 
 } // namespace espalier

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/DeltaPreview.h"
+#include "model/document/Edit.h"
 #include "model/shape/BranchBend.h"
 
 #include <vector>
@@ -33,20 +33,21 @@ public:
     static constexpr int kMostCalls = 200;
 
     void finish();
-    void cancel();
+    void cancel() { m_edit.cancel(); }
 
 private:
     static BranchBend bendOf(const TreeDocument& document, InternodeId base,
                              std::span<const BranchBend::Handle> handles, const BendOptions& options);
     void measure(std::span<const BranchBend::Handle> handles);
     void show();
+    void apply(const std::vector<FrameChange>& changes);
 
-    TreeDocument& m_document;
+    Edit m_edit;
     BendOptions m_options;
     BranchBend m_bend;
     std::vector<Vec3> m_gripPoints;
-    std::vector<TreeDelta::FrameChange> m_done; ///< By the grips before, ascending
-    DeltaPreview m_preview;
+    std::vector<FrameChange> m_shown; ///< What stands applied
+    std::vector<FrameChange> m_done;  ///< By the grips before, ascending
 };
 
 } // namespace espalier

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/document/TreeDocument.h"
+#include "model/document/Edit.h"
 #include "model/growth/BrushGrowth.h"
 #include "model/growth/BrushSample.h"
 
@@ -11,13 +11,11 @@ namespace espalier {
 
 /// A brush stroke while it is made: the tree grows as samples come in, at a fixed number of growth steps a
 /// second of the stroke's own time, so that the same samples give the same tree, live or replayed. finish()
-/// makes it one undo step, cancel() takes it back; a gesture that is destroyed unfinished is cancelled.
+/// makes it one undo step, and so does another edit that begins; cancel() takes it back; a gesture that is
+/// destroyed unfinished is cancelled.
 class BrushGesture {
 public:
     BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors = {});
-    ~BrushGesture();
-    BrushGesture(const BrushGesture&) = delete;
-    BrushGesture& operator=(const BrushGesture&) = delete;
 
     /// Grows up to the sample's time. While the hand rests, send samples of the resting place (a timer does):
     /// growth goes on. Samples earlier than the last one are ignored.
@@ -25,7 +23,7 @@ public:
     /// Grows up to @p time on the way to @p next, a sample yet to be added: the same growth in pieces.
     void moveToward(const BrushSample& next, double time);
     void finish();
-    void cancel();
+    void cancel() { m_edit.cancel(); }
 
     /// The living markers of free space, for showing them.
     std::span<const Vec3> markers() const { return m_growth.markers(); }
@@ -33,14 +31,12 @@ public:
     const std::vector<BrushSample>& path() const { return m_path; }
 
 private:
-    TreeDocument& m_document;
+    Edit m_edit;
     BrushGrowth m_growth;
     std::vector<BrushSample> m_path;
     BrushSample m_sample; ///< The last one added
     BrushSample m_last;   ///< Where the last growth step was made
-    Journal m_deltas;
     std::uint64_t m_stepsDone = 0;
-    bool m_ended = false;
 };
 
 } // namespace espalier

@@ -17,8 +17,7 @@ Project projectOf(const TreeDocument& document, const QString& name)
 
 void showProject(TreeDocument& document, Project project)
 {
-    document.reset(std::move(project.tree), std::move(project.journal));
-    document.travelTo(document.journal().size() - project.ahead);
+    document.reset(std::move(project.tree), std::move(project.journal), project.ahead);
 }
 
 } // namespace espalier

@@ -26,10 +26,9 @@ private:
 } // namespace
 
 GrowGesture::GrowGesture(TreeDocument& document, Competitors competitors)
-    : GrowthGesture(document, QCoreApplication::translate("Commands", "Grow"),
-                    std::make_unique<AutonomousGrowth>(competitors), {}, {},
-                    static_cast<std::uint32_t>(document.tree().lassos().strokes.size()))
+    : GrowthGesture(document, QCoreApplication::translate("Commands", "Grow"))
 {
+    setProcess(std::make_unique<AutonomousGrowth>(competitors));
 }
 
 } // namespace espalier

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands/GrowthProcess.h"
-#include "model/document/TreeDocument.h"
+#include "model/document/Edit.h"
 
 #include <memory>
 #include <span>
@@ -11,14 +11,12 @@
 namespace espalier {
 
 /// Growth without a hand, as long as somebody lets it go on: each step shows at once; finish() makes all of
-/// them one undo step, whether growth has come to its end or not; cancel() takes them back, and so does
-/// destroying the gesture unfinished. The steps are worked out here and now by step(); or elsewhere, by the
-/// process that was taken out, and added in their order.
+/// them one undo step, whether growth has come to its end or not, and so does another edit that begins;
+/// cancel() takes them back, and so does destroying the gesture unfinished. The steps are worked out here and
+/// now by step(); or elsewhere, by the process that was taken out, and added in their order.
 class GrowthGesture {
 public:
-    virtual ~GrowthGesture();
-    GrowthGesture(const GrowthGesture&) = delete;
-    GrowthGesture& operator=(const GrowthGesture&) = delete;
+    virtual ~GrowthGesture() = default;
 
     /// Grows one step; false, and nothing changed, if growth has come to its end or its process is elsewhere.
     bool step();
@@ -29,8 +27,10 @@ public:
     /// if that is empty.
     bool add(GrownStep grown);
 
-    void finish();
-    void cancel();
+    void finish() { m_edit->commit(m_text); }
+    void cancel() { m_edit->cancel(); }
+    /// What to do when another edit begins, instead of finish(); it must finish or cancel the gesture.
+    void setInterrupted(Edit::Interrupted interrupted) { m_interrupted = std::move(interrupted); }
 
     /// Steps that stand applied.
     std::size_t stepCount() const { return m_stepCount; }
@@ -38,21 +38,18 @@ public:
     std::span<const Vec3> markers() const { return m_markers; }
 
 protected:
-    /// @p first stands applied, @p replaced was taken out of the journal before; if they brought lassos into
-    /// the tree, it had @p lassosBefore.
-    GrowthGesture(TreeDocument& document, QString text, std::unique_ptr<GrowthProcess> process,
-                  Journal replaced, Journal first, std::uint32_t lassosBefore);
+    /// @p prepare makes what the undo step begins with, such as a new envelope, through the gesture's edit.
+    GrowthGesture(TreeDocument& document, QString text, const std::function<void(Edit&)>& prepare = {});
+    /// Precondition: called once, before the first step. The process starts from the tree as it is prepared.
+    void setProcess(std::unique_ptr<GrowthProcess> process);
 
 private:
-    TreeDocument& m_document;
     QString m_text;
+    Edit::Interrupted m_interrupted;
+    std::unique_ptr<Edit> m_edit;
     std::unique_ptr<GrowthProcess> m_process;
     std::vector<Vec3> m_markers;
-    Journal m_replaced;
-    Journal m_deltas;
-    std::uint32_t m_lassosBefore;
     std::size_t m_stepCount = 0;
-    bool m_ended = false;
 };
 
 } // namespace espalier

@@ -16,10 +16,9 @@ GrownStep GrowthReplica::grow()
     }
     m_growthIndex.settle(m_tree, m_index);
     TreeDelta delta = m_process->step(m_tree, m_index, m_growthIndex);
-    TreeDelta own = delta;
-    m_tree.apply(own);
-    m_index.update(m_tree, own);
-    m_growthIndex.follow(m_tree, m_index, own);
+    m_tree.apply(delta);
+    m_index.update(m_tree, delta);
+    m_growthIndex.follow(m_tree, m_index, delta);
     return {std::move(delta), {m_process->markers().begin(), m_process->markers().end()}};
 }
 

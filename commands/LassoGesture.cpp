@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/LassoGesture.h"
 
-#include "commands/DeltaCommand.h"
 #include "commands/EnvelopeGrowth.h"
 #include "model/envelope/LassoLoop.h"
 
@@ -17,15 +16,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Lasso)
 };
 
-std::uint32_t lassoCount(const TreeDocument& document)
-{
-    return static_cast<std::uint32_t>(document.tree().lassos().strokes.size());
-}
-
 /// The journal's first delta that brought an envelope in that is in force still.
 std::size_t firstFilling(const TreeDocument& document)
 {
-    const std::vector<std::uint32_t>& inForce = document.tree().lassos().inForce;
+    const std::vector<std::uint32_t>& inForce = document.tree().lassoIndicesInForce();
     const auto brings = [&](const std::shared_ptr<TreeDelta>& delta) {
         return std::ranges::any_of(delta->lassos, [&](const TreeDelta::LassoChange& change) {
             return change.isInForce && std::ranges::binary_search(inForce, change.index);
@@ -40,6 +34,7 @@ std::size_t firstFilling(const TreeDocument& document)
 LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke& stroke,
                                        Competitors competitors)
 {
+    document.interruptEdit();
     LassoStroke kept = stroke;
     kept.points = simplified(stroke.points);
     if (!isLasso(kept))
@@ -55,74 +50,79 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
     if (!envelopes)
         return envelopes.error();
 
-    const std::uint32_t before = lassoCount(document);
-    auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(document.tree()));
-    delta->lassos.push_back({document.rememberLasso(kept), true});
-    document.apply(delta);
-    return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes),
-                                                          competitors, {}, {std::move(delta)}, before));
+    const auto bringIn = [&kept](Edit& edit) {
+        const Tree& tree = edit.document().tree();
+        TreeDelta delta = TreeDelta::startingAt(tree);
+        delta.lassos.push_back({delta.keepLasso(tree, kept), true});
+        edit.apply(std::move(delta));
+    };
+    return std::unique_ptr<LassoGesture>(
+        new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes), competitors, bringIn));
 }
 
 LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
 {
-    const std::vector<std::uint32_t> wanted = document.tree().lassos().inForce;
+    document.interruptEdit();
+    const std::vector<std::uint32_t> wanted = document.tree().lassoIndicesInForce();
     if (wanted.empty())
         return Error{Error::Kind::Input, Text::tr("There is no envelope to regrow.")};
-    Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(document.tree().lassosInForce());
+    const std::vector<LassoStroke> strokes = document.tree().lassosInForce();
+    Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(strokes);
     if (!envelopes)
         return envelopes.error();
 
-    const std::uint32_t parameters = document.tree().currentParameterSet();
-    const Journal& journal = document.journal();
-    Journal replaced(journal.begin() + static_cast<std::ptrdiff_t>(firstFilling(document)), journal.end());
-    revertAll(document, replaced);
-    auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(document.tree()));
-    delta->parametersAfter = parameters;
-    const std::vector<std::uint32_t>& standing = document.tree().lassos().inForce;
-    for (const std::uint32_t index : standing) {
-        if (!std::ranges::binary_search(wanted, index))
-            delta->lassos.push_back({index, false});
-    }
-    for (const std::uint32_t index : wanted) {
-        if (!std::ranges::binary_search(standing, index))
-            delta->lassos.push_back({index, true});
-    }
-    document.apply(delta);
-    return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Regrow"), std::move(*envelopes),
-                                                          {}, std::move(replaced), {std::move(delta)},
-                                                          lassoCount(document)));
+    const auto goBack = [&, parameters = document.parameters()](Edit& edit) {
+        edit.replaceFrom(firstFilling(document));
+        const Tree& tree = document.tree();
+        TreeDelta delta = TreeDelta::startingAt(tree);
+        delta.parametersAfter = delta.keepParameters(tree, parameters);
+        const std::vector<std::uint32_t>& standing = tree.lassoIndicesInForce();
+        for (const std::uint32_t index : standing) {
+            if (!std::ranges::binary_search(wanted, index))
+                delta.lassos.push_back({index, false});
+        }
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            // Those that went with the journal's end come again.
+            if (wanted[i] >= tree.lassos().size())
+                delta.lassos.push_back({delta.keepLasso(tree, strokes[i]), true});
+            else if (!std::ranges::binary_search(standing, wanted[i]))
+                delta.lassos.push_back({wanted[i], true});
+        }
+        edit.apply(std::move(delta));
+    };
+    return std::unique_ptr<LassoGesture>(
+        new LassoGesture(document, Text::tr("Regrow"), std::move(*envelopes), {}, goBack));
 }
 
 LassoGesture::Begun LassoGesture::goOn(TreeDocument& document, Competitors competitors)
 {
-    if (document.tree().lassos().inForce.empty())
+    document.interruptEdit();
+    if (document.tree().lassoIndicesInForce().empty())
         return Error{Error::Kind::Input, Text::tr("There is no envelope to fill.")};
     Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(document.tree().lassosInForce());
     if (!envelopes)
         return envelopes.error();
-    return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes),
-                                                          competitors, {}, {}, lassoCount(document)));
+    return std::unique_ptr<LassoGesture>(
+        new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes), competitors, {}));
 }
 
 LassoGesture::LassoGesture(TreeDocument& document, const QString& text, EnvelopeSet envelopes,
-                           Competitors competitors, Journal replaced, Journal first,
-                           std::uint32_t lassosBefore)
-    : GrowthGesture(document, text,
-                    std::make_unique<EnvelopeGrowth>(std::move(envelopes), document.tree(), competitors),
-                    std::move(replaced), std::move(first), lassosBefore)
+                           Competitors competitors, const std::function<void(Edit&)>& prepare)
+    : GrowthGesture(document, text, prepare)
 {
+    setProcess(std::make_unique<EnvelopeGrowth>(std::move(envelopes), document.tree(), competitors));
 }
 
 bool removeEnvelopes(TreeDocument& document)
 {
-    auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(document.tree()));
-    for (const std::uint32_t index : document.tree().lassos().inForce)
-        delta->lassos.push_back({index, false});
-    if (delta->lassos.empty())
-        return false;
-    document.apply(delta);
-    document.undoStack().push(new DeltaCommand(document, Text::tr("Remove Envelope"), {std::move(delta)}));
-    return true;
+    Edit edit(document);
+    TreeDelta delta = TreeDelta::startingAt(document.tree());
+    for (const std::uint32_t index : document.tree().lassoIndicesInForce())
+        delta.lassos.push_back({index, false});
+    edit.apply(std::move(delta));
+    const bool removes = edit.hasChanges();
+    edit.commit(Text::tr("Remove Envelope"));
+    return removes;
 }
 
 } // namespace espalier

@@ -27,7 +27,7 @@ public:
 
 private:
     LassoGesture(TreeDocument& document, const QString& text, EnvelopeSet envelopes, Competitors competitors,
-                 Journal replaced, Journal first, std::uint32_t lassosBefore);
+                 const std::function<void(Edit&)>& prepare);
 };
 
 /// Takes the envelopes in force away, as one undo step; the tree stays as it grew. False if there are none.

@@ -1,60 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/ParameterGesture.h"
 
-#include "commands/DeltaCommand.h"
-
 namespace espalier {
 
-/// Lets its gesture know when the undo stack drops it, and can leave the stack on being undone.
-class ParameterGesture::TrialCommand : public DeltaCommand {
-public:
-    using DeltaCommand::DeltaCommand;
-
-    void undo() override
-    {
-        DeltaCommand::undo();
-        setObsolete(m_isTakenBack);
-    }
-
-    /// It stays itself, so that the next trial can replace it.
-    int id() const override { return -1; }
-    std::weak_ptr<TrialCommand*> handle() const { return m_self; }
-    void takeBack() { m_isTakenBack = true; }
-
-private:
-    std::shared_ptr<TrialCommand*> m_self = std::make_shared<TrialCommand*>(this);
-    bool m_isTakenBack = false;
-};
+std::unique_ptr<Edit> ParameterGesture::takeEdit()
+{
+    const bool isLast = m_revision == m_document.revision();
+    m_revision.reset();
+    return isLast ? Edit::resumed(m_document) : std::make_unique<Edit>(m_document);
+}
 
 void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& text)
 {
-    if (parameters == m_document.parameters())
+    if (parameters == m_document.parameters() || !m_document.tree().hasRoomFor(parameters))
         return;
-    takeBack();
-    if (parameters == m_document.parameters())
-        return;
-
-    const auto known = m_document.tree().parameterSets().size();
-    auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(m_document.tree()));
-    delta->parametersAfter = m_document.rememberParameters(parameters);
-    m_remembered = m_document.tree().parameterSets().size() > known;
-    m_document.apply(delta);
-    auto* command = new TrialCommand(m_document, text, {std::move(delta)});
-    m_command = command->handle();
-    m_document.undoStack().push(command);
+    const std::unique_ptr<Edit> edit = takeEdit();
+    edit->takeBack();
+    const Tree& tree = m_document.tree();
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.parametersAfter = delta.keepParameters(tree, parameters);
+    edit->apply(std::move(delta));
+    const bool isTried = edit->deltaCount() > 0;
+    edit->commit(text);
+    if (isTried)
+        m_revision = m_document.revision();
 }
 
-void ParameterGesture::takeBack()
+void ParameterGesture::cancel()
 {
-    const auto command = m_command.lock();
-    m_command.reset();
-    QUndoStack& stack = m_document.undoStack();
-    if (!command || stack.index() == 0 || stack.command(stack.index() - 1) != *command)
-        return;
-    (*command)->takeBack();
-    stack.undo();
-    if (m_remembered)
-        m_document.forgetLastParameters();
+    if (m_revision == m_document.revision())
+        takeEdit()->cancel();
+    m_revision.reset();
 }
 
 } // namespace espalier

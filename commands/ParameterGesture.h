@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/document/TreeDocument.h"
+#include "model/document/Edit.h"
 
 #include <memory>
+#include <optional>
 
 namespace espalier {
 
@@ -17,23 +18,20 @@ public:
     ParameterGesture& operator=(const ParameterGesture&) = delete;
 
     /// Puts @p parameters in force, in place of those that the gesture tried before. @p text names the undo
-    /// step.
+    /// step. Does nothing if the document has no room for another parameter set.
     void tryOut(const TreeParameters& parameters, const QString& text);
     /// The next trial begins another gesture.
-    void finish() { m_command.reset(); }
+    void finish() { m_revision.reset(); }
     /// Takes back what the gesture has put in force, undo step and all.
-    void cancel() { takeBack(); }
+    void cancel();
 
 private:
-    class TrialCommand;
-
-    void takeBack();
+    /// Goes on with the undo step of the last trial, if nothing else has changed the document since.
+    std::unique_ptr<Edit> takeEdit();
 
     TreeDocument& m_document;
-    /// The command of the last trial, as long as it exists.
-    std::weak_ptr<TrialCommand*> m_command;
-    /// Its parameters were new to the document.
-    bool m_remembered = false;
+    /// Of the document, after the last trial; none before the first.
+    std::optional<std::uint64_t> m_revision;
 };
 
 } // namespace espalier

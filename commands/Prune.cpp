@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/Prune.h"
 
-#include "commands/DeltaCommand.h"
+#include "model/document/Edit.h"
 #include "model/shape/Pruning.h"
 
 #include <QCoreApplication>
@@ -10,13 +10,9 @@ namespace espalier {
 
 void pruneBranches(TreeDocument& document, std::span<const InternodeId> cuts)
 {
-    TreeDelta delta = prune(document.tree(), document.index(), cuts);
-    if (delta.isEmpty())
-        return;
-    const Journal deltas{std::make_shared<TreeDelta>(std::move(delta))};
-    document.apply(deltas.front());
-    document.undoStack().push(
-        new DeltaCommand(document, QCoreApplication::translate("Commands", "Prune"), deltas));
+    Edit edit(document);
+    edit.apply(prune(document.tree(), document.index(), cuts));
+    edit.commit(QCoreApplication::translate("Commands", "Prune"));
 }
 
 } // namespace espalier

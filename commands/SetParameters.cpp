@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/SetParameters.h"
 
-#include "commands/DeltaCommand.h"
+#include "model/document/Edit.h"
 
 #include <QCoreApplication>
 
@@ -9,13 +9,14 @@ namespace espalier {
 
 void setParameters(TreeDocument& document, const TreeParameters& parameters)
 {
-    if (parameters == document.parameters())
+    Edit edit(document);
+    const Tree& tree = document.tree();
+    if (!tree.hasRoomFor(parameters))
         return;
-    auto delta = std::make_shared<TreeDelta>(TreeDelta::startingAt(document.tree()));
-    delta->parametersAfter = document.rememberParameters(parameters);
-    document.apply(delta);
-    document.undoStack().push(new DeltaCommand(
-        document, QCoreApplication::translate("Commands", "Change Parameters"), {std::move(delta)}));
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.parametersAfter = delta.keepParameters(tree, parameters);
+    edit.apply(std::move(delta));
+    edit.commit(QCoreApplication::translate("Commands", "Change Parameters"));
 }
 
 } // namespace espalier

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/document/TreeDocument.h"
+#include "model/document/Edit.h"
 #include "model/growth/GrowthStep.h"
 
 namespace espalier {
@@ -13,16 +13,15 @@ namespace espalier {
 /// unfinished.
 class TimeGesture {
 public:
-    explicit TimeGesture(TreeDocument& document);
-    ~TimeGesture();
-    TimeGesture(const TimeGesture&) = delete;
-    TimeGesture& operator=(const TimeGesture&) = delete;
+    /// @p interrupted: what to do when another edit begins, instead of finish(); it must finish or cancel the
+    /// gesture.
+    explicit TimeGesture(TreeDocument& document, Edit::Interrupted interrupted = {});
 
     /// Goes to where @p position deltas have been applied; positions beyond the history grow as many steps,
     /// until there is no more room to grow in.
     void moveTo(std::size_t position);
     void finish();
-    void cancel();
+    void cancel() { m_edit.cancel(); }
 
     /// Deltas of the history when the gesture began, the future included.
     std::size_t historyLength() const { return m_historyLength; }
@@ -30,12 +29,9 @@ public:
 private:
     bool grow();
 
-    TreeDocument& m_document;
-    std::size_t m_start; ///< Position that the gesture began at
+    Edit m_edit;
     std::size_t m_historyLength;
     GrowthWorkspace m_workspace;
-    Journal m_grown;
-    bool m_ended = false;
 };
 
 } // namespace espalier

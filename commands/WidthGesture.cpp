@@ -9,40 +9,37 @@
 namespace espalier {
 
 WidthGesture::WidthGesture(TreeDocument& document, InternodeId id)
-    : m_document(document), m_id(id), m_preview(document)
+    : m_edit(document, [this] { finish(); }), m_id(id)
 {
 }
 
 void WidthGesture::set(InternodeId place, double diameter)
 {
-    const auto lives = [&tree = m_document.tree()](InternodeId id) {
-        return id < tree.size() && tree.isAlive(id);
-    };
-    if (m_preview.hasEnded() || std::isnan(diameter) || !lives(m_id) || !lives(place))
+    const Tree& tree = m_edit.document().tree();
+    if (!m_edit.isActive() || std::isnan(diameter) || !tree.isAlive(m_id) || !tree.isAlive(place))
         return;
     // What is taken back first is what the next counts from.
-    m_preview.show(TreeDelta::startingAt(m_document.tree()));
-    const Tree& tree = m_document.tree();
-    const auto after =
-        diameter > 0.0
-            ? static_cast<float>(std::clamp(diameter, kLeastDiameter, static_cast<double>(kGreatestDiameter)))
-            : 0.0F;
-    m_removes = after == 0.0F;
+    m_edit.takeBack();
+    std::optional<float> after;
+    if (diameter > 0.0)
+        after =
+            static_cast<float>(std::clamp(diameter, kLeastDiameter, static_cast<double>(kGreatestDiameter)));
+    m_removes = !after;
     TreeDelta delta = TreeDelta::startingAt(tree);
-    const auto change = [&](InternodeId id, float wanted) {
-        if (const float before = tree.widthConstraint(id); before != wanted)
-            delta.widths.push_back({id, before, wanted});
+    const auto change = [&](InternodeId id, const std::optional<float>& wanted) {
+        if (const auto before = tree.content().sparse.width.at(id); before != wanted)
+            delta.sparse.width.push_back({id, before, wanted});
     };
     if (place != m_id)
-        change(m_id, 0.0F);
+        change(m_id, {});
     change(place, after);
-    m_preview.show(std::move(delta));
+    m_edit.apply(std::move(delta));
 }
 
 void WidthGesture::finish()
 {
-    m_preview.finish(m_removes ? QCoreApplication::translate("Commands", "Remove Width")
-                               : QCoreApplication::translate("Commands", "Width"));
+    m_edit.commit(m_removes ? QCoreApplication::translate("Commands", "Remove Width")
+                            : QCoreApplication::translate("Commands", "Width"));
 }
 
 void setWidth(TreeDocument& document, InternodeId id, double diameter)

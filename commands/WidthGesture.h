@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/DeltaPreview.h"
+#include "model/document/Edit.h"
 
 namespace espalier {
 
@@ -24,12 +24,11 @@ public:
     void set(InternodeId place, double diameter);
 
     void finish();
-    void cancel() { m_preview.cancel(); }
+    void cancel() { m_edit.cancel(); }
 
 private:
-    TreeDocument& m_document;
+    Edit m_edit;
     InternodeId m_id;
-    DeltaPreview m_preview;
     bool m_removes = false;
 };
 

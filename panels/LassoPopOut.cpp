@@ -65,7 +65,7 @@ void LassoPopOut::setGrowing(bool growing)
 
 void LassoPopOut::showValues()
 {
-    const bool stands = !m_document.tree().lassos().inForce.empty();
+    const bool stands = !m_document.tree().lassoIndicesInForce().empty();
     m_regrow->setEnabled(stands && !m_isGrowing);
     m_remove->setEnabled(stands && !m_isGrowing);
     m_stop->setEnabled(m_isGrowing);

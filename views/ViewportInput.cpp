@@ -146,7 +146,7 @@ auto Viewport::withPickScene(Pick&& pick) const
 {
     float greatest = branchRadius(0);
     for (const WidthConstraint& constraint : m_document.tree().widthConstraints())
-        greatest = std::max(greatest, constraint.diameter / 2.0F);
+        greatest = std::max(greatest, constraint.value / 2.0F);
     const std::function<float(InternodeId)> radius = [&](InternodeId id) {
         return std::min(branchRadius(id), greatest);
     };

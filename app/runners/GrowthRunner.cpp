@@ -22,6 +22,7 @@ GrowthRunner::~GrowthRunner() = default;
 void GrowthRunner::start(std::unique_ptr<GrowthGesture> gesture, Pace pace, Continuation goOn)
 {
     m_gesture = std::move(gesture);
+    m_gesture->setInterrupted([this] { end(); });
     m_pace = pace;
     m_goOn = std::move(goOn);
     m_sinceLast.invalidate();
@@ -79,6 +80,7 @@ void GrowthRunner::holdParameters(bool held)
         stop();
         m_gesture->finish();
     } else if ((m_gesture = m_goOn())) {
+        m_gesture->setInterrupted([this] { end(); });
         grow();
     } else {
         Q_EMIT runningChanged(false);

@@ -22,7 +22,7 @@ void TimeRunner::begin()
 {
     if (m_gesture)
         return;
-    m_gesture = std::make_unique<TimeGesture>(m_document);
+    m_gesture = std::make_unique<TimeGesture>(m_document, [this] { release(); });
     Q_EMIT runningChanged(true);
 }
 

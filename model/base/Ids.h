@@ -6,16 +6,26 @@
 
 namespace espalier {
 
-/// An internode's identity and its row in every column; given out in order of birth, never reused in a
-/// document's life. A parent's id is always smaller than its children's.
+/// An internode's row in every column, in the order of the journal's births. A parent's id is always smaller
+/// than its children's. Undo takes the rows of undone births out of the tree: what grows next gets the same
+/// ids as if the undone had never been. Where an internode must be found again later, name it by its
+/// InternodeKey.
 using InternodeId = std::uint32_t;
 inline constexpr InternodeId kNoInternode = std::numeric_limits<InternodeId>::max();
+
+/// What an internode's random numbers are a function of, and its name in recipes: a hash of its parent's key,
+/// the bud that it grew from and the step that it was born in (Random.h). Two internodes of a tree have
+/// different keys.
+using InternodeKey = std::uint64_t;
+
+/// A row of the table of placed leaves; likewise.
+using LeafId = std::uint32_t;
 
 /// Simulation time in growth steps.
 using Step = std::uint32_t;
 inline constexpr Step kNever = std::numeric_limits<Step>::max();
 
-/// Consecutive internodes, as one growth step makes them.
+/// Consecutive rows of a table, as one edit makes them.
 struct IdRange {
     InternodeId first = 0;
     std::uint32_t count = 0;

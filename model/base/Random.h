@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/Ids.h"
 #include "model/base/Vector.h"
 
 #include <cmath>
@@ -27,18 +28,48 @@ enum class Purpose : std::uint32_t {
     LeafPlane,
 };
 
-/// Counter-based random numbers: a pure function of (seed, step, id, purpose, counter), never of the order of
-/// calls, so that one thread or many give the same tree. The mixing is SplitMix64's finaliser, applied to
-/// each part of the key in turn.
+/// SplitMix64's finaliser: each bit of the value changes about half of the result's.
+constexpr std::uint64_t mixedBits(std::uint64_t value)
+{
+    value += 0x9e3779b97f4a7c15U;
+    value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9U;
+    value = (value ^ (value >> 27)) * 0x94d049bb133111ebU;
+    return value ^ (value >> 31);
+}
+
+/// The key of the first internode of a tree that is grown from @p seed.
+constexpr InternodeKey rootKey(std::uint64_t seed)
+{
+    return mixedBits(seed);
+}
+
+/// The key of an internode that grows from the bud @p slot of the internode with the key @p parent and is
+/// born in
+/// @p step. It does not depend on rows, so what was tried and taken back leaves no trace in what grows next.
+constexpr InternodeKey childKey(InternodeKey parent, int slot, Step step)
+{
+    return mixedBits(mixedBits(parent ^ 0x5851f42d4c957f2dU) ^
+                     ((std::uint64_t{step} << 8U) | static_cast<std::uint64_t>(slot)));
+}
+
+/// Counter-based random numbers: a pure function of (seed, step, id, purpose, counter) or of (an internode's
+/// key, number, purpose, counter), never of the order of calls, so that one thread or many give the same
+/// tree. The mixing is applied to each part of the key in turn.
 class Random {
 public:
+    /// Numbers of an internode. @p number tells its buds or its steps apart.
+    Random(InternodeKey key, std::uint32_t number, Purpose purpose)
+        : m_key(mixedBits(mixedBits(key ^ (std::uint64_t{number} << 32U)) ^
+                          static_cast<std::uint64_t>(purpose)))
+    {
+    }
+    /// Numbers that belong to no internode.
     Random(std::uint64_t seed, std::uint32_t step, std::uint32_t id, Purpose purpose)
-        : m_key(
-              mix(mix(mix(seed) ^ ((std::uint64_t{step} << 32) | id)) ^ static_cast<std::uint64_t>(purpose)))
+        : Random(mixedBits(seed) ^ id, step, purpose)
     {
     }
 
-    std::uint64_t bits() { return mix(m_key + kGamma * ++m_counter); }
+    std::uint64_t bits() { return mixedBits(m_key + kGamma * ++m_counter); }
 
     /// Uniform in [0, 1), 53 bits.
     double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
@@ -69,14 +100,6 @@ public:
 
 private:
     static constexpr std::uint64_t kGamma = 0x9e3779b97f4a7c15U;
-
-    static std::uint64_t mix(std::uint64_t value)
-    {
-        value += kGamma;
-        value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9U;
-        value = (value ^ (value >> 27)) * 0x94d049bb133111ebU;
-        return value ^ (value >> 31);
-    }
 
     std::uint64_t m_key;
     std::uint64_t m_counter = 0;

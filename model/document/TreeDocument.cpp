@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/TreeDocument.h"
 
+#include "model/document/Edit.h"
+
 namespace espalier {
 
 TreeDocument::TreeDocument(QObject* parent) : QObject(parent)
@@ -15,22 +17,58 @@ void TreeDocument::reset(std::uint64_t seed, const TreeParameters& parameters)
     reset(Tree(seed, parameters), {});
 }
 
-void TreeDocument::reset(Tree tree, Journal journal)
+void TreeDocument::reset(Tree tree, Journal journal, std::size_t ahead)
 {
+    interruptEdit();
     m_undoStack.clear();
     // An empty stack that was unclean stays so when it is cleared.
     m_undoStack.setClean();
     m_tree = std::move(tree);
     m_journal = std::move(journal);
     m_future.clear();
+    for (; ahead > 0; --ahead) {
+        m_tree.revert(*m_journal.back());
+        m_future.push_back(std::move(m_journal.back()));
+        m_journal.pop_back();
+    }
     m_index.rebuild(m_tree);
     m_growthIndex.rebuild(m_tree, m_index);
     tell({TreeChange::Kind::Reset, nullptr});
 }
 
+void TreeDocument::setEdit(Edit* edit)
+{
+    m_edit = edit;
+    Q_EMIT editChanged();
+}
+
+void TreeDocument::interruptEdit()
+{
+    if (!m_edit)
+        return;
+    // The owner may destroy the edit.
+    if (const Edit::Interrupted interrupted = m_edit->m_interrupted)
+        interrupted();
+    if (m_edit)
+        m_edit->cancel();
+}
+
+void TreeDocument::undo()
+{
+    interruptEdit();
+    m_undoStack.undo();
+}
+
+void TreeDocument::redo()
+{
+    interruptEdit();
+    m_undoStack.redo();
+}
+
 void TreeDocument::apply(std::shared_ptr<TreeDelta> delta)
 {
     m_tree.apply(*delta);
+    delta->rows.reset(); // they are the tree's now
     m_index.update(m_tree, *delta);
     m_growthIndex.follow(m_tree, m_index, *delta);
     m_journal.push_back(std::move(delta));
@@ -80,20 +118,11 @@ void TreeDocument::holdParameters(bool held)
 
 void TreeDocument::tell(const TreeChange& change)
 {
+    ++m_revision;
     const InternodeId node = m_competitors.node;
     if (node != kNoInternode && (change.kind == TreeChange::Kind::Reset || !m_tree.isAlive(node)))
         setCompetitors({});
     Q_EMIT changed(change);
-}
-
-std::uint32_t TreeDocument::rememberParameters(const TreeParameters& parameters)
-{
-    return m_tree.rememberParameters(parameters);
-}
-
-void TreeDocument::forgetLastParameters()
-{
-    m_tree.forgetLastParameters();
 }
 
 std::size_t TreeDocument::bytes() const

@@ -29,8 +29,10 @@ struct TreeChange {
     const TreeDelta* delta = nullptr;
 };
 
-/// A tree, its journal and its undo stack. Whoever changes the tree does so by deltas through this class;
-/// whoever shows it listens to changed().
+class Edit;
+
+/// A tree, its journal and its undo stack. An Edit is the one way to change it; views and panels listen to
+/// changed().
 class TreeDocument : public QObject {
     Q_OBJECT
 
@@ -54,7 +56,7 @@ public:
     const TreeParameters& parameters() const { return m_tree.parameters(); }
     /// All that was done up to the moment shown, first to last.
     const Journal& journal() const { return m_journal; }
-    /// What lies ahead of the moment shown, after travelTo() an earlier one: the last of it first.
+    /// What lies ahead of the moment shown, after a travel to an earlier one: the last of it first.
     const Journal& future() const { return m_future; }
     /// Which buds growth is limited to (selective growth, TreeSketch §3.2): all of them, or one bud and what
     /// comes of it. A mode, not part of the tree; it ends when its node dies.
@@ -70,43 +72,55 @@ public:
 
     /// Starts anew from a seedling; clears the undo stack.
     void reset(std::uint64_t seed, const TreeParameters& parameters = {});
-    /// Takes over a tree that was read from a file, with its journal; clears the undo stack.
-    void reset(Tree tree, Journal journal);
+    /// Takes over a tree that was read from a file, with its journal, whose last @p ahead deltas lie ahead of
+    /// the moment to be shown; clears the undo stack.
+    void reset(Tree tree, Journal journal, std::size_t ahead = 0);
 
-    /// Applies @p delta and appends it to the journal.
-    void apply(std::shared_ptr<TreeDelta> delta);
-    /// Reverts the journal's last delta and takes it out.
-    void revertLast();
-    /// Goes back or forth in the tree's history, to where @p position deltas of it have been applied.
-    /// Precondition: at most journal().size() + future().size().
-    void travelTo(std::size_t position);
-    /// Takes the future away, since another one begins, or puts it (back) in its place. The caller keeps it.
-    Journal takeFuture() { return std::exchange(m_future, {}); }
-    void setFuture(Journal future) { m_future = std::move(future); }
-    /// See Tree::rememberParameters.
-    std::uint32_t rememberParameters(const TreeParameters& parameters);
-    /// See Tree::forgetLastParameters.
-    void forgetLastParameters();
-
-    /// See Tree::rememberLasso.
-    std::uint32_t rememberLasso(const LassoStroke& stroke) { return m_tree.rememberLasso(stroke); }
-    /// See Tree::forgetLassosFrom.
-    void forgetLassosFrom(std::uint32_t count) { m_tree.forgetLassosFrom(count); }
+    /// The edit that is under way, or null.
+    const Edit* edit() const { return m_edit; }
+    /// Changes with every change of the tree.
+    std::uint64_t revision() const { return m_revision; }
+    /// Lets the owner of the edit that is under way end it, which keeps what was done unless the owner has
+    /// reasons not to. To be called before the document is saved, replaced or closed, and before undo and
+    /// redo.
+    void interruptEdit();
+    /// Undo and redo of the stack, after interruptEdit(). An interrupted edit is the step that undo() takes
+    /// back.
+    void undo();
+    void redo();
 
     /// Bytes of the tree, its indices and its journal.
     std::size_t bytes() const;
 
 Q_SIGNALS:
+    /// An edit began or ended.
+    void editChanged();
     void changed(const espalier::TreeChange& change);
     void competitorsChanged();
     void parametersHeld(bool held);
 
 private:
+    friend class Edit;
+    friend class EditCommand;
+
+    void setEdit(Edit* edit);
+    /// Applies @p delta and appends it to the journal.
+    void apply(std::shared_ptr<TreeDelta> delta);
+    /// Reverts the journal's last delta and takes it out.
+    void revertLast();
+    /// Goes back or forth in the history, to where @p position deltas of it have been applied.
+    /// Precondition: position <= journal().size() + future().size().
+    void travelTo(std::size_t position);
+    /// Takes the future away, since another one begins, or puts it (back) in its place. The caller keeps it.
+    Journal takeFuture() { return std::exchange(m_future, {}); }
+    void setFuture(Journal future) { m_future = std::move(future); }
+    void tell(const TreeChange& change);
+
     Tree m_tree;
     TreeIndex m_index;
     mutable GrowthIndex m_growthIndex;
-    void tell(const TreeChange& change);
-
+    Edit* m_edit = nullptr;
+    std::uint64_t m_revision = 0;
     Journal m_journal;
     Journal m_future;
     Competitors m_competitors;

@@ -22,7 +22,12 @@ VigourFlow::VigourFlow(const Tree& tree, const TreeIndex& index, const GrowthInd
       m_known(known)
 {
     m_known.clear(tree.size());
-    m_known.set(0, static_cast<double>(growth.basipetal(0)));
+    double whole = 0.0;
+    for (const InternodeId root : index.roots()) {
+        m_known.set(root, static_cast<double>(growth.basipetal(root)));
+        whole += m_known[root];
+    }
+    m_average = whole / std::max(1U, index.livingCount());
 }
 
 double VigourFlow::into(InternodeId id)
@@ -56,8 +61,7 @@ double VigourFlow::ofBud(InternodeId id, int slot)
 
 double VigourFlow::perInternode(InternodeId id)
 {
-    const double whole = m_known[0] / m_index.subtreeSize(0);
-    return whole > 0.0 ? into(id) / m_index.subtreeSize(id) / whole : 0.0;
+    return m_average > 0.0 ? into(id) / m_index.subtreeSize(id) / m_average : 0.0;
 }
 
 VigourShares VigourFlow::atNode(InternodeId id, double vigour) const

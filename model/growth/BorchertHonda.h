@@ -42,6 +42,7 @@ private:
     const TreeIndex& m_index;
     const GrowthIndex& m_growth;
     double m_lambda;
+    double m_average; ///< Vigour per living internode of the whole document
     StampedColumn<double>& m_known;
     std::vector<InternodeId> m_path;
 };

@@ -43,14 +43,17 @@ struct Direction {
 
 double azimuthOf(const GrowthParameters& grown, int slot)
 {
+    constexpr double kGoldenAngle = radians(137.507764);
+    if (budKind(slot) == BudKind::Adventitious)
+        return kGoldenAngle * (slot - kFirstAdventitiousSlot);
     return 2.0 * std::numbers::pi * slot / grown.lateralsPerNode;
 }
 
 /// Of a lateral bud, in its internode's frame.
-Vec3 scattered(std::uint64_t seed, InternodeId id, int slot, double branchingAngle,
-               const Direction& branching, const Direction& azimuth, double irregularity)
+Vec3 scattered(InternodeKey key, int slot, double branchingAngle, const Direction& branching,
+               const Direction& azimuth, double irregularity)
 {
-    Random random(seed, static_cast<std::uint32_t>(slot), id, Purpose::BranchingAngle);
+    Random random(key, static_cast<std::uint32_t>(slot), Purpose::BranchingAngle);
     const double tilt = std::clamp(irregularity * kBranchingSpread * random.normal(), -branchingAngle,
                                    std::max(0.0, kWidestBranching - branchingAngle));
     const double turn = irregularity * kAzimuthSpread * random.normal();
@@ -68,27 +71,26 @@ BudAngles::BudAngles(const GrowthParameters& grown)
       m_irregularity(grown.irregularity),
       m_lateralsPerNode(grown.lateralsPerNode)
 {
-    for (int slot = 0; slot < kMaxLaterals; ++slot) {
+    for (int slot = 0; slot < kBudSlots; ++slot) {
         const double azimuth = azimuthOf(grown, slot);
         m_azimuths[static_cast<std::size_t>(slot)] = {std::cos(azimuth), std::sin(azimuth)};
     }
 }
 
-Vec3 BudAngles::direction(std::uint64_t seed, InternodeId id, int slot) const
+Vec3 BudAngles::direction(InternodeKey key, int slot) const
 {
     if (slot == kTerminalSlot)
         return Vec3::UnitY();
     const Turn& azimuth = m_azimuths[static_cast<std::size_t>(slot)];
-    return scattered(seed, id, slot, m_branchingAngle, {m_branching.cosine, m_branching.sine},
+    return scattered(key, slot, m_branchingAngle, {m_branching.cosine, m_branching.sine},
                      {azimuth.cosine, azimuth.sine}, m_irregularity);
 }
 
-Vec3 budDirection(std::uint64_t seed, InternodeId id, int slot, const Rotation& rotation,
-                  const GrowthParameters& grown)
+Vec3 budDirection(InternodeKey key, int slot, const Rotation& rotation, const GrowthParameters& grown)
 {
     if (slot == kTerminalSlot)
         return rotation * Vec3(Vec3::UnitY());
-    return rotation * scattered(seed, id, slot, grown.branchingAngle, Direction(grown.branchingAngle),
+    return rotation * scattered(key, slot, grown.branchingAngle, Direction(grown.branchingAngle),
                                 Direction(azimuthOf(grown, slot)), grown.irregularity);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/GrowingTree.h"
 
+#include "model/base/Random.h"
+
 namespace espalier {
 
 GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspace& workspace)
@@ -8,7 +10,7 @@ GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspa
       m_index(index),
       m_workspace(workspace),
       m_delta(TreeDelta::startingAt(tree)),
-      m_rows(std::make_unique<InternodeColumns>()),
+      m_rows(std::make_shared<TreeRows>()),
       m_space(static_cast<float>(tree.parameters().growth.occupancyRadius *
                                  tree.parameters().growth.internodeLength),
               {})
@@ -30,15 +32,14 @@ InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& directio
                               double vigour)
 {
     const InternodeId id = size();
-    const auto bit = static_cast<BudMask>(~budBit(slot));
+    BudStates states = budStates(parent);
+    states.set(slot, BudState::None);
     if (isNew(parent)) {
-        m_rows->buds[parent - m_tree.size()] &= bit;
+        rows().buds[parent - m_tree.size()] = states;
+    } else if (m_workspace.buds.setOnce(parent, states)) {
+        m_changedBuds.push_back(parent);
     } else {
-        const auto before = buds(parent);
-        if (m_workspace.buds.setOnce(parent, before & bit))
-            m_changedBuds.push_back(parent);
-        else
-            m_workspace.buds.set(parent, before & bit);
+        m_workspace.buds.set(parent, states);
     }
 
     const Rotation& parentRotation = rotation(parent);
@@ -47,16 +48,18 @@ InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& directio
     const Rotation spin(Eigen::Quaternionf(Eigen::AngleAxisf(static_cast<float>(roll), Vec3::UnitY())));
     const Rotation local = (parentRotation.conjugate() * (turn * parentRotation) * spin).normalized();
 
-    m_rows->parent.append(parent);
-    m_rows->rotation.append(local);
-    m_rows->length.append(static_cast<float>(length));
-    m_rows->vigour.append(static_cast<float>(vigour));
-    m_rows->slot.append(static_cast<std::uint8_t>(slot));
-    m_rows->buds.append(newBuds(m_tree.parameters().growth));
-    m_rows->birth.append(m_tree.step() + 1);
-    m_rows->death.append(kNever);
-    m_rows->present.append(1);
-    m_rows->parameterSet.append(static_cast<std::uint16_t>(m_tree.currentParameterSet()));
+    InternodeColumns& c = rows();
+    c.parent.append(parent);
+    c.along.append(1.0F);
+    c.rotation.append(local);
+    c.length.append(static_cast<float>(length));
+    c.vigour.append(static_cast<float>(vigour));
+    c.slot.append(static_cast<std::uint8_t>(slot));
+    c.buds.append(BudStates::active(newBuds(m_tree.parameters().growth)));
+    c.birth.append(m_tree.step() + 1);
+    c.death.append(kNever);
+    c.parameterSet.append(static_cast<std::uint16_t>(m_tree.currentParameterSet()));
+    c.key.append(childKey(key(parent), slot, m_tree.step() + 1));
 
     const Placement placement =
         placeOn(nodePosition(parent), parentRotation, local, static_cast<float>(length));
@@ -82,8 +85,8 @@ std::vector<Cell> GrowingTree::newCells() const
 TreeDelta GrowingTree::takeDelta()
 {
     for (const InternodeId id : m_changedBuds)
-        m_delta.buds.push_back({id, m_tree.buds(id), m_workspace.buds[id]});
-    m_delta.born.count = m_rows->size();
+        m_delta.internodes.buds.push_back({id, m_tree.budStates(id), m_workspace.buds[id]});
+    m_delta.born.count = rows().size();
     if (m_delta.born.count > 0)
         m_delta.rows = std::move(m_rows);
     if (!m_delta.isEmpty())

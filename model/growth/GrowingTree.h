@@ -12,7 +12,7 @@ namespace espalier {
 /// Memory that growth steps on the same tree reuse.
 struct GrowthWorkspace {
     StampedColumn<double> vigour;
-    StampedColumn<BudMask> buds;
+    StampedColumn<BudStates> buds;
     StampedColumn<std::uint8_t> marks;
     std::vector<BudAngles> budAngles; ///< By parameter set
 };
@@ -44,12 +44,18 @@ public:
     {
         return isNew(id) ? m_rotations[id - m_tree.size()] : m_index.rotation(id);
     }
+    InternodeKey key(InternodeId id) const
+    {
+        return isNew(id) ? rows().key[id - m_tree.size()] : m_tree.key(id);
+    }
     Vec3 heading(InternodeId id) const { return rotation(id) * Vec3(Vec3::UnitY()); }
-    BudMask buds(InternodeId id) const
+    /// Its active buds.
+    BudMask buds(InternodeId id) const { return budStates(id).active(); }
+    BudStates budStates(InternodeId id) const
     {
         if (isNew(id))
             return rows().buds[id - m_tree.size()];
-        return m_workspace.buds.has(id) ? m_workspace.buds[id] : m_tree.buds(id);
+        return m_workspace.buds.has(id) ? m_workspace.buds[id] : m_tree.budStates(id);
     }
     InternodeId axis(InternodeId id) const
     {
@@ -64,7 +70,7 @@ public:
     Vec3 budDirection(InternodeId id, int slot) const
     {
         const std::size_t set = isNew(id) ? m_tree.currentParameterSet() : m_tree.columns().parameterSet[id];
-        return rotation(id) * m_workspace.budAngles[set].direction(m_tree.seed(), id, slot);
+        return rotation(id) * m_workspace.budAngles[set].direction(key(id), slot);
     }
 
     /// The new nodes alone, by voxel; their ids count from tree().size(). Those that were grown since the
@@ -86,13 +92,14 @@ public:
     TreeDelta takeDelta();
 
 private:
-    const InternodeColumns& rows() const { return *m_rows; }
+    const InternodeColumns& rows() const { return m_rows->internodes; }
+    InternodeColumns& rows() { return m_rows->internodes; }
 
     const Tree& m_tree;
     const TreeIndex& m_index;
     GrowthWorkspace& m_workspace;
     TreeDelta m_delta;
-    std::unique_ptr<InternodeColumns> m_rows;
+    std::shared_ptr<TreeRows> m_rows;
     std::vector<Vec3> m_positions;
     std::vector<Rotation> m_rotations;
     std::vector<InternodeId> m_axes;

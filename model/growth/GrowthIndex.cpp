@@ -34,6 +34,7 @@ bool GrowthIndex::fill(const Tree& tree, const TreeIndex& index, float edge)
     m_place.assign(tree.size(), kNowhere);
     m_isNoted.assign(tree.size(), 0);
     m_noted.clear();
+    m_hasRemovedRows = false;
     m_sensed.assign(tree.size(), 0);
     m_own.assign(tree.size(), 0);
     m_basipetal.assign(tree.size(), 0);
@@ -52,14 +53,46 @@ bool GrowthIndex::fill(const Tree& tree, const TreeIndex& index, float edge)
 
 void GrowthIndex::follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
+    const bool isReverted = m_isNoted.size() > tree.size();
+    if (isReverted)
+        removeRows(tree, delta);
     m_isNoted.resize(tree.size(), 0);
     const auto note = [&](InternodeId id) {
         if (std::exchange(m_isNoted[id], 1) == 0)
             m_noted.push_back(id);
     };
-    delta.forEachTouched(note);
+    if (isReverted)
+        delta.forEachTouchedRow(note);
+    else
+        delta.forEachTouched(note);
     for (const InternodeId id : index.recentlyMoved())
         note(id);
+}
+
+/// Takes out the rows that @p delta bore, with what has flowed down from them.
+void GrowthIndex::removeRows(const Tree& tree, const TreeDelta& delta)
+{
+    const std::uint32_t end = tree.size();
+    const auto known =
+        static_cast<InternodeId>(m_place.size()); // what came since the last settle() is not in yet
+    for (InternodeId id = end; id < known; ++id) {
+        if (m_place[id] != kNowhere)
+            m_space.remove(id, m_place[id]);
+        const InternodeId parent = delta.rows->internodes.parent[id - end];
+        if (parent < end && m_basipetal[id] != 0) {
+            m_pending[parent] -= m_basipetal[id];
+            m_sweep.mark(parent);
+        }
+    }
+    m_hasRemovedRows = true;
+    m_sweep.truncate(end);
+    if (known > end) {
+        m_place.resize(end);
+        m_sensed.resize(end);
+        m_own.resize(end);
+        m_basipetal.resize(end);
+        m_pending.resize(end);
+    }
 }
 
 void GrowthIndex::settle(const Tree& tree, const TreeIndex& index)
@@ -73,7 +106,7 @@ bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size
         rebuild(tree, index);
         return true;
     }
-    if (m_noted.empty())
+    if (m_noted.empty() && !std::exchange(m_hasRemovedRows, false))
         return true;
     m_place.resize(tree.size(), kNowhere);
     m_sensed.resize(tree.size(), 0);
@@ -82,7 +115,9 @@ bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size
     m_pending.resize(tree.size(), 0);
     const std::span<const InternodeId> noted = std::span(m_noted).last(std::min(nodes, m_noted.size()));
     for (const InternodeId id : noted) {
-        m_isNoted[id] = 0;
+        // Its row was taken out since, or the same row was noted twice.
+        if (id >= tree.size() || std::exchange(m_isNoted[id], 0) == 0)
+            continue;
         const Vec3& position = index.nodePosition(id);
         const bool isAlive = tree.isAlive(id);
         if (m_place[id] != kNowhere && !(isAlive && m_space.isAt(id, m_place[id], position))) {
@@ -95,6 +130,8 @@ bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size
     // Light follows with the shadows cast below; buds that came or went, or turned, change their node's sum
     // where the light does not.
     for (const InternodeId id : noted) {
+        if (id >= tree.size())
+            continue;
         m_sensed[id] = sensedLight(m_space.shadow(m_space.cellAt(index.nodePosition(id))));
         refresh(tree, index, id);
     }
@@ -135,7 +172,7 @@ std::int32_t GrowthIndex::budQ(const Tree& tree, const TreeIndex& index, Interno
     if (slot == kTerminalSlot || m_settings.ellipse.isNeutral())
         return m_sensed[id];
     const Rotation& rotation = index.rotation(id);
-    const Vec3 bud = budDirection(tree.seed(), id, slot, rotation, tree.parametersOf(id).growth);
+    const Vec3 bud = budDirection(tree.key(id), slot, rotation, tree.parametersOf(id).growth);
     const double bias = gravimorphicBias(m_settings.ellipse, rotation * Vec3(Vec3::UnitY()), bud);
     return static_cast<std::int32_t>(bias * m_sensed[id] + 0.5);
 }

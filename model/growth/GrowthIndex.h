@@ -65,6 +65,7 @@ private:
     std::int32_t sensedLight(std::uint32_t shadow) const;
     std::int32_t budQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const;
     void refresh(const Tree& tree, const TreeIndex& index, InternodeId id);
+    void removeRows(const Tree& tree, const TreeDelta& delta);
     void castAndSweep(const Tree& tree, const TreeIndex& index);
 
     static constexpr VoxelSpace::Place kNowhere = ~VoxelSpace::Place{0};
@@ -73,7 +74,8 @@ private:
     VoxelSpace m_space;
     std::vector<VoxelSpace::Place> m_place;
     std::vector<std::uint8_t> m_isNoted;
-    std::vector<InternodeId> m_noted;   ///< Until settle()
+    std::vector<InternodeId> m_noted;   ///< Until settle(); some may have gone since
+    bool m_hasRemovedRows = false;      ///< Since settle()
     std::vector<std::int32_t> m_sensed; ///< L^κ at the node
     std::vector<std::int32_t> m_own;    ///< Sum over the node's own buds
     std::vector<std::int64_t> m_basipetal;

@@ -41,9 +41,9 @@ public:
         if (slot == kTerminalSlot && shoot.grown == 0)
             heading = deflected(node, heading);
 
-        const bool isTrunk = slot == kTerminalSlot && m_tree.axis(node) == 0;
+        const bool isTrunk = slot == kTerminalSlot && m_tree.parent(m_tree.axis(node)) == kNoInternode;
         const double theta = isTrunk && m_parameters.uprightTrunk ? 0.0 : m_options.setPointAngle;
-        Random random(m_tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::TropismPlane);
+        Random random(m_tree.key(node), static_cast<std::uint32_t>(slot), Purpose::TropismPlane);
         const double azimuth = m_options.isPlanar ? 0.0 : random.uniform(0.0, 2.0 * std::numbers::pi);
         const Vec3 level(static_cast<float>(std::cos(azimuth)), 0.0F, static_cast<float>(std::sin(azimuth)));
 
@@ -51,7 +51,7 @@ public:
             growthDirection(m_options.weights, heading, tropismVector(heading, theta, level), shoot.space);
         const auto spread =
             static_cast<float>(m_parameters.irregularity * kDirectionSpread * m_options.weights.axis);
-        Random wander(m_tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::Direction);
+        Random wander(m_tree.key(node), static_cast<std::uint32_t>(slot), Purpose::Direction);
         const Vec3 wandering = direction + spread * wander.direction();
         // What rounding has led out of the plane comes back.
         return (m_options.isPlanar ? Vec3(direction.x(), direction.y(), 0.0F) : wandering).normalized();
@@ -63,8 +63,8 @@ private:
     Vec3 deflected(InternodeId node, const Vec3& heading) const
     {
         Vec3 result = heading;
-        if (node == 0)
-            return result; // the seedling bears no lateral
+        if (m_tree.parent(node) == kNoInternode)
+            return result; // a seedling bears no lateral
         const auto started =
             static_cast<unsigned>(newBuds(m_tree.grownWith(node)) & ~m_tree.buds(node) & ~kTerminalBud);
         for (unsigned rest = started; rest != 0; rest &= rest - 1) {
@@ -105,7 +105,7 @@ InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction
 {
     const GrowthParameters& p = tree.tree().parameters().growth;
     const auto [node, slot] = shoot.bud;
-    Random random(tree.tree().seed(), static_cast<std::uint32_t>(slot), node, Purpose::Phyllotaxis);
+    Random random(tree.key(node), static_cast<std::uint32_t>(slot), Purpose::Phyllotaxis);
     // A new branch starts at a roll of its own; along an axis the phyllotactic angle counts.
     double roll = slot == kTerminalSlot ? p.phyllotaxis + p.irregularity * kRollSpread * random.normal()
                                         : random.uniform(0.0, 2.0 * std::numbers::pi);
@@ -233,8 +233,7 @@ std::size_t layBudMarkers(const GrowingTree& growing, const BudRef& bud, const G
     const double inner = std::pow(perception.occupancy, dimensions);
     const double outer = std::pow(perception.reach, dimensions);
     const double halfAngle = options.isPlanar ? std::acos(static_cast<double>(perception.cosHalfAngle)) : 0.0;
-    Random random(tree.seed(), tree.step(), bud.node * 8 + static_cast<std::uint32_t>(bud.slot),
-                  Purpose::BudMarker);
+    Random random(childKey(growing.key(bud.node), bud.slot, tree.step()), 0, Purpose::BudMarker);
     for (int i = 0; i < tree.parameters().growth.markersPerBud; ++i) {
         const double within = random.uniform(inner, outer);
         const double radius = options.isPlanar ? std::sqrt(within) : std::cbrt(within);

@@ -28,7 +28,8 @@ void shedBranches(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& f
 
     StampedColumn<std::uint8_t>& marks = workspace.marks; // of axes, by their first internode
     marks.clear(tree.size());
-    marks.set(0, kSpared);
+    for (const InternodeId root : index.roots())
+        marks.set(root, kSpared);
     for (InternodeId node : growingAt) {
         for (InternodeId axis = index.axis(node); marks.setOnce(axis, kSpared);
              axis = index.axis(tree.parent(axis))) {

@@ -93,7 +93,7 @@ std::uint32_t LeafPlacer::nodesBelow(InternodeId id) const
 Vec3 LeafPlacer::side(InternodeId id, const Vec3& axis) const
 {
     const double azimuth =
-        Random(m_tree.seed(), 0, m_index.axis(id), Purpose::LeafPlane).uniform(0.0, 2.0 * std::numbers::pi);
+        Random(m_tree.key(m_index.axis(id)), 0, Purpose::LeafPlane).uniform(0.0, 2.0 * std::numbers::pi);
     const Vec3 own(static_cast<float>(std::cos(azimuth)), 0.0F, static_cast<float>(std::sin(azimuth)));
     Vec3 level = axis.cross(up());
     if (level.dot(own) < 0.0F)
@@ -133,7 +133,7 @@ LeafPlacer::Stand LeafPlacer::stand(std::uint32_t i, std::uint32_t below, const 
 void LeafPlacer::place(InternodeId id, std::uint32_t below, std::span<LeafInstance> leaves) const
 {
     assert(leaves.size() == m_perNode);
-    Random random(m_tree.seed(), 0, id, Purpose::Leaf);
+    Random random(m_tree.key(id), 0, Purpose::Leaf);
     const Vec3 node = m_index.nodePosition(id);
     const Eigen::Matrix3f frame = m_index.rotation(id).toRotationMatrix();
     const Vec3 axis = frame.col(1);

@@ -100,10 +100,12 @@ void MeshPool::follow(const Tree& tree, const TreeIndex& index, const TreeDelta&
     m_parameters = now;
     // With constraints, any edit may change widths anywhere: finish() computes and compares them all, once.
     // With neither these nor a base diameter, they do not depend on the tree.
-    if (!tree.widthConstraints().empty() || !delta.widths.empty())
+    if (!tree.widthConstraints().empty() || !delta.sparse.width.empty())
         m_widthsAreStale = true;
     else if (now.widths.baseDiameter > 0.0 || areWidthsOthers)
         m_widths.emplace(tree, index);
+    for (auto id = static_cast<InternodeId>(m_tubes.size()); id-- > tree.size();)
+        forget(id); // its row was taken out
     resize(tree.size());
     ++m_update;
     collectTouched(tree, index, delta);
@@ -200,6 +202,12 @@ void MeshPool::resize(std::uint32_t size)
 void MeshPool::collectTouched(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
     const auto touch = [&](InternodeId id) {
+        if (id >= tree.size()) {
+            const InternodeId parent = delta.rows->internodes.parent[id - delta.born.first];
+            if (parent < tree.size() && tree.isAlive(parent))
+                inspect(tree, index, parent, kTolerance);
+            return;
+        }
         if (tree.isAlive(id)) {
             m_dirty.push_back(id);
             inspect(tree, index, id, kTolerance);
@@ -219,10 +227,10 @@ void MeshPool::collectTouched(const Tree& tree, const TreeIndex& index, const Tr
             m_dirty.push_back(id);
     }
     // What a bent internode stands on has another bend at its end.
-    for (const TreeDelta::FrameChange& change : delta.frames) {
-        if (const InternodeId parent = tree.parent(change.id); parent != kNoInternode && tree.isAlive(parent))
+    delta.forEachReframed([&](InternodeId id) {
+        if (const InternodeId parent = tree.parent(id); parent != kNoInternode && tree.isAlive(parent))
             m_dirty.push_back(parent);
-    }
+    });
 }
 
 /// Internodes that carry more or less than before.
@@ -349,8 +357,10 @@ void MeshPool::collectWaiting(const Tree& tree)
     }
     std::ranges::reverse(m_waiting);
     std::erase_if(m_bare, [&](InternodeId id) {
+        if (!tree.isAlive(id))
+            return true;
         const InternodeId below = tree.parent(id);
-        return !tree.isAlive(id) || (below != kNoInternode && m_continuation[below] == id);
+        return (below != kNoInternode && m_continuation[below] == id);
     });
 }
 

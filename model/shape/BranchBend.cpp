@@ -82,9 +82,9 @@ bool BranchBend::solve(std::span<const Vec3> targets)
     return m_chain.solve(wanted);
 }
 
-std::vector<TreeDelta::FrameChange> BranchBend::changes() const
+std::vector<FrameChange> BranchBend::changes() const
 {
-    std::vector<TreeDelta::FrameChange> changes;
+    std::vector<FrameChange> changes;
     const ChainPose& rest = m_chain.rest();
     const ChainPose& bent = m_chain.pose();
     Eigen::Quaterniond turnBelow = Eigen::Quaterniond::Identity();
@@ -106,6 +106,9 @@ std::vector<TreeDelta::FrameChange> BranchBend::changes() const
         const double least = std::max(kLeastShare * before, std::min(kLeastLength, before));
         const auto lengthAfter =
             static_cast<float>(std::clamp(wanted, least, static_cast<double>(kGreatestLength)));
+        // Rounding must not add up over many bends.
+        if (after != m_rotations[i])
+            after.normalize();
         if (after != m_rotations[i] || lengthAfter != m_lengths[i])
             changes.push_back({m_path[i], m_rotations[i], after, m_lengths[i], lengthAfter});
     }

@@ -13,6 +13,15 @@ namespace espalier {
 /// in its subtree.
 std::vector<InternodeId> pathBetween(const Tree& tree, InternodeId base, InternodeId end);
 
+/// What bending did to the row of an internode; all that hangs on it moves along.
+struct FrameChange {
+    InternodeId id;
+    Rotation before; ///< Local frame
+    Rotation after;
+    float lengthBefore; ///< m
+    float lengthAfter;  ///< m
+};
+
 /// A branch of a tree while hands bend it (TreeSketch §3.3): the path from a base internode, which stays, to
 /// an end internode, as a ChainBend. What hangs on the path keeps its frames against the internodes that
 /// carry it. The rest pose, and the rows that changes() counts from, are those of the tree at construction,
@@ -43,7 +52,7 @@ public:
     /// What the rows of the path's internodes must become for the tree to stand as pose() says; none of those
     /// that stay as they are, never the base's. A length is never less than a hundredth of what it was, and
     /// never beyond what a tree may hold.
-    std::vector<TreeDelta::FrameChange> changes() const;
+    std::vector<FrameChange> changes() const;
 
 private:
     std::vector<InternodeId> m_path;

@@ -117,7 +117,7 @@ private:
 
     double logOf(const WidthConstraint& constraint) const
     {
-        const auto diameter = static_cast<double>(constraint.diameter);
+        const auto diameter = static_cast<double>(constraint.value);
         return diameter > 0.0 ? std::log(std::clamp(diameter, kSmallestTip, kLargestDiameter)) : m_logTip;
     }
 

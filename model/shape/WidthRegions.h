@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/tree/TreeIndex.h"
-#include "model/tree/WidthConstraint.h"
+#include "model/tree/TreeTables.h"
 
 #include <optional>
 #include <span>

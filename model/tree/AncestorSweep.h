@@ -24,6 +24,17 @@ public:
         m_end = std::max(m_end, word + 1);
     }
 
+    /// Forgets the marks of ids from @p size on.
+    void truncate(InternodeId size)
+    {
+        const std::size_t words = (std::size_t{size} + 63) / 64;
+        if (m_end >= words && size % 64 != 0)
+            m_words[words - 1] &= (std::uint64_t{1} << (size % 64)) - 1;
+        for (std::size_t word = words; word < m_end; ++word)
+            m_words[word] = 0;
+        m_end = std::min(m_end, words);
+    }
+
     /// Calls @p visit(id, parent) from the highest id down, then forgets the marks; parent is kNoInternode at
     /// the base.
     template <class Visit>

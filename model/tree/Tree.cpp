@@ -1,326 +1,212 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/tree/Tree.h"
 
-#include <QCoreApplication>
-
-#include <cmath>
+#include "model/base/Random.h"
 
 namespace espalier {
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("Tree", text);
-}
-
 template <class T>
-void appendColumn(QList<T>& column, const QList<T>& rows)
+bool isSameColumn(const QList<T>& a, const QList<T>& b)
 {
-    column.append(rows);
+    return a.isSharedWith(b) || std::ranges::equal(a, b, isSame<T>);
 }
 
-void append(InternodeColumns& columns, const InternodeColumns& rows)
+/// Calls @p write(cell, change) for each change of the columns in @p changes.
+template <class Table, class Columns, class Changes, class Write>
+void writeCells(Columns& columns, const Changes& changes, Write&& write)
 {
-    appendColumn(columns.parent, rows.parent);
-    appendColumn(columns.rotation, rows.rotation);
-    appendColumn(columns.length, rows.length);
-    appendColumn(columns.vigour, rows.vigour);
-    appendColumn(columns.slot, rows.slot);
-    appendColumn(columns.buds, rows.buds);
-    appendColumn(columns.birth, rows.birth);
-    appendColumn(columns.death, rows.death);
-    appendColumn(columns.present, rows.present);
-    appendColumn(columns.parameterSet, rows.parameterSet);
+    Table::visit(
+        [&](const auto&, auto& column, const auto& columnChanges) {
+            for (const auto& change : columnChanges)
+                write(column[change.row], change);
+        },
+        columns, changes);
 }
 
-bool isUnit(const Rotation& rotation)
-{
-    const float squaredNorm = rotation.coeffs().squaredNorm();
-    return std::abs(squaredNorm - 1.0F) < 1e-3F; // false for NaN
-}
-
-bool isLength(float length)
-{
-    return length > 0.0F && length <= kGreatestLength;
-}
-
-/// What is wrong with row @p id, or nothing.
-QString faultOf(const InternodeColumns& c, InternodeId id, std::uint32_t parameterSets, Step step)
-{
-    if (id > 0 && c.parent[id] >= id)
-        return tr("its parent does not come before it");
-    if (!isUnit(c.rotation[id]))
-        return tr("its rotation is not one");
-    if (!isLength(c.length[id]))
-        return tr("its length is out of range");
-    if (!(c.vigour[id] >= 0.0F && c.vigour[id] <= 1.0F))
-        return tr("its vigour is out of range");
-    if (c.slot[id] != kTerminalSlot && c.slot[id] >= kMaxLaterals)
-        return tr("it grows from a bud that does not exist");
-    if ((c.buds[id] & ~(kTerminalBud | ((1U << kMaxLaterals) - 1U))) != 0)
-        return tr("it has a bud that does not exist");
-    if (c.present[id] > 1)
-        return tr("it is neither there nor away");
-    if (c.parameterSet[id] >= parameterSets)
-        return tr("its parameters are missing");
-    if (c.birth[id] > step && c.present[id] != 0)
-        return tr("it was born in the future");
-    if (c.death[id] != kNever && c.death[id] < c.birth[id])
-        return tr("it died before it was born");
-    return {};
-}
+constexpr auto kWriteAfter = [](auto& cell, const auto& change) { cell = change.after; };
+constexpr auto kWriteBefore = [](auto& cell, const auto& change) { cell = change.before; };
 
 } // namespace
 
-bool isFrame(const Rotation& rotation, float length)
+bool TreeContent::operator==(const TreeContent& other) const
 {
-    return isUnit(rotation) && isLength(length);
+    bool isEqual = seed == other.seed && step == other.step && currentParameters == other.currentParameters &&
+                   lassosInForce == other.lassosInForce;
+    const auto compare = [&isEqual](const auto&, const auto& a, const auto& b) {
+        isEqual = isEqual && isSameColumn(a, b);
+    };
+    InternodeTable::visit(compare, internodes, other.internodes);
+    LeafTable::visit(compare, leaves, other.leaves);
+    KeptTable::visit(compare, kept, other.kept);
+    SparseTable::visit([&isEqual](const auto&, const auto& a, const auto& b) { isEqual = isEqual && a == b; },
+                       sparse, other.sparse);
+    return isEqual;
 }
 
-bool isLasso(const LassoStroke& stroke)
+Tree::Tree(std::uint64_t seed, const TreeParameters& parameters)
 {
-    const auto isUnitVector = [](const Vec3& v) { return std::abs(v.squaredNorm() - 1.0F) < 1e-3F; };
-    return stroke.origin.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kFarthestLassoPlane &&
-           isUnitVector(stroke.right) && isUnitVector(stroke.up) &&
-           std::abs(stroke.right.dot(stroke.up)) < 1e-3F && stroke.points.size() <= kMostLassoPoints &&
-           std::ranges::all_of(stroke.points, [](const Vec2& point) {
-               return point.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kFarthestLassoPoint;
-           });
-}
-
-Tree::Tree(std::uint64_t seed, const TreeParameters& parameters) : m_seed(seed)
-{
-    m_parameterSets.append(parameters);
-    InternodeColumns& c = m_columns;
+    m_content.seed = seed;
+    m_content.kept.parameters.append(parameters);
+    InternodeColumns& c = m_content.internodes;
     c.parent.append(kNoInternode);
+    c.along.append(1.0F);
     c.rotation.append(Rotation::Identity());
     c.length.append(static_cast<float>(parameters.growth.internodeLength));
     c.vigour.append(1.0F);
     c.slot.append(kTerminalSlot);
-    c.buds.append(kTerminalBud);
+    c.buds.append(BudStates::active(kTerminalBud));
     c.birth.append(0);
     c.death.append(kNever);
-    c.present.append(1);
     c.parameterSet.append(0);
+    c.key.append(rootKey(seed));
 }
 
-Result<Tree> Tree::fromColumns(std::uint64_t seed, Step step, InternodeColumns columns,
-                               QList<TreeParameters> parameterSets, std::uint32_t currentParameters,
-                               std::vector<WidthConstraint> widths, Lassos lassos)
+Result<Tree> Tree::fromContent(TreeContent content)
 {
-    const std::uint32_t count = columns.size();
-    bool equalSizes = true;
-    InternodeColumns::visit(columns,
-                            [&](const char*, const auto& column) { equalSizes &= column.size() == count; });
-    if (!equalSizes)
-        return Error{Error::Kind::Input, tr("the columns of the tree have different lengths")};
-    if (count == 0 || parameterSets.isEmpty() || currentParameters >= parameterSets.size())
-        return Error{Error::Kind::Input, tr("the tree is empty or lacks its parameters")};
-
-    const auto setCount = static_cast<std::uint32_t>(parameterSets.size());
-    const auto alive = [&](InternodeId id) {
-        return columns.present[id] != 0 && columns.death[id] == kNever;
-    };
-    std::vector<bool> continued(count, false);
-    for (InternodeId id = 0; id < count; ++id) {
-        QString fault = faultOf(std::as_const(columns), id, setCount, step);
-        if (id == 0 && (columns.parent[0] != kNoInternode || !alive(0)))
-            fault = tr("the seedling must stand at the base");
-        if (fault.isEmpty() && id > 0 && alive(id)) {
-            const InternodeId parent = columns.parent[id];
-            if (!alive(parent))
-                fault = tr("it lives on a dead internode");
-            else if (columns.slot[id] == kTerminalSlot && continued[parent])
-                fault = tr("two internodes continue the same axis");
-            else if (columns.slot[id] == kTerminalSlot)
-                continued[parent] = true;
-        }
-        if (!fault.isEmpty())
-            return Error{Error::Kind::Input, tr("internode %1: %2").arg(id).arg(fault)};
-    }
-    for (std::size_t i = 0; i < widths.size(); ++i) {
-        const auto [id, diameter] = widths[i];
-        if (id >= count || (i > 0 && id <= widths[i - 1].id) ||
-            !(diameter > 0.0F && diameter <= kGreatestDiameter))
-            return Error{Error::Kind::Input, tr("width %1 cannot be").arg(i)};
-    }
-    for (qsizetype i = 0; i < lassos.strokes.size(); ++i) {
-        if (!isLasso(lassos.strokes.at(i)))
-            return Error{Error::Kind::Input, tr("lasso %1 cannot be").arg(i)};
-    }
-    for (std::size_t i = 0; i < lassos.inForce.size(); ++i) {
-        if (lassos.inForce[i] >= lassos.strokes.size() ||
-            (i > 0 && lassos.inForce[i] <= lassos.inForce[i - 1]))
-            return Error{Error::Kind::Input, tr("the lassos in force are out of order")};
-    }
-
+    if (QString fault = treeFault(content); !fault.isEmpty())
+        return Error{Error::Kind::Input, std::move(fault)};
     Tree tree;
-    tree.m_lassos = std::move(lassos);
-    tree.m_widths = std::move(widths);
-    tree.m_columns = std::move(columns);
-    tree.m_parameterSets = std::move(parameterSets);
-    tree.m_currentParameters = currentParameters;
-    tree.m_seed = seed;
-    tree.m_step = step;
+    tree.m_content = std::move(content);
     return tree;
 }
 
-std::uint32_t Tree::rememberParameters(const TreeParameters& parameters)
+bool Tree::hasRoomFor(const TreeParameters& parameters) const
 {
-    const auto known = m_parameterSets.lastIndexOf(parameters);
-    if (known >= 0)
-        return static_cast<std::uint32_t>(known);
-    Q_ASSERT(m_parameterSets.size() < 0xffff);
-    m_parameterSets.append(parameters);
-    return static_cast<std::uint32_t>(m_parameterSets.size() - 1);
-}
-
-void Tree::forgetLastParameters()
-{
-    Q_ASSERT(m_currentParameters + 1 < m_parameterSets.size());
-    m_parameterSets.removeLast();
-}
-
-void Tree::apply(TreeDelta& delta)
-{
-    Q_ASSERT(m_step == delta.stepBefore);
-    if (delta.rows) {
-        Q_ASSERT(delta.born.first == size() && delta.born.count == delta.rows->size());
-        append(m_columns, *delta.rows);
-        delta.rows.reset();
-    }
-    std::fill_n(m_columns.present.begin() + delta.born.first, delta.born.count, std::uint8_t{1});
-    for (const InternodeId id : delta.died)
-        m_columns.death[id] = delta.stepAfter;
-    for (const TreeDelta::BudChange& change : delta.buds)
-        m_columns.buds[change.id] = change.after;
-    for (const TreeDelta::FrameChange& change : delta.frames) {
-        m_columns.rotation[change.id] = change.after;
-        m_columns.length[change.id] = change.lengthAfter;
-    }
-    for (const TreeDelta::WidthChange& change : delta.widths)
-        setWidth(change.id, change.after);
-    for (const TreeDelta::LassoChange& change : delta.lassos)
-        setLasso(change.index, change.isInForce);
-    m_currentParameters = delta.parametersAfter;
-    m_step = delta.stepAfter;
-}
-
-void Tree::revert(const TreeDelta& delta)
-{
-    Q_ASSERT(m_step == delta.stepAfter && !delta.rows);
-    for (const TreeDelta::LassoChange& change : delta.lassos)
-        setLasso(change.index, !change.isInForce);
-    for (const TreeDelta::WidthChange& change : delta.widths)
-        setWidth(change.id, change.before);
-    for (const TreeDelta::FrameChange& change : delta.frames) {
-        m_columns.rotation[change.id] = change.before;
-        m_columns.length[change.id] = change.lengthBefore;
-    }
-    for (const TreeDelta::BudChange& change : delta.buds)
-        m_columns.buds[change.id] = change.before;
-    for (const InternodeId id : delta.died)
-        m_columns.death[id] = kNever;
-    std::fill_n(m_columns.present.begin() + delta.born.first, delta.born.count, std::uint8_t{0});
-    m_currentParameters = delta.parametersBefore;
-    m_step = delta.stepBefore;
-}
-
-bool Tree::operator==(const Tree& other) const
-{
-    const InternodeColumns& a = m_columns;
-    const InternodeColumns& b = other.m_columns;
-    const auto sameRotation = [](const Rotation& r, const Rotation& s) { return r.coeffs() == s.coeffs(); };
-    return m_seed == other.m_seed && m_step == other.m_step && m_widths == other.m_widths &&
-           m_lassos == other.m_lassos && m_currentParameters == other.m_currentParameters &&
-           m_parameterSets == other.m_parameterSets && a.parent == b.parent &&
-           std::ranges::equal(a.rotation, b.rotation, sameRotation) && a.length == b.length &&
-           a.vigour == b.vigour && a.slot == b.slot && a.buds == b.buds && a.birth == b.birth &&
-           a.death == b.death && a.present == b.present && a.parameterSet == b.parameterSet;
-}
-
-float Tree::widthConstraint(InternodeId id) const
-{
-    const auto found = std::ranges::lower_bound(m_widths, id, {}, &WidthConstraint::id);
-    return found != m_widths.end() && found->id == id ? found->diameter : 0.0F;
-}
-
-void Tree::setWidth(InternodeId id, float diameter)
-{
-    const auto place = std::ranges::lower_bound(m_widths, id, {}, &WidthConstraint::id);
-    const bool isSet = place != m_widths.end() && place->id == id;
-    if (diameter <= 0.0F && isSet)
-        m_widths.erase(place);
-    else if (diameter > 0.0F && isSet)
-        place->diameter = diameter;
-    else if (diameter > 0.0F)
-        m_widths.insert(place, {id, diameter});
+    return parameterSets().size() < kMostParameterSets || parameterSets().contains(parameters);
 }
 
 std::vector<LassoStroke> Tree::lassosInForce() const
 {
     std::vector<LassoStroke> strokes;
-    for (const std::uint32_t index : m_lassos.inForce)
-        strokes.push_back(m_lassos.strokes[index]);
+    for (const std::uint32_t index : m_content.lassosInForce)
+        strokes.push_back(lassos()[index]);
     return strokes;
 }
 
-std::uint32_t Tree::rememberLasso(const LassoStroke& stroke)
+void Tree::apply(const TreeDelta& delta)
 {
-    Q_ASSERT(isLasso(stroke));
-    m_lassos.strokes.append(stroke);
-    return static_cast<std::uint32_t>(m_lassos.strokes.size() - 1);
+    TreeContent& c = m_content;
+    Q_ASSERT(c.step == delta.stepBefore && delta.born.first == size());
+    Q_ASSERT(delta.bringsRows() == (delta.rows != nullptr));
+    if (delta.rows) {
+        const auto append = [](const auto&, auto& column, const auto& rows) { column.append(rows); };
+        InternodeTable::visit(append, c.internodes, delta.rows->internodes);
+        LeafTable::visit(append, c.leaves, delta.rows->leaves);
+        KeptTable::visit(append, c.kept, delta.rows->kept);
+    }
+    for (const InternodeId id : delta.died)
+        c.internodes.death[id] = delta.stepAfter;
+    writeCells<InternodeTable>(c.internodes, delta.internodes, kWriteAfter);
+    writeCells<LeafTable>(c.leaves, delta.leaves, kWriteAfter);
+    SparseTable::visit(
+        [](const auto&, auto& column, const auto& changes) {
+            for (const auto& change : changes)
+                column.set(change.row, change.after);
+        },
+        c.sparse, delta.sparse);
+    for (const TreeDelta::LassoChange& change : delta.lassos)
+        setLasso(change.index, change.isInForce);
+    c.currentParameters = delta.parametersAfter;
+    c.step = delta.stepAfter;
 }
 
-void Tree::forgetLassosFrom(std::uint32_t count)
+void Tree::revert(TreeDelta& delta)
 {
-    Q_ASSERT(m_lassos.inForce.empty() || m_lassos.inForce.back() < count);
-    m_lassos.strokes.resize(std::min<qsizetype>(count, m_lassos.strokes.size()));
+    if (delta.bringsRows() && !delta.rows) {
+        const TreeContent& c = m_content;
+        delta.rows = std::make_shared<TreeRows>();
+        // The deltas after it have been reverted: its rows are the last ones, as changed by itself alone.
+        revertChanges(delta);
+        const auto takeFrom = [](std::uint32_t first) {
+            return [first](const auto&, const auto& column, auto& rows) { rows = column.mid(first); };
+        };
+        InternodeTable::visit(takeFrom(delta.born.first), c.internodes, delta.rows->internodes);
+        LeafTable::visit(takeFrom(delta.bornLeaves.first), c.leaves, delta.rows->leaves);
+        KeptTable::visit([](const auto&, const auto& column, auto& rows,
+                            std::uint32_t count) { rows = column.mid(column.size() - count); },
+                         c.kept, delta.rows->kept, delta.kept);
+    } else {
+        revertChanges(delta);
+    }
+    truncate(delta);
+}
+
+void Tree::revertDropping(const TreeDelta& delta)
+{
+    revertChanges(delta);
+    truncate(delta);
+}
+
+void Tree::revertChanges(const TreeDelta& delta)
+{
+    TreeContent& c = m_content;
+    Q_ASSERT(c.step == delta.stepAfter && delta.born.end() == size());
+    for (const TreeDelta::LassoChange& change : delta.lassos)
+        setLasso(change.index, !change.isInForce);
+    SparseTable::visit(
+        [](const auto&, auto& column, const auto& changes) {
+            for (const auto& change : changes)
+                column.set(change.row, change.before);
+        },
+        c.sparse, delta.sparse);
+    writeCells<LeafTable>(c.leaves, delta.leaves, kWriteBefore);
+    writeCells<InternodeTable>(c.internodes, delta.internodes, kWriteBefore);
+    for (const InternodeId id : delta.died)
+        c.internodes.death[id] = kNever;
+    c.currentParameters = delta.parametersBefore;
+    c.step = delta.stepBefore;
+}
+
+/// Takes out the rows and values that @p delta brought.
+void Tree::truncate(const TreeDelta& delta)
+{
+    if (!delta.bringsRows())
+        return;
+    const auto cut = [](std::uint32_t size) {
+        return [size](const auto&, auto& column) { column.resize(size); };
+    };
+    if (delta.born.count > 0)
+        InternodeTable::visit(cut(delta.born.first), m_content.internodes);
+    if (delta.bornLeaves.count > 0)
+        LeafTable::visit(cut(delta.bornLeaves.first), m_content.leaves);
+    KeptTable::visit(
+        [](const auto&, auto& column, std::uint32_t count) {
+            if (count > 0)
+                column.resize(column.size() - count);
+        },
+        m_content.kept, delta.kept);
 }
 
 void Tree::setLasso(std::uint32_t index, bool inForce)
 {
-    const auto place = std::ranges::lower_bound(m_lassos.inForce, index);
-    const bool isIn = place != m_lassos.inForce.end() && *place == index;
+    std::vector<std::uint32_t>& indices = m_content.lassosInForce;
+    const auto place = std::ranges::lower_bound(indices, index);
+    const bool isIn = place != indices.end() && *place == index;
     if (inForce && !isIn)
-        m_lassos.inForce.insert(place, index);
+        indices.insert(place, index);
     else if (!inForce && isIn)
-        m_lassos.inForce.erase(place);
+        indices.erase(place);
 }
 
 std::size_t Tree::bytes() const
 {
-    std::size_t sum = m_widths.capacity() * sizeof(WidthConstraint) +
-                      static_cast<std::size_t>(m_parameterSets.size()) * sizeof(TreeParameters);
-    for (const LassoStroke& stroke : m_lassos.strokes)
-        sum += sizeof(stroke) + stroke.points.capacity() * sizeof(Vec2);
-    InternodeColumns::visit(m_columns, [&](const char*, const auto& column) {
+    std::size_t sum = 0;
+    const auto add = [&sum](const auto&, const auto& column) {
         sum += static_cast<std::size_t>(column.capacity()) * sizeof(*column.constData());
-    });
+    };
+    InternodeTable::visit(add, m_content.internodes);
+    LeafTable::visit(add, m_content.leaves);
+    KeptTable::visit(add, m_content.kept);
+    SparseTable::visit(
+        [&sum](const auto&, const auto& column) {
+            sum += column.cells().capacity() * sizeof(column.cells().front());
+        },
+        m_content.sparse);
+    for (const LassoStroke& stroke : lassos())
+        sum += stroke.points.capacity() * sizeof(Vec2);
     return sum;
-}
-
-TreeDelta TreeDelta::startingAt(const Tree& tree)
-{
-    TreeDelta delta;
-    delta.stepBefore = delta.stepAfter = tree.step();
-    delta.parametersBefore = delta.parametersAfter = tree.currentParameterSet();
-    delta.born = {tree.size(), 0};
-    return delta;
-}
-
-bool TreeDelta::isEmpty() const
-{
-    return stepBefore == stepAfter && parametersBefore == parametersAfter && born.count == 0 &&
-           died.empty() && buds.empty() && frames.empty() && widths.empty() && lassos.empty();
-}
-
-std::size_t TreeDelta::bytes() const
-{
-    return sizeof(*this) + died.capacity() * sizeof(InternodeId) + buds.capacity() * sizeof(BudChange) +
-           frames.capacity() * sizeof(FrameChange) + widths.capacity() * sizeof(WidthChange) +
-           lassos.capacity() * sizeof(LassoChange);
 }
 
 } // namespace espalier

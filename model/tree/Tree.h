@@ -2,113 +2,120 @@
 #pragma once
 
 #include "model/base/Error.h"
-#include "model/tree/InternodeColumns.h"
-#include "model/tree/LassoStroke.h"
-#include "model/tree/Parameters.h"
 #include "model/tree/TreeDelta.h"
-#include "model/tree/WidthConstraint.h"
+#include "model/tree/TreeTables.h"
 
 #include <span>
 
 namespace espalier {
 
-/// Limits of what a tree may hold, m.
-inline constexpr float kGreatestLength = 1000.0F;  ///< Of an internode
-inline constexpr float kGreatestDiameter = 100.0F; ///< Of a width constraint
+/// All that a tree is made of.
+struct TreeContent {
+    std::uint64_t seed = 1;
+    Step step = 0;
+    InternodeColumns internodes;
+    LeafColumns leaves;
+    SparseColumns sparse;
+    KeptValues kept;
+    std::uint32_t currentParameters = 0;      ///< Index of the parameter set in force
+    std::vector<std::uint32_t> lassosInForce; ///< Indices of strokes, ascending
 
-/// Whether an internode may have such a local frame and length.
-bool isFrame(const Rotation& rotation, float length);
-
-/// The lasso strokes of a tree: its envelopes.
-struct Lassos {
-    QList<LassoStroke> strokes;         ///< That were ever in force
-    std::vector<std::uint32_t> inForce; ///< Their indices, ascending
-
-    bool operator==(const Lassos&) const = default;
+    bool operator==(const TreeContent& other) const;
 };
 
 /// The plant graph. An internode is a row of the columns; its upper end is a node, which carries buds; an
-/// axis is a chain of internodes that each continue the one before (slot kTerminalSlot). Nothing is erased:
-/// what is shed or pruned gets a death step, and what is undone is marked absent. Internode 0 is the
-/// seedling: it stands at the origin, upright, and never dies.
+/// axis is a chain of internodes that each continue the one before (slot kTerminalSlot). What is shed or
+/// pruned gets a death step; only undo takes rows out. Internode 0 is the seedling: it is a root, stands
+/// upright and never dies; other roots may stand beside it.
 ///
 /// A Tree is a value: copies share their columns until one of them changes.
 class Tree {
 public:
-    /// A seedling.
+    /// A seedling at the world's origin.
     explicit Tree(std::uint64_t seed = 1, const TreeParameters& parameters = {});
 
-    /// A tree read from elsewhere. Fails unless the columns agree with each other: equal sizes, parents
-    /// before children, at most one living continuation a node, living parents of living internodes, finite
-    /// numbers, known parameter sets, positive widths by ascending id, lassos that are some.
-    static Result<Tree> fromColumns(std::uint64_t seed, Step step, InternodeColumns columns,
-                                    QList<TreeParameters> parameterSets, std::uint32_t currentParameters,
-                                    std::vector<WidthConstraint> widths = {}, Lassos lassos = {});
+    /// A tree read from elsewhere. Fails, naming the row, unless treeFault() finds nothing.
+    static Result<Tree> fromContent(TreeContent content);
 
-    std::uint64_t seed() const { return m_seed; }
-    Step step() const { return m_step; }
-    /// Rows, the dead and the undone included.
-    std::uint32_t size() const { return m_columns.size(); }
-    const InternodeColumns& columns() const { return m_columns; }
+    const TreeContent& content() const { return m_content; }
+    std::uint64_t seed() const { return m_content.seed; }
+    Step step() const { return m_content.step; }
+    /// Internodes, the dead included.
+    std::uint32_t size() const { return m_content.internodes.size(); }
+    const InternodeColumns& columns() const { return m_content.internodes; }
+    const LeafColumns& placedLeaves() const { return m_content.leaves; }
 
-    InternodeId parent(InternodeId id) const { return m_columns.parent[id]; }
-    float length(InternodeId id) const { return m_columns.length[id]; }
-    float vigour(InternodeId id) const { return m_columns.vigour[id]; }
-    BudMask buds(InternodeId id) const { return m_columns.buds[id]; }
-    Step birth(InternodeId id) const { return m_columns.birth[id]; }
-    bool isAlive(InternodeId id) const { return m_columns.present[id] != 0 && m_columns.death[id] == kNever; }
-    bool continuesAxis(InternodeId id) const { return m_columns.slot[id] == kTerminalSlot; }
+    InternodeId parent(InternodeId id) const { return columns().parent[id]; }
+    float length(InternodeId id) const { return columns().length[id]; }
+    float vigour(InternodeId id) const { return columns().vigour[id]; }
+    /// Its active buds.
+    BudMask buds(InternodeId id) const { return columns().buds[id].active(); }
+    BudStates budStates(InternodeId id) const { return columns().buds[id]; }
+    Step birth(InternodeId id) const { return columns().birth[id]; }
+    InternodeKey key(InternodeId id) const { return columns().key[id]; }
+    /// False, too, for ids beyond the rows.
+    bool isAlive(InternodeId id) const { return id < size() && columns().death[id] == kNever; }
+    bool continuesAxis(InternodeId id) const { return columns().slot[id] == kTerminalSlot; }
+    /// Where a root stands, m.
+    Vec3 rootPosition(InternodeId id) const
+    {
+        const Vec3* const position = m_content.sparse.rootPosition.find(id);
+        return position ? *position : Vec3(Vec3::Zero());
+    }
 
     /// The widths that a person has set, by ascending id; those of dead internodes count for nothing.
-    std::span<const WidthConstraint> widthConstraints() const { return m_widths; }
+    std::span<const WidthConstraint> widthConstraints() const { return m_content.sparse.width.cells(); }
     /// m; 0 if none is set there.
-    float widthConstraint(InternodeId id) const;
+    float widthConstraint(InternodeId id) const { return m_content.sparse.width.at(id).value_or(0.0F); }
 
-    const QList<TreeParameters>& parameterSets() const { return m_parameterSets; }
-    std::uint32_t currentParameterSet() const { return m_currentParameters; }
+    const QList<TreeParameters>& parameterSets() const { return m_content.kept.parameters; }
+    std::uint32_t currentParameterSet() const { return m_content.currentParameters; }
     /// The parameters in force now.
-    const TreeParameters& parameters() const { return m_parameterSets[m_currentParameters]; }
+    const TreeParameters& parameters() const { return parameterSets()[m_content.currentParameters]; }
     /// The parameters that an internode was grown with.
     const TreeParameters& parametersOf(InternodeId id) const
     {
-        return m_parameterSets[m_columns.parameterSet[id]];
+        return parameterSets()[columns().parameterSet[id]];
     }
+    /// Whether a delta may put @p parameters in force: they are known, or there are few enough different
+    /// sets.
+    bool hasRoomFor(const TreeParameters& parameters) const;
 
-    /// Keeps @p parameters, unless they are known already, and returns their index. Changes nothing else: a
-    /// delta puts them in force. Precondition: less than 65,536 different sets.
-    std::uint32_t rememberParameters(const TreeParameters& parameters);
-    /// Drops the set that was remembered last. Precondition: neither an internode nor a delta refers to it,
-    /// and it is not in force.
-    void forgetLastParameters();
-
-    const Lassos& lassos() const { return m_lassos; }
+    /// The lasso strokes that were ever in force.
+    const QList<LassoStroke>& lassos() const { return m_content.kept.lassos; }
+    /// Indices of those in force now, ascending: the tree's envelopes.
+    const std::vector<std::uint32_t>& lassoIndicesInForce() const { return m_content.lassosInForce; }
     /// Copies of the strokes in force.
     std::vector<LassoStroke> lassosInForce() const;
-    /// Keeps @p stroke and returns its index. A delta puts it in force. Precondition: isLasso(stroke).
-    std::uint32_t rememberLasso(const LassoStroke& stroke);
-    /// Drops the strokes from @p count on. Precondition: none of them is in force, nor does a delta refer to
-    /// one.
-    void forgetLassosFrom(std::uint32_t count);
 
-    void apply(TreeDelta& delta);
-    void revert(const TreeDelta& delta);
+    /// Appends the delta's rows and makes its changes. Precondition: the delta starts at this tree and has
+    /// its rows.
+    void apply(const TreeDelta& delta);
+    /// The inverse; moves the rows that go into the delta, if it has none.
+    void revert(TreeDelta& delta);
+    /// Likewise, and drops the rows that go.
+    void revertDropping(const TreeDelta& delta);
 
-    bool operator==(const Tree& other) const;
+    bool operator==(const Tree&) const = default;
 
     /// Memory of the columns, in bytes.
     std::size_t bytes() const;
 
 private:
-    void setWidth(InternodeId id, float diameter);
+    void revertChanges(const TreeDelta& delta);
+    void truncate(const TreeDelta& delta);
     void setLasso(std::uint32_t index, bool inForce);
 
-    InternodeColumns m_columns;
-    std::vector<WidthConstraint> m_widths;
-    Lassos m_lassos;
-    QList<TreeParameters> m_parameterSets;
-    std::uint32_t m_currentParameters = 0;
-    std::uint64_t m_seed = 1;
-    Step m_step = 0;
+    TreeContent m_content;
 };
+
+/// What is wrong with @p content, in a sentence without a full stop; empty if it may be a tree: equal sizes,
+/// parents before children, at most one living continuation a node, living parents of living internodes,
+/// values within their limits, known parameter sets, different keys. Serves the reader and the writer of
+/// files.
+QString treeFault(const TreeContent& content);
+
+/// Whether an internode may have such a local frame and length.
+bool isFrame(const Rotation& rotation, float length);
 
 } // namespace espalier

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/base/Ids.h"
-#include "model/tree/InternodeColumns.h"
+#include "model/tree/TreeTables.h"
 
 #include <cstddef>
 #include <memory>
@@ -10,32 +9,17 @@
 
 namespace espalier {
 
+class Tree;
+
+/// Rows and values that a delta adds to a tree.
+struct TreeRows {
+    InternodeColumns internodes;
+    LeafColumns leaves;
+    KeptValues kept;
+};
+
 /// What one edit did to a tree. Tree::apply and Tree::revert of deltas are the only ways to change one.
 struct TreeDelta {
-    struct BudChange {
-        InternodeId id;
-        BudMask before;
-        BudMask after;
-        bool operator==(const BudChange&) const = default;
-    };
-
-    /// An internode that was bent or stretched, with all that hangs on it.
-    struct FrameChange {
-        InternodeId id;
-        Rotation before; ///< Local frame
-        Rotation after;
-        float lengthBefore; ///< m
-        float lengthAfter;  ///< m
-        bool operator==(const FrameChange&) const = default;
-    };
-    /// A width constraint that was set, moved or taken away.
-    struct WidthChange {
-        InternodeId id;
-        float before; ///< Diameter, m; 0 for none
-        float after;
-        bool operator==(const WidthChange&) const = default;
-    };
-
     /// An envelope that came into force or was taken away.
     struct LassoChange {
         std::uint32_t index; ///< Of the tree's lassos
@@ -47,34 +31,76 @@ struct TreeDelta {
     Step stepAfter = 0;
     std::uint32_t parametersBefore = 0; ///< Index of the parameter set in force
     std::uint32_t parametersAfter = 0;
-    IdRange born;
+    IdRange born;                    ///< Internodes; they are the tree's last rows
+    IdRange bornLeaves;              ///< Placed leaves, likewise
+    KeptCounts kept;                 ///< Values that are new to the tree, likewise
     std::vector<InternodeId> died;   ///< At stepAfter; the whole of each shed or pruned branch
-    std::vector<BudChange> buds;     ///< Of internodes that lived before; each id at most once
-    std::vector<FrameChange> frames; ///< Likewise
-    std::vector<WidthChange> widths; ///< Each id at most once
+    InternodeChanges internodes;     ///< Of internodes that were there before
+    LeafChanges leaves;              ///< Of placed leaves that were there before
+    SparseChanges sparse;            ///< Each id at most once a column
     std::vector<LassoChange> lassos; ///< Each index at most once
-    /// The new internodes' rows on their way into the tree: the first apply takes them in and lets go of
-    /// them, and they stay in its columns from then on. A copy of the delta can bring them into a copy of the
-    /// tree.
-    std::shared_ptr<const InternodeColumns> rows;
+    /// The new rows and values while they are not in the document's tree: reverting moves them here and
+    /// applying moves them back, so a row is stored once. Null in a delta that stands applied, or brings
+    /// none.
+    std::shared_ptr<TreeRows> rows;
 
     /// A delta that changes nothing, to be filled in, at the moment that @p tree is in.
-    static TreeDelta startingAt(const class Tree& tree);
+    static TreeDelta startingAt(const Tree& tree);
+
+    /// The index of a parameter set in @p tree, where the delta starts; the delta brings the set along if the
+    /// tree does not know it. Precondition: the tree has room for it (Tree::hasRoomFor).
+    std::uint32_t keepParameters(const Tree& tree, const TreeParameters& parameters);
+    /// The index that a stroke will have; the delta brings it along. Precondition: isLasso(stroke).
+    std::uint32_t keepLasso(const Tree& tree, const LassoStroke& stroke);
+    /// Notes that an internode was bent or stretched (lengths in m), with all that hangs on it.
+    void addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,
+                  float lengthAfter);
 
     bool isEmpty() const;
+    bool bringsRows() const { return born.count > 0 || bornLeaves.count > 0 || kept != KeptCounts(); }
     std::size_t bytes() const;
+    /// Equal in all but where the rows are.
+    bool operator==(const TreeDelta& other) const;
 
     /// Calls @p visit(id) for each internode whose birth, life or buds differ; not for their neighbours, nor
-    /// for those that only moved.
+    /// for those that only moved. After the delta was reverted, ids from the tree's size on are the rows that
+    /// went.
     template <class Visit>
     void forEachTouched(Visit&& visit) const
     {
         for (InternodeId id = born.first; id != born.end(); ++id)
             visit(id);
+        forEachTouchedRow(visit);
+    }
+    /// The same without the births.
+    template <class Visit>
+    void forEachTouchedRow(Visit&& visit) const
+    {
         for (const InternodeId id : died)
             visit(id);
-        for (const BudChange& change : buds)
-            visit(change.id);
+        for (const auto& change : internodes.buds)
+            visit(change.row);
+        for (const auto& change : internodes.death)
+            visit(change.row);
+    }
+    /// Calls @p visit(id), maybe more than once, for each internode that has another place on its parent,
+    /// frame or length.
+    template <class Visit>
+    void forEachReframed(Visit&& visit) const
+    {
+        for (const auto& change : internodes.rotation)
+            visit(change.row);
+        for (const auto& change : internodes.length)
+            visit(change.row);
+        for (const auto& change : internodes.along)
+            visit(change.row);
+        for (const auto& change : sparse.rootPosition)
+            visit(change.row);
+    }
+    bool reframes() const
+    {
+        return !internodes.rotation.empty() || !internodes.length.empty() || !internodes.along.empty() ||
+               !sparse.rootPosition.empty();
     }
 };
 

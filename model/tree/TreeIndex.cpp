@@ -41,9 +41,20 @@ void TreeIndex::rebuild(const Tree& tree)
 
 void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
 {
-    appendRows(tree);
+    const bool isReverted = size() > tree.size();
+    m_removed.setEmpty();
+    if (isReverted)
+        removeRows(tree, delta);
+    else
+        appendRows(tree);
     moveAll(tree, delta);
-    delta.forEachTouched([&](InternodeId id) {
+    const auto forEachTouched = [&](auto&& visit) {
+        if (isReverted)
+            delta.forEachTouchedRow(visit);
+        else
+            delta.forEachTouched(visit);
+    };
+    forEachTouched([&](InternodeId id) {
         const bool linked = (m_own[id] & kOwnAlive) != 0;
         if (tree.isAlive(id) == linked)
             return;
@@ -57,7 +68,7 @@ void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
         m_sweep.mark(id);
     });
     // A birth or a death may make or unmake a tip of the internode itself and of its parent.
-    delta.forEachTouched([&](InternodeId id) {
+    forEachTouched([&](InternodeId id) {
         refreshOwn(tree, id);
         if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
             refreshOwn(tree, parent);
@@ -105,8 +116,69 @@ void TreeIndex::appendRows(const Tree& tree)
         const InternodeId parent = c.parent[id];
         const bool isBase = parent == kNoInternode;
         m_axis[id] = isBase || c.slot[id] != kTerminalSlot ? id : m_axis[parent];
+        if (isBase)
+            m_roots.push_back(id);
         place(tree, id);
     }
+}
+
+/// Takes out the rows that @p delta bore. What they carried are rows that have gone, too.
+void TreeIndex::removeRows(const Tree& tree, const TreeDelta& delta)
+{
+    const std::uint32_t end = tree.size();
+    const QList<InternodeId>& parents = delta.rows->internodes.parent;
+    std::vector<InternodeId> stems; // what carried them
+    for (InternodeId id = size(); id-- > end;) {
+        const InternodeId parent = parents[id - end];
+        if ((m_own[id] & kOwnAlive) != 0)
+            m_removed.extend(m_position[id]);
+        if ((m_own[id] & kOwnAlive) == 0 || parent == kNoInternode || parent >= end)
+            continue;
+        unlinkFrom(parent, id);
+        m_pending[parent].internodes -= m_sums[id].internodes;
+        m_pending[parent].tips -= m_sums[id].tips;
+        m_sweep.mark(parent);
+        stems.push_back(parent);
+    }
+    m_firstChild.resize(end);
+    m_nextSibling.resize(end);
+    m_mainChild.resize(end);
+    m_axis.resize(end);
+    while (!m_roots.empty() && m_roots.back() >= end)
+        m_roots.pop_back();
+    m_position.resize(end);
+    m_rotation.resize(end);
+    m_sums.resize(end);
+    m_own.resize(end);
+    m_pending.resize(end);
+    for (const InternodeId id : stems)
+        refreshOwn(tree, id);
+}
+
+Vec3 TreeIndex::basePosition(const Tree& tree, InternodeId id) const
+{
+    const InternodeId parent = tree.parent(id);
+    if (parent == kNoInternode)
+        return tree.rootPosition(id);
+    const float along = tree.columns().along[id];
+    if (along == 1.0F)
+        return m_position[parent];
+    return m_position[parent] - (1.0F - along) * tree.length(parent) * heading(parent);
+}
+
+std::uint32_t TreeIndex::livingCount() const
+{
+    std::uint32_t count = 0;
+    for (const InternodeId root : m_roots)
+        count += m_sums[root].internodes;
+    return count;
+}
+
+InternodeId TreeIndex::rootOf(const Tree& tree, InternodeId id) const
+{
+    while (tree.parent(m_axis[id]) != kNoInternode)
+        id = tree.parent(m_axis[id]);
+    return m_axis[id];
 }
 
 void TreeIndex::place(const Tree& tree, InternodeId id)
@@ -115,8 +187,8 @@ void TreeIndex::place(const Tree& tree, InternodeId id)
     const InternodeId parent = c.parent[id];
     const bool isBase = parent == kNoInternode;
     const Placement placement =
-        placeOn(isBase ? Vec3(Vec3::Zero()) : m_position[parent],
-                isBase ? Rotation(Rotation::Identity()) : m_rotation[parent], c.rotation[id], c.length[id]);
+        placeOn(basePosition(tree, id), isBase ? Rotation(Rotation::Identity()) : m_rotation[parent],
+                c.rotation[id], c.length[id]);
     m_position[id] = placement.node;
     m_rotation[id] = placement.rotation;
     m_greatestLength = std::max(m_greatestLength, c.length[id]);
@@ -126,14 +198,14 @@ void TreeIndex::place(const Tree& tree, InternodeId id)
 void TreeIndex::moveAll(const Tree& tree, const TreeDelta& delta)
 {
     m_moved.clear();
-    if (delta.frames.empty())
+    if (!delta.reframes())
         return;
     m_moves.assign(tree.size(), 0);
     InternodeId first = tree.size();
-    for (const TreeDelta::FrameChange& change : delta.frames) {
-        m_moves[change.id] = 1;
-        first = std::min(first, change.id);
-    }
+    delta.forEachReframed([&](InternodeId id) {
+        m_moves[id] = 1;
+        first = std::min(first, id);
+    });
     // Parents come before their children.
     for (InternodeId id = first; id < tree.size(); ++id) {
         if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
@@ -161,9 +233,12 @@ void TreeIndex::link(const Tree& tree, InternodeId id)
 
 void TreeIndex::unlink(const Tree& tree, InternodeId id)
 {
-    const InternodeId parent = tree.parent(id);
-    if (parent == kNoInternode)
-        return;
+    if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
+        unlinkFrom(parent, id);
+}
+
+void TreeIndex::unlinkFrom(InternodeId parent, InternodeId id)
+{
     if (m_mainChild[parent] == id)
         m_mainChild[parent] = kNoInternode;
     InternodeId* place = &m_firstChild[parent];

@@ -18,7 +18,7 @@ public:
     explicit TreeIndex(const Tree& tree) { rebuild(tree); }
 
     void rebuild(const Tree& tree);
-    /// Follows @p delta, which @p tree has just applied or reverted.
+    /// Follows @p delta, which @p tree has just applied or reverted (then it has its rows).
     void update(const Tree& tree, const TreeDelta& delta);
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(m_firstChild.size()); }
@@ -31,13 +31,9 @@ public:
     /// The first internode of the axis that @p id is on: the axis's name. 0 is the trunk.
     InternodeId axis(InternodeId id) const { return m_axis[id]; }
 
-    /// World position of the node at the upper end, m; of the lower end.
+    /// World position of the node at the upper end, m; of the lower end, where it is attached to its parent.
     const Vec3& nodePosition(InternodeId id) const { return m_position[id]; }
-    Vec3 basePosition(const Tree& tree, InternodeId id) const
-    {
-        const InternodeId parent = tree.parent(id);
-        return parent == kNoInternode ? Vec3(Vec3::Zero()) : m_position[parent];
-    }
+    Vec3 basePosition(const Tree& tree, InternodeId id) const;
     /// World frame: +Y along the internode.
     const Rotation& rotation(InternodeId id) const { return m_rotation[id]; }
     Vec3 heading(InternodeId id) const { return m_rotation[id] * Vec3(Vec3::UnitY()); }
@@ -46,7 +42,12 @@ public:
     std::uint32_t subtreeSize(InternodeId id) const { return m_sums[id].internodes; }
     /// Living twig tips (internodes without a living child) of that subtree; 0 for the dead.
     std::uint32_t tipCount(InternodeId id) const { return m_sums[id].tips; }
-    std::uint32_t livingCount() const { return m_sums.empty() ? 0 : m_sums[0].internodes; }
+    /// Of all roots together.
+    std::uint32_t livingCount() const;
+    /// Internodes without a parent, the dead included, ascending; 0 is the seedling.
+    std::span<const InternodeId> roots() const { return m_roots; }
+    /// The root that @p id stands on.
+    InternodeId rootOf(const Tree& tree, InternodeId id) const;
 
     /// No internode is longer, m; after longer ones have gone it may be more than need be.
     float greatestLength() const { return m_greatestLength; }
@@ -55,6 +56,9 @@ public:
     std::span<const InternodeId> recentlyChanged() const { return m_changed; }
     /// Ids, the dead included, that the last update moved to another place or turned, ascending.
     std::span<const InternodeId> recentlyMoved() const { return m_moved; }
+
+    /// Holds the nodes of the living internodes whose rows the last update took out, m; empty if none went.
+    const Box3& recentlyRemoved() const { return m_removed; }
 
     std::size_t bytes() const;
 
@@ -66,16 +70,19 @@ private:
     };
 
     void appendRows(const Tree& tree);
+    void removeRows(const Tree& tree, const TreeDelta& delta);
     void place(const Tree& tree, InternodeId id);
     void moveAll(const Tree& tree, const TreeDelta& delta);
     void link(const Tree& tree, InternodeId id);
     void unlink(const Tree& tree, InternodeId id);
+    void unlinkFrom(InternodeId parent, InternodeId id);
     void refreshOwn(const Tree& tree, InternodeId id);
 
     std::vector<InternodeId> m_firstChild;
     std::vector<InternodeId> m_nextSibling;
     std::vector<InternodeId> m_mainChild;
     std::vector<InternodeId> m_axis;
+    std::vector<InternodeId> m_roots;
     std::vector<Vec3> m_position;
     std::vector<Rotation> m_rotation;
     std::vector<Sums> m_sums;
@@ -85,6 +92,7 @@ private:
     AncestorSweep m_sweep;
     std::vector<InternodeId> m_changed;
     std::vector<InternodeId> m_moved;
+    Box3 m_removed;
     std::vector<std::uint8_t> m_moves; ///< Scratch
 };
 

@@ -168,7 +168,7 @@ void EveryWidgetTest::prepareDocument()
     QUndoStack& stack = document().undoStack();
     if (stack.index() > 3)
         stack.setIndex(3);
-    if (stack.index() == 3 && stack.count() > 3 && !document().tree().lassos().inForce.empty())
+    if (stack.index() == 3 && stack.count() > 3 && !document().tree().lassoIndicesInForce().empty())
         return;
     stack.setClean();
     action(ActionId::New)->trigger();

@@ -93,7 +93,7 @@ void GrowthRunnerTest::filling_isWhatTheGestureMakes()
     QVERIFY(document.tree() == expected.tree());
     QCOMPARE(document.undoStack().count(), 1);
     document.undoStack().undo();
-    QVERIFY(document.tree().lassos().inForce.empty());
+    QVERIFY(document.tree().lassoIndicesInForce().empty());
     QCOMPARE(document.index().livingCount(), 1U);
 }
 
@@ -261,7 +261,7 @@ void GrowthRunnerTest::parametersChangedWhileALassoIsFilled_areTakenUp()
     QCOMPARE(document.undoStack().count(), 3);
     while (document.undoStack().canUndo())
         document.undoStack().undo();
-    QVERIFY(document.tree().lassos().inForce.empty());
+    QVERIFY(document.tree().lassoIndicesInForce().empty());
     QCOMPARE(document.index().livingCount(), 1U);
 }
 

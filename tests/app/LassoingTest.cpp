@@ -66,7 +66,7 @@ void LassoingTest::mouse_drawsALassoThatTheTreeFills()
     takeLasso();
     drawLasso();
     const TreeDocument& document = m_window->document();
-    QCOMPARE(document.tree().lassos().inForce.size(), 1U);
+    QCOMPARE(document.tree().lassoIndicesInForce().size(), 1U);
     QCOMPARE(document.undoStack().count(), 0); // it is growing still
     QTRY_COMPARE_WITH_TIMEOUT(document.undoStack().count(), 1, 20000);
     QVERIFY(document.index().livingCount() > 100);
@@ -80,7 +80,7 @@ void LassoingTest::mouse_drawsALassoThatTheTreeFills()
     QVERIFY(crown.sizes().z() > 1.2F);
     action(ActionId::Undo)->trigger();
     QCOMPARE(document.index().livingCount(), 1U);
-    QVERIFY(document.tree().lassos().inForce.empty());
+    QVERIFY(document.tree().lassoIndicesInForce().empty());
     action(ActionId::Redo)->trigger();
     QVERIFY(document.index().livingCount() > 100);
 }
@@ -96,7 +96,7 @@ void LassoingTest::finger_drawsALasso()
     const TreeDocument& document = m_window->document();
     QTRY_COMPARE_WITH_TIMEOUT(document.undoStack().count(), 1, 20000);
     QVERIFY(document.index().livingCount() > 100);
-    QCOMPARE(document.tree().lassos().inForce.size(), 1U);
+    QCOMPARE(document.tree().lassoIndicesInForce().size(), 1U);
 }
 
 void LassoingTest::pen_drawsALasso()
@@ -131,7 +131,7 @@ void LassoingTest::escapeDuringLassoGrowth_takesAllBack()
     QTRY_VERIFY(document.index().livingCount() > 20);
     QTest::keyClick(handle(), Qt::Key_Escape);
     QTRY_COMPARE(document.index().livingCount(), 1U);
-    QVERIFY(document.tree().lassos().strokes.isEmpty());
+    QVERIFY(document.tree().lassos().isEmpty());
     QVERIFY(document.journal().empty());
     QCOMPARE(document.undoStack().count(), 0);
 }
@@ -160,7 +160,7 @@ void LassoingTest::lassoTooSmall_isSaidInOneSentence()
     QVERIFY(!notice().isEmpty());
     QVERIFY(m_window->workspace().notice().isVisible());
     QCOMPARE(m_window->document().undoStack().count(), 0);
-    QVERIFY(m_window->document().tree().lassos().strokes.isEmpty());
+    QVERIFY(m_window->document().tree().lassos().isEmpty());
 }
 
 void LassoingTest::lassoPopOut_regrowsRemovesAndHides()
@@ -187,7 +187,7 @@ void LassoingTest::lassoPopOut_regrowsRemovesAndHides()
     QVERIFY(!m_window->viewSettings().values().envelopeShown);
     show->click();
     QTest::mouseClick(remove, Qt::LeftButton);
-    QVERIFY(document.tree().lassos().inForce.empty());
+    QVERIFY(document.tree().lassoIndicesInForce().empty());
     QVERIFY(document.index().livingCount() > 100);
     QCOMPARE(document.undoStack().count(), 3);
 }

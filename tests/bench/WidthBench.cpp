@@ -47,8 +47,8 @@ void meshPool_widthDrag100k(benchmark::State& state)
     const auto given = constraints(5);
     const auto set = [&](const WidthConstraint& constraint) {
         TreeDelta delta = TreeDelta::startingAt(grown.tree);
-        delta.widths.push_back(
-            {constraint.id, grown.tree.widthConstraint(constraint.id), constraint.diameter});
+        delta.sparse.width.push_back(
+            {constraint.id, grown.tree.content().sparse.width.at(constraint.id), constraint.value});
         return &grown.apply(std::move(delta));
     };
     for (const WidthConstraint& constraint : given)
@@ -59,7 +59,7 @@ void meshPool_widthDrag100k(benchmark::State& state)
     int call = 0;
     for (auto _ : state) {
         const float factor = 1.0F + 0.05F * static_cast<float>(++call % 10);
-        pool.follow(grown.tree, grown.index, *set({given.back().id, given.back().diameter * factor}));
+        pool.follow(grown.tree, grown.index, *set({given.back().id, given.back().value * factor}));
         pool.finish(grown.tree, grown.index);
         benchmark::DoNotOptimize(pool.takeChanges());
     }

@@ -103,7 +103,7 @@ void BendGestureTest::bend_isOneDeltaAndOneUndoStep_undoneAndRedoneToTheBit()
         const DocumentState done(document);
         document.undoStack().undo();
         QVERIFY(DocumentState(document) == before);
-        QCOMPARE(visibleDifference(before, document), QString());
+        QCOMPARE(differenceFrom(before, document), QString());
         document.undoStack().redo();
         QVERIFY(DocumentState(document) == done);
         QCOMPARE(indexFault(document), QString());
@@ -156,7 +156,7 @@ void BendGestureTest::cancelledBend_leavesNoTrace()
     gesture.moveTo(std::span(&target, 1));
     QVERIFY(!(specimen.document.tree() == before.tree));
     gesture.cancel();
-    QCOMPARE(visibleDifference(before, specimen.document), QString());
+    QCOMPARE(differenceFrom(before, specimen.document), QString());
     gesture.moveTo(std::span(&target, 1));
     gesture.settleAt(std::span(&target, 1));
     gesture.regrip(specimen.base, {{specimen.end}});

@@ -113,7 +113,7 @@ void BrushGestureTest::stroke_isOneUndoStep_undoneAndRedoneToTheBit()
         const DocumentState done(document);
         QCOMPARE(indexFault(document), QString());
         document.undoStack().undo();
-        QCOMPARE(visibleDifference(before, document), QString());
+        QCOMPARE(differenceFrom(before, document), QString());
         const DocumentState undone(document);
         document.undoStack().redo();
         QVERIFY(DocumentState(document) == done);
@@ -134,7 +134,7 @@ void BrushGestureTest::cancelledStroke_leavesNoTrace()
         gesture.add(sample);
     QVERIFY(document.journal().size() > before.journal);
     gesture.cancel();
-    QCOMPARE(visibleDifference(before, document), QString());
+    QCOMPARE(differenceFrom(before, document), QString());
     QCOMPARE(document.undoStack().count(), 0);
     gesture.finish(); // of no effect any more
     QCOMPARE(document.undoStack().count(), 0);
@@ -151,7 +151,7 @@ void BrushGestureTest::strokeDroppedUnfinished_isCancelled()
             gesture.add(sample);
         QVERIFY(document.journal().size() > before.journal);
     }
-    QCOMPARE(visibleDifference(before, document), QString());
+    QCOMPARE(differenceFrom(before, document), QString());
     QCOMPARE(document.undoStack().count(), 0);
 }
 

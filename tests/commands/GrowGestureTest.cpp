@@ -37,7 +37,7 @@ void GrowGestureTest::growth_isOneUndoStep_undoneAndRedoneToTheBit()
         const DocumentState done(document);
         QCOMPARE(indexFault(document), QString());
         document.undoStack().undo();
-        QCOMPARE(visibleDifference(before, document), QString());
+        QCOMPARE(differenceFrom(before, document), QString());
         const DocumentState undone(document);
         document.undoStack().redo();
         QVERIFY(DocumentState(document) == done);
@@ -56,7 +56,7 @@ void GrowGestureTest::cancelledGrowth_leavesNoTrace()
     QVERIFY(gesture.step());
     QVERIFY(gesture.step());
     gesture.cancel();
-    QCOMPARE(visibleDifference(before, document), QString());
+    QCOMPARE(differenceFrom(before, document), QString());
     gesture.finish();
     QCOMPARE(document.undoStack().count(), 0);
 }
@@ -71,7 +71,7 @@ void GrowGestureTest::growthDroppedUnfinished_isCancelled()
         GrowGesture gesture(document);
         QVERIFY(gesture.step());
     }
-    QCOMPARE(visibleDifference(before, document), QString());
+    QCOMPARE(differenceFrom(before, document), QString());
     QCOMPARE(document.undoStack().count(), 0);
 }
 
@@ -146,7 +146,7 @@ void GrowGestureTest::parameters_areOneUndoStep_undoneAndRedoneToTheBit()
         QCOMPARE(indexFault(document), QString());
         const DocumentState done(document);
         document.undoStack().undo();
-        QCOMPARE(visibleDifference(before, document), QString());
+        QCOMPARE(differenceFrom(before, document), QString());
         const DocumentState undone(document);
         document.undoStack().redo();
         QVERIFY(DocumentState(document) == done);

@@ -75,8 +75,7 @@ QString growAndJudge(const TreeParameters& parameters, std::uint64_t seed)
         if (!(tree.vigour(id) >= 0.0F && tree.vigour(id) <= 1.0F))
             return QStringLiteral("the vigour of internode %1 is out of range").arg(id);
     }
-    const Result<Tree> read = Tree::fromColumns(tree.seed(), tree.step(), tree.columns(),
-                                                tree.parameterSets(), tree.currentParameterSet());
+    const Result<Tree> read = Tree::fromContent(tree.content());
     if (!read)
         return read.error().message;
     while (document.undoStack().canUndo())

@@ -88,12 +88,12 @@ void LassoGestureTest::lasso_isOneUndoStep_undoneAndRedoneToTheBit()
         const DocumentState before(document);
         QVERIFY(fill(document, strokeOf(circle(1.0), 2.0F)) >= 0);
         QCOMPARE(document.undoStack().count(), before.undoIndex + 1);
-        QCOMPARE(document.tree().lassos().inForce.size(), 1U);
+        QCOMPARE(document.tree().lassoIndicesInForce().size(), 1U);
         const DocumentState done(document);
         QCOMPARE(indexFault(document), QString());
         document.undoStack().undo();
-        QCOMPARE(visibleDifference(before, document), QString());
-        QVERIFY(document.tree().lassos().inForce.empty());
+        QCOMPARE(differenceFrom(before, document), QString());
+        QVERIFY(document.tree().lassoIndicesInForce().empty());
         const DocumentState undone(document);
         document.undoStack().redo();
         QVERIFY(DocumentState(document) == done);
@@ -114,7 +114,7 @@ void LassoGestureTest::cancelledLasso_leavesNoTrace()
         QVERIFY((*begun)->step());
         QVERIFY(!(*begun)->markers().empty());
     }
-    QCOMPARE(visibleDifference(before, document), QString());
+    QCOMPARE(differenceFrom(before, document), QString());
     QVERIFY(document.tree().lassos() == before.tree.lassos());
     QCOMPARE(document.undoStack().count(), 0);
 }
@@ -191,7 +191,7 @@ void LassoGestureTest::secondLasso_joinsTheFirst()
     const std::uint32_t first = document.index().livingCount();
     // A ball of its own on top, half a metre of air between.
     QVERIFY(fill(document, strokeOf(circle(1.0), 1.5F, 3.5F)) > 0);
-    QCOMPARE(document.tree().lassos().inForce.size(), 2U);
+    QCOMPARE(document.tree().lassoIndicesInForce().size(), 2U);
     QVERIFY(document.index().livingCount() > first + 20);
     int above = 0;
     for (InternodeId id = 0; id < document.tree().size(); ++id)
@@ -215,7 +215,7 @@ void LassoGestureTest::regrow_usesTheNewParameters_asOneUndoStep()
     QVERIFY(document.index().livingCount() < 60);
     QVERIFY(run(**begun) > 0);
     QVERIFY(document.parameters() == finer);
-    QCOMPARE(document.tree().lassos().inForce, std::vector<std::uint32_t>{0});
+    QCOMPARE(document.tree().lassoIndicesInForce(), std::vector<std::uint32_t>{0});
     QCOMPARE(document.undoStack().count(), before.undoIndex + 1);
     QCOMPARE(indexFault(document), QString());
     const InternodeId last = document.tree().size() - 1;
@@ -226,7 +226,7 @@ void LassoGestureTest::regrow_usesTheNewParameters_asOneUndoStep()
     QVERIFY2(saved, saved ? "" : qPrintable(saved.error().message));
     QVERIFY(saved->tree == document.tree());
     document.undoStack().undo();
-    QCOMPARE(visibleDifference(before, document), QString());
+    QCOMPARE(differenceFrom(before, document), QString());
     const DocumentState undone(document);
     document.undoStack().redo();
     QVERIFY(DocumentState(document) == done);
@@ -250,7 +250,7 @@ void LassoGestureTest::cancelledRegrow_leavesNoTrace()
         QVERIFY(begun);
         QVERIFY((*begun)->step());
     }
-    QCOMPARE(visibleDifference(before, document), QString());
+    QCOMPARE(differenceFrom(before, document), QString());
     QVERIFY(document.tree().lassos() == before.tree.lassos());
 }
 
@@ -270,7 +270,7 @@ void LassoGestureTest::regrowAfterLoading_works()
     QCOMPARE(other.index().livingCount(), 1U);
     QVERIFY(run(**begun) > 0);
     other.undoStack().undo();
-    QCOMPARE(visibleDifference(before, other), QString());
+    QCOMPARE(differenceFrom(before, other), QString());
 }
 
 void LassoGestureTest::removed_theTreeStays()
@@ -389,11 +389,11 @@ void LassoGestureTest::enormousStrokes_endAndAreUndone()
     qInfo("longest step %lld ms", longest);
     QVERIFY(longest < 2000);
     (*begun)->finish();
-    QVERIFY(document.tree().lassos().strokes.constLast().points.size() <= kMostLassoPoints);
+    QVERIFY(document.tree().lassos().constLast().points.size() <= kMostLassoPoints);
     for (InternodeId id = 0; id < document.tree().size(); ++id)
         QVERIFY(document.index().nodePosition(id).allFinite());
     document.undoStack().undo();
-    QCOMPARE(visibleDifference(before, document), QString());
+    QCOMPARE(differenceFrom(before, document), QString());
 }
 
 void LassoGestureTest::recipe_givesTheSameTree()

@@ -57,7 +57,7 @@ void SampleRecipesTest::undoingAndRedoingAll_restoresTheDocument()
     while (stack.canUndo())
         stack.undo();
     QCOMPARE(document.index().livingCount(), 1U);
-    QCOMPARE(visibleDifference(empty, document), QString());
+    QCOMPARE(differenceFrom(empty, document), QString());
     QCOMPARE(indexFault(document), QString());
 
     while (stack.canRedo())

@@ -81,7 +81,7 @@ void TimeGestureTest::cancel_returnsToTheMomentBefore()
         gesture.moveTo(2);
         gesture.moveTo(gesture.historyLength() + 3);
     }
-    QCOMPARE(visibleDifference(before, *m_document), QString());
+    QCOMPARE(differenceFrom(before, *m_document), QString());
     QCOMPARE(m_document->undoStack().index(), before.undoIndex);
     QVERIFY(m_document->future().empty());
 }
@@ -121,7 +121,7 @@ void TimeGestureTest::beyondThePresent_theTreeGrows()
     QCOMPARE(position(), end + 2);
     QVERIFY(m_document->future().empty());
     m_document->undoStack().undo();
-    QCOMPARE(visibleDifference(before, *m_document), QString());
+    QCOMPARE(differenceFrom(before, *m_document), QString());
 }
 
 void TimeGestureTest::editAtAnEarlierMoment_isUndoneWithTheLostFuture()
@@ -136,7 +136,7 @@ void TimeGestureTest::editAtAnEarlierMoment_isUndoneWithTheLostFuture()
     const Tree other = m_document->tree();
     QCOMPARE(m_document->undoStack().count(), before.undoIndex + 1);
     m_document->undoStack().undo();
-    QCOMPARE(visibleDifference(before, *m_document), QString());
+    QCOMPARE(differenceFrom(before, *m_document), QString());
     QCOMPARE(position(), end);
     m_document->undoStack().redo();
     QVERIFY(m_document->tree() == other);
@@ -200,7 +200,7 @@ void TimeGestureTest::projectFile_keepsTheFuture()
     QVERIFY(opened.future().empty());
     opened.undoStack().undo();
     QCOMPARE(opened.future().size(), std::size_t{6});
-    QCOMPARE(visibleDifference(before, opened), QString());
+    QCOMPARE(differenceFrom(before, opened), QString());
 }
 
 void TimeGestureTest::thousandSteps_thereAndBack()

@@ -70,7 +70,7 @@ void WidthGestureTest::width_isOneDeltaAndOneUndoStep_undoneAndRedoneToTheBit()
         const DocumentState done(document);
         document.undoStack().undo();
         QVERIFY(DocumentState(document) == before);
-        QCOMPARE(visibleDifference(before, document), QString());
+        QCOMPARE(differenceFrom(before, document), QString());
         document.undoStack().redo();
         QVERIFY(DocumentState(document) == done);
     }
@@ -191,7 +191,7 @@ void WidthGestureTest::hostileWidths_leaveSoundRadii()
     for (const InternodeId id : {InternodeId{0}, twig, bough(document, 0.5), InternodeId{1}})
         setWidth(document, id, diameter);
     for (const WidthConstraint& constraint : document.tree().widthConstraints())
-        QVERIFY(constraint.diameter > 0.0F && constraint.diameter <= kGreatestDiameter);
+        QVERIFY(constraint.value > 0.0F && constraint.value <= kGreatestDiameter);
     const Widths widths(document.tree(), document.index());
     for (InternodeId id = 0; id < document.tree().size(); ++id) {
         const float radius = widths.radius(document.index(), id);

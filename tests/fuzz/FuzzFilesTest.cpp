@@ -89,10 +89,8 @@ bool FuzzFilesTest::tryProject(const QByteArray& content)
     // All that a person can do to its history, through the document and all its indices.
     TreeDocument document;
     document.reset(project->tree, project->journal);
-    while (!document.journal().empty())
-        document.revertLast();
-    for (const auto& delta : project->journal)
-        document.apply(delta);
+    travel(document, 0);
+    travel(document, project->journal.size());
     if (!(document.tree() == project->tree))
         qFatal("the history does not lead back");
     // And what it is saved as can be opened again.

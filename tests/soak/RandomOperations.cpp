@@ -347,7 +347,7 @@ RecipeOperation RandomOperations::next(const TreeDocument& document, int undoabl
     std::array<int, kWeights.size()> weights{};
     std::ranges::transform(kWeights, weights.begin(),
                            [&](const Weights& both) { return isCrowded ? both.cuttingBack : both.growing; });
-    if (document.tree().lassos().inForce.size() > 1) // they cost more than all the rest
+    if (document.tree().lassoIndicesInForce().size() > 1) // they cost more than all the rest
         weights[RecipeOperation(RemoveLassoOperation{}).index()] *= 10;
     if (undoable <= 0)
         weights[RecipeOperation(UndoOperation{}).index()] = 0;

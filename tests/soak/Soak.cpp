@@ -65,7 +65,7 @@ Soak::Milestone::Milestone(const TreeDocument& document)
       step(document.tree().step()),
       parameters(document.tree().currentParameterSet()),
       widths(document.tree().widthConstraints().size()),
-      lassos(document.tree().lassos().inForce.size())
+      lassos(document.tree().lassoIndicesInForce().size())
 {
 }
 

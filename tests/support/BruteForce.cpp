@@ -23,8 +23,7 @@ bool hasBuds(const GrowingTree& tree, InternodeId id)
 
 Vec3d directionOf(const GrowingTree& tree, const BudRef& bud)
 {
-    return budDirection(tree.tree().seed(), bud.node, bud.slot, tree.rotation(bud.node),
-                        tree.grownWith(bud.node))
+    return budDirection(tree.key(bud.node), bud.slot, tree.rotation(bud.node), tree.grownWith(bud.node))
         .cast<double>();
 }
 
@@ -119,7 +118,7 @@ double bias(const Tree& tree, const TreeIndex& index, const BudRef& bud)
         return 1.0;
     const Vec3d y = Vec3d::UnitY();
     const Vec3d h = index.heading(bud.node).cast<double>();
-    const Vec3d direction = budDirection(tree.seed(), bud.node, bud.slot, index.rotation(bud.node),
+    const Vec3d direction = budDirection(tree.key(bud.node), bud.slot, index.rotation(bud.node),
                                          tree.parametersOf(bud.node).growth)
                                 .cast<double>();
     const double tau = std::acos(std::clamp(h.dot(y), -1.0, 1.0));

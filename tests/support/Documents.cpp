@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/Documents.h"
 
+#include "model/document/Edit.h"
+
 #include <algorithm>
 
 namespace espalier::test {
@@ -94,43 +96,54 @@ QString indexFault(const TreeDocument& document)
     return {};
 }
 
-QString visibleDifference(const DocumentState& before, const TreeDocument& document)
+DocumentState::DocumentState(const TreeDocument& document)
+    : tree(document.tree()), undoIndex(document.undoStack().index())
 {
-    const Tree& a = before.tree;
-    const Tree& b = document.tree();
-    if (b.step() != a.step())
-        return QStringLiteral("the step");
-    if (b.parameters() != a.parameters())
-        return QStringLiteral("the parameters in force");
-    if (document.journal().size() != before.journal)
-        return QStringLiteral("the journal");
-    if (document.undoStack().index() != before.undoIndex)
-        return QStringLiteral("the undo stack");
-    if (!std::ranges::equal(b.widthConstraints(), a.widthConstraints()))
-        return QStringLiteral("the widths that were set");
+    for (const auto& delta : document.journal())
+        journal.push_back(*delta);
+    for (const auto& delta : document.future())
+        future.push_back(*delta);
+}
+
+QString differenceFrom(const DocumentState& before, const TreeDocument& document)
+{
+    const DocumentState now(document);
     QString difference;
-    for (InternodeId id = a.size(); id < b.size(); ++id) {
-        if (b.columns().present[id] != 0)
-            return at("life", id);
-    }
-    const auto compare = [&](const char* name, const auto& columnA, const auto& columnB) {
-        for (qsizetype i = 0; i < columnA.size(); ++i) {
-            if (difference.isEmpty() && !(columnA[i] == columnB[i]))
-                difference = at(name, static_cast<InternodeId>(i));
-        }
+    const auto compare = [&](const auto& info, const auto& a, const auto& b) {
+        using Value = std::remove_cvref_t<decltype(a[0])>;
+        if (!std::ranges::equal(a, b, isSame<Value>))
+            difference = QStringLiteral("the column “%1”").arg(QLatin1String(info.name));
     };
-    const InternodeColumns& columns = b.columns();
-    compare("parent", a.columns().parent, columns.parent);
-    compare("rotation", a.columns().rotation, columns.rotation);
-    compare("length", a.columns().length, columns.length);
-    compare("vigour", a.columns().vigour, columns.vigour);
-    compare("slot", a.columns().slot, columns.slot);
-    compare("buds", a.columns().buds, columns.buds);
-    compare("birth", a.columns().birth, columns.birth);
-    compare("death", a.columns().death, columns.death);
-    compare("presence", a.columns().present, columns.present);
-    compare("parameters", a.columns().parameterSet, columns.parameterSet);
-    return difference.isEmpty() ? indexFault(document) : difference;
+    const TreeContent& a = before.tree.content();
+    const TreeContent& b = now.tree.content();
+    InternodeTable::visit(compare, a.internodes, b.internodes);
+    LeafTable::visit(compare, a.leaves, b.leaves);
+    KeptTable::visit(compare, a.kept, b.kept);
+    if (!difference.isEmpty())
+        return difference;
+    if (!(now.tree == before.tree))
+        return QStringLiteral("the tree");
+    if (now.journal != before.journal)
+        return QStringLiteral("the journal");
+    if (now.future != before.future)
+        return QStringLiteral("the future");
+    if (now.undoIndex != before.undoIndex)
+        return QStringLiteral("the undo stack");
+    return indexFault(document);
+}
+
+void apply(TreeDocument& document, TreeDelta delta)
+{
+    Edit edit(document);
+    edit.apply(std::move(delta));
+    edit.commit(QStringLiteral("Test"));
+}
+
+void travel(TreeDocument& document, std::size_t position)
+{
+    Edit edit(document);
+    edit.travelTo(position);
+    edit.commit(QStringLiteral("Test"));
 }
 
 } // namespace espalier::test

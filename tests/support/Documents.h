@@ -11,20 +11,22 @@ QString indexFault(const TreeDocument& document);
 
 /// All of a document that undo and redo bring back.
 struct DocumentState {
-    explicit DocumentState(const TreeDocument& document)
-        : tree(document.tree()), journal(document.journal().size()), undoIndex(document.undoStack().index())
-    {
-    }
+    explicit DocumentState(const TreeDocument& document);
     /// Exactly this, to the last bit.
     bool operator==(const DocumentState& other) const = default;
 
     Tree tree;
-    std::size_t journal;
+    std::vector<TreeDelta> journal;
+    std::vector<TreeDelta> future;
     int undoIndex;
 };
 
-/// In what @p document shows something else than @p before, empty if in nothing. Rows and parameters that
-/// came since may be there but must neither live nor be in force.
-QString visibleDifference(const DocumentState& before, const TreeDocument& document);
+/// In what @p document differs from @p before, or its indices from freshly made ones; empty if in nothing.
+QString differenceFrom(const DocumentState& before, const TreeDocument& document);
+
+/// Applies @p delta as an undo step.
+void apply(TreeDocument& document, TreeDelta delta);
+/// Goes to where @p position deltas have been applied, as an undo step.
+void travel(TreeDocument& document, std::size_t position);
 
 } // namespace espalier::test

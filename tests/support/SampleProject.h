@@ -33,28 +33,22 @@ inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
     LassoStroke stroke;
     stroke.origin = Vec3(0.5F, 1.0F, -0.25F);
     stroke.points = {{-1.0F, 0.0F}, {1.0F, 0.125F}, {0.3F, 2.0F}};
-    builder.apply(lassoChange(builder.tree, builder.tree.rememberLasso(stroke), true));
+    builder.apply(newLasso(builder.tree, stroke));
     stroke.points.push_back({-0.3F, 1.5F});
-    builder.apply(lassoChange(builder.tree, builder.tree.rememberLasso(stroke), true));
+    builder.apply(newLasso(builder.tree, stroke));
     builder.apply(lassoChange(builder.tree, 0, false));
-    // What is taken back stays in the columns, absent.
+    // What is taken back leaves no trace.
     builder.apply(randomGrowth(builder.tree, 5, seed));
     builder.revert();
 
     Project project;
-    for (TreeDelta& delta : builder.journal)
+    for (TreeDelta& delta : builder.journal) {
         project.journal.push_back(std::make_shared<TreeDelta>(std::move(delta)));
+        project.journal.back()->rows.reset();
+    }
     project.tree = builder.tree;
     project.name = QStringLiteral("Old oak “Älteste”");
     return project;
-}
-
-inline bool operator==(const TreeDelta& a, const TreeDelta& b)
-{
-    return a.stepBefore == b.stepBefore && a.stepAfter == b.stepAfter &&
-           a.parametersBefore == b.parametersBefore && a.parametersAfter == b.parametersAfter &&
-           a.born == b.born && a.died == b.died && a.buds == b.buds && a.widths == b.widths &&
-           a.frames == b.frames && a.lassos == b.lassos;
 }
 
 inline bool sameJournal(const Journal& a, const Journal& b)

@@ -45,11 +45,10 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
     TreeDelta delta = TreeDelta::startingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
     delta.born = {tree.size(), static_cast<std::uint32_t>(internodes.size())};
-    auto columns = std::make_shared<InternodeColumns>();
-    InternodeColumns& rows = *columns;
-    delta.rows = columns;
-    const auto newBuds =
-        static_cast<BudMask>(kTerminalBud | ((1U << tree.parameters().growth.lateralsPerNode) - 1U));
+    delta.rows = std::make_shared<TreeRows>();
+    InternodeColumns& rows = delta.rows->internodes;
+    const auto newBuds = BudStates::active(
+        static_cast<BudMask>(kTerminalBud | ((1U << tree.parameters().growth.lateralsPerNode) - 1U)));
     for (const NewInternode& internode : internodes) {
         rows.parent.append(internode.parent);
         rows.rotation.append(internode.rotation);
@@ -59,19 +58,27 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
         rows.buds.append(newBuds);
         rows.birth.append(delta.stepAfter);
         rows.death.append(kNever);
-        rows.present.append(1);
+        rows.along.append(1.0F);
         rows.parameterSet.append(static_cast<std::uint16_t>(tree.currentParameterSet()));
+        const bool isOnNew = delta.born.contains(internode.parent);
+        const InternodeKey parentKey =
+            isOnNew ? rows.key[internode.parent - delta.born.first] : tree.key(internode.parent);
+        rows.key.append(childKey(parentKey, internode.slot, delta.stepAfter));
 
-        const auto taken = static_cast<BudMask>(~budBit(internode.slot));
-        if (delta.born.contains(internode.parent)) {
-            rows.buds[internode.parent - delta.born.first] &= taken;
+        if (isOnNew) {
+            rows.buds[internode.parent - delta.born.first].set(internode.slot, BudState::None);
             continue;
         }
-        const auto known = std::ranges::find(delta.buds, internode.parent, &TreeDelta::BudChange::id);
-        if (known != delta.buds.end())
-            known->after &= taken;
-        else if (const BudMask before = tree.buds(internode.parent); (before & ~taken) != 0)
-            delta.buds.push_back({internode.parent, before, static_cast<BudMask>(before & taken)});
+        const auto known =
+            std::ranges::find(delta.internodes.buds, internode.parent, &CellChange<BudStates>::row);
+        const BudStates before = tree.budStates(internode.parent);
+        if (known != delta.internodes.buds.end()) {
+            known->after.set(internode.slot, BudState::None);
+        } else if (before.state(internode.slot) != BudState::None) {
+            BudStates after = before;
+            after.set(internode.slot, BudState::None);
+            delta.internodes.buds.push_back({internode.parent, before, after});
+        }
     }
     return delta;
 }
@@ -95,11 +102,11 @@ inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId roo
 }
 
 /// One step that puts @p parameters in force.
-inline TreeDelta parameterChange(Tree& tree, const TreeParameters& parameters)
+inline TreeDelta parameterChange(const Tree& tree, const TreeParameters& parameters)
 {
     TreeDelta delta = TreeDelta::startingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
-    delta.parametersAfter = tree.rememberParameters(parameters);
+    delta.parametersAfter = delta.keepParameters(tree, parameters);
     return delta;
 }
 
@@ -108,8 +115,7 @@ inline TreeDelta bend(const Tree& tree, InternodeId id, const Rotation& turn, fl
 {
     const Rotation before = tree.columns().rotation[id];
     TreeDelta delta = TreeDelta::startingAt(tree);
-    delta.frames.push_back(
-        {id, before, (turn * before).normalized(), tree.length(id), stretch * tree.length(id)});
+    delta.addFrame(id, before, (turn * before).normalized(), tree.length(id), stretch * tree.length(id));
     return delta;
 }
 
@@ -117,7 +123,16 @@ inline TreeDelta bend(const Tree& tree, InternodeId id, const Rotation& turn, fl
 inline TreeDelta widthChange(const Tree& tree, InternodeId id, float diameter)
 {
     TreeDelta delta = TreeDelta::startingAt(tree);
-    delta.widths.push_back({id, tree.widthConstraint(id), diameter});
+    delta.sparse.width.push_back({id, tree.content().sparse.width.at(id),
+                                  diameter > 0.0F ? std::optional<float>(diameter) : std::nullopt});
+    return delta;
+}
+
+/// An edit that brings a stroke into force.
+inline TreeDelta newLasso(const Tree& tree, const LassoStroke& stroke)
+{
+    TreeDelta delta = TreeDelta::startingAt(tree);
+    delta.lassos.push_back({delta.keepLasso(tree, stroke), true});
     return delta;
 }
 

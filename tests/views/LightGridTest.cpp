@@ -39,7 +39,7 @@ Box3 touched(const TreeDocument& document, const TreeDelta& delta)
 
 void grow(TreeDocument& document, std::uint32_t internodes)
 {
-    document.apply(std::make_shared<TreeDelta>(test::randomGrowth(document.tree(), internodes)));
+    test::apply(document, (test::randomGrowth(document.tree(), internodes)));
 }
 
 } // namespace
@@ -80,7 +80,7 @@ void LightGridTest::update_isAsGoodAsRebuilding()
         QCOMPARE(wrongCells(grid, space), 0);
     }
     for (int step = 0; step < 25; ++step) {
-        document.revertLast();
+        test::travel(document, document.journal().size() - 1);
         QCOMPARE(wrongCells(grid, space), 0);
     }
     QVERIFY(std::ranges::all_of(grid.cells(), [](std::uint8_t cell) { return cell == 255; }));
@@ -95,8 +95,7 @@ void LightGridTest::update_changesOnlyAPart()
     grid.rebuild(document.growthIndex().space());
     grid.takeChanges();
     InternodeId tip = document.tree().size() - 1;
-    document.apply(std::make_shared<TreeDelta>(
-        test::births(document.tree(), std::array{test::NewInternode{.parent = tip}})));
+    test::apply(document, (test::births(document.tree(), std::array{test::NewInternode{.parent = tip}})));
     grid.update(document.growthIndex().space(), touched(document, *document.journal().back()));
     const LightGrid::Changes changes = grid.takeChanges();
     QVERIFY(!changes.all);
@@ -119,7 +118,7 @@ void LightGridTest::largeTrees_fitTheGrid()
     std::vector<test::NewInternode> pole;
     for (std::uint32_t i = 0; i < 150; ++i)
         pole.push_back({.parent = i, .length = 2.0F});
-    document.apply(std::make_shared<TreeDelta>(test::births(document.tree(), pole)));
+    test::apply(document, (test::births(document.tree(), pole)));
     const VoxelSpace& space = document.growthIndex().space();
     LightGrid grid;
     grid.rebuild(space);

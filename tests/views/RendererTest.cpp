@@ -175,7 +175,7 @@ void RendererTest::picture_doesNotDependOnHowTheTreeCameAbout()
     auto other = OffscreenRenderer::create();
     QImage image;
     while (document.index().livingCount() < 600) {
-        document.apply(std::make_shared<TreeDelta>(test::randomGrowth(document.tree(), 60)));
+        test::apply(document, (test::randomGrowth(document.tree(), 60)));
         followed.prepare();
         image = *(*other)->render(followed, pictureCamera(NamedView::Front, followed, kSize), {});
     }
@@ -325,7 +325,7 @@ void RendererTest::foliage_coversAsMuchFromAfar()
     TreeDocument document;
     document.reset(3, parameters);
     while (document.index().livingCount() < 60)
-        document.apply(std::make_shared<TreeDelta>(test::randomGrowth(document.tree(), 30)));
+        test::apply(document, (test::randomGrowth(document.tree(), 30)));
     TreeScene scene(document);
     RenderOptions options;
     options.background = QColor(Qt::transparent);

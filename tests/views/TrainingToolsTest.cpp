@@ -56,7 +56,7 @@ void TrainingToolsTest::pruneTap_takesTheBranchOff()
     QCOMPARE(m_document->undoStack().count(), 1);
     QCOMPARE(indexFault(*m_document), QString());
     m_document->undoStack().undo();
-    QCOMPARE(visibleDifference(before, *m_document), QString());
+    QCOMPARE(differenceFrom(before, *m_document), QString());
     // Beside the tree there is nothing to cut.
     QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, {20, 20});
     QCOMPARE(alive(), 12U);

@@ -42,15 +42,18 @@ void TreeScene::follow(const TreeChange& change)
     const TreeDelta& delta = *change.delta;
     m_mesh.follow(m_document.tree(), m_document.index(), delta);
     const auto relight = [&](InternodeId id) { m_relit.extend(m_document.index().nodePosition(id)); };
-    for (InternodeId id = delta.born.first; id != delta.born.end(); ++id)
-        relight(id);
+    if (change.kind == TreeChange::Kind::Applied) {
+        for (InternodeId id = delta.born.first; id != delta.born.end(); ++id)
+            relight(id);
+    }
+    m_relit.extend(m_document.index().recentlyRemoved());
     for (const InternodeId id : delta.died)
         relight(id);
     m_boundsAreOld = true;
     // Other parameters may be another kind of shadow. A bent branch takes its shadow along, which is too much
     // to work out while a hand moves it.
     m_lightIsOld = m_lightIsOld || delta.parametersBefore != delta.parametersAfter;
-    m_lightWaits = m_lightWaits || !delta.frames.empty();
+    m_lightWaits = m_lightWaits || delta.reframes();
 }
 
 bool TreeScene::settleSome()

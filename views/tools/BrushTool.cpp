@@ -76,7 +76,7 @@ bool BrushTool::pruneOnSecondTap(const PointerSample& sample)
     TreeDocument& document = context().document();
     // What the first tap let grow was not meant.
     if (tap.leftAStroke)
-        document.undoStack().undo();
+        document.undo();
     const auto picked = context().pick(sample.position, sample.device);
     if (picked)
         pruneBranches(document, std::array{cutBelow(document.tree(), document.index(), picked->id)});

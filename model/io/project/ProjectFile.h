@@ -12,16 +12,21 @@ namespace espalier {
 
 /// What a project file (.espalier) holds. The format is a ZIP archive of
 ///
-/// - project.json: versions, name, seed, step, how many rows the columns have, and the parameter sets, the
-///   first in whole and each other as far as it differs from the one before;
-/// - tree/<column>: one file a column of InternodeColumns, numbers little-endian, a rotation as four floats
-///   x, y, z, w;
-/// - journal/<column>: the deltas as columns, then their deaths and changed buds in the same order;
+/// - project.json: versions, name, seed, step, and how many rows the tables have;
+/// - internodes/<column>, leaves/<column>, sparse/<column>.id and .value: the tables of TreeTables.h, one
+/// file a column,
+///   numbers little-endian, a rotation as four floats x, y, z, w; a column of which every row is the default
+///   is left out;
+/// - kept/<name>…: the values that the tree refers to: parameter sets, strokes of the lasso;
+/// - journal/<number> with a row a delta, and journal/<table>.<column>.count, .row, .before and .after for
+/// the cells that
+///   the deltas changed;
 /// - assets/<SHA-256>.png or .jpg: the images that the parameter sets name by that hash, as they were read,
 /// each
 ///   once; project.json has their files' names;
-/// - lasso/<column>: the strokes of the lasso as columns, then their points in the same order;
 /// - thumbnail.png, if there is one.
+///
+/// Version 1, which had absent rows and no keys, is read and brought up to date (ProjectVersion1.h).
 struct Project {
     Tree tree{};
     Journal journal; ///< Its deltas stand applied
@@ -38,22 +43,19 @@ struct Project {
 Tree shownTree(const Project& project);
 
 namespace projectLimits {
-inline constexpr int kVersion = 1;
+inline constexpr int kVersion = 2;
 inline constexpr std::uint32_t kInternodes = 20'000'000;
+inline constexpr std::uint32_t kLeaves = 20'000'000; ///< Placed ones
 inline constexpr std::uint32_t kDeltas = 4'000'000;
-inline constexpr std::uint32_t kBudChanges = 100'000'000;
-inline constexpr std::uint32_t kFrames = 100'000'000;
-inline constexpr std::uint32_t kWidths = 10'000'000;
+inline constexpr std::uint32_t kChanges = 100'000'000; ///< Of one column, in all deltas together
 inline constexpr std::uint32_t kLassos = 100'000;
 inline constexpr std::uint32_t kLassoPoints = 10'000'000; ///< In all
-inline constexpr std::uint32_t kLassoChanges = 10'000'000;
-inline constexpr std::uint32_t kParameterSets = 65'536;
 inline constexpr std::uint32_t kImages = 4096;
 inline constexpr qsizetype kImageBytes = qsizetype{512} << 20; ///< In all
-inline constexpr float kWorld = 10'000.0F; ///< m; no node may be further away from the origin along an axis
 } // namespace projectLimits
 
-/// The file's bytes; equal projects give equal bytes. Fails for a project beyond the limits.
+/// The file's bytes; equal projects give equal bytes. Fails for what unpackProject() would refuse: a project
+/// beyond the limits, or one whose tree or journal is not sound.
 Result<QByteArray> packProject(const Project& project);
 /// Checks all that it reads, so that the tree and its journal can be trusted. A thumbnail that cannot be read
 /// is left out; so is an image, and the project's warning says so.

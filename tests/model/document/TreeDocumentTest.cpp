@@ -149,8 +149,7 @@ void TreeDocumentTest::resetToAJournal_revertsThroughIt()
     other.reset(document.tree(), document.journal());
     QVERIFY(other.tree() == document.tree());
     QCOMPARE(indexFault(other), QString());
-    while (!other.journal().empty())
-        other.revertLast();
+    travel(other, 0);
     QCOMPARE(other.index().livingCount(), 1U);
     QCOMPARE(indexFault(other), QString());
 }
@@ -160,18 +159,16 @@ void TreeDocumentTest::revertAndApplyOfEachDelta_passesThroughTheSameTrees()
     TreeDocument document;
     growAtRandom(document, 52, 100, 300);
     std::vector<Tree> trees{document.tree()};
-    std::vector<std::shared_ptr<TreeDelta>> deltas;
-    while (!document.journal().empty()) {
-        deltas.push_back(document.journal().back());
-        document.revertLast();
+    const std::size_t steps = document.journal().size();
+    QVERIFY(steps > 5);
+    for (std::size_t position = steps; position-- > 0;) {
+        travel(document, position);
         trees.push_back(document.tree());
     }
-    QVERIFY(deltas.size() > 5);
-    while (!deltas.empty()) {
+    for (std::size_t position = 1; position <= steps; ++position) {
         trees.pop_back();
-        document.apply(deltas.back());
-        deltas.pop_back();
-        QVERIFY(document.tree() == trees.back());
+        travel(document, position);
+        QVERIFY(document.tree() == trees[trees.size() - 1]);
         QCOMPARE(indexFault(document), QString());
     }
 }

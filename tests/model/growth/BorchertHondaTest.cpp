@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/BorchertHonda.h"
 
+#include "commands/SetParameters.h"
 #include "tests/support/BruteForce.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
@@ -37,9 +38,7 @@ struct Grown {
         if (lambda >= 0.0) {
             TreeParameters parameters = document.parameters();
             parameters.growth.apicalDominance = lambda;
-            TreeDelta delta = TreeDelta::startingAt(document.tree());
-            delta.parametersAfter = document.rememberParameters(parameters);
-            document.apply(std::make_shared<TreeDelta>(std::move(delta)));
+            setParameters(document, parameters);
         }
     }
     VigourFlow flow() { return VigourFlow(tree(), document.index(), document.growthIndex(), known); }

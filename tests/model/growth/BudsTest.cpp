@@ -35,8 +35,9 @@ void BudsTest::terminalBud_pointsAlongItsInternode()
     Random random(1, 0, 0, Purpose::Direction);
     for (InternodeId id = 0; id < 50; ++id) {
         const Rotation rotation = randomRotation(random);
-        QVERIFY((budDirection(1, id, kTerminalSlot, rotation, {}) - rotation * Vec3(Vec3::UnitY())).norm() <
-                1e-6F);
+        QVERIFY(
+            (budDirection(childKey(1, 0, id), kTerminalSlot, rotation, {}) - rotation * Vec3(Vec3::UnitY()))
+                .norm() < 1e-6F);
     }
 }
 
@@ -49,7 +50,7 @@ void BudsTest::lateralBuds_leaveAtTheBranchingAngleEvenlyAround()
         p.branchingAngle = random.uniform(0.2, 2.5);
         const Rotation rotation = randomRotation(random);
         for (int slot = 0; slot < p.lateralsPerNode; ++slot) {
-            const Vec3 local = rotation.conjugate() * budDirection(3, 17, slot, rotation, p);
+            const Vec3 local = rotation.conjugate() * budDirection(childKey(3, 0, 17), slot, rotation, p);
             QVERIFY(std::abs(local.norm() - 1.0F) < 1e-5F);
             QVERIFY(std::abs(std::acos(static_cast<double>(local.y())) - p.branchingAngle) < 1e-4);
             const double azimuth = std::atan2(static_cast<double>(local.z()), static_cast<double>(local.x()));
@@ -70,7 +71,7 @@ void BudsTest::irregularity_spreadsAnglesAroundTheirMean()
         double squares = 0.0;
         constexpr int count = 4000;
         for (InternodeId id = 0; id < count; ++id) {
-            const Vec3 bud = budDirection(5, id, 0, Rotation::Identity(), p);
+            const Vec3 bud = budDirection(childKey(5, 0, id), 0, Rotation::Identity(), p);
             const double angle = std::acos(std::clamp(static_cast<double>(bud.y()), -1.0, 1.0));
             sum += angle;
             squares += angle * angle;
@@ -87,10 +88,10 @@ void BudsTest::irregularity_spreadsAnglesAroundTheirMean()
 void BudsTest::direction_dependsOnTheKeyAlone()
 {
     const GrowthParameters p;
-    const Vec3 direction = budDirection(7, 11, 0, Rotation::Identity(), p);
-    QCOMPARE(budDirection(7, 11, 0, Rotation::Identity(), p), direction);
-    QVERIFY(budDirection(8, 11, 0, Rotation::Identity(), p) != direction);
-    QVERIFY(budDirection(7, 12, 0, Rotation::Identity(), p) != direction);
+    const Vec3 direction = budDirection(childKey(7, 0, 11), 0, Rotation::Identity(), p);
+    QCOMPARE(budDirection(childKey(7, 0, 11), 0, Rotation::Identity(), p), direction);
+    QVERIFY(budDirection(childKey(8, 0, 11), 0, Rotation::Identity(), p) != direction);
+    QVERIFY(budDirection(childKey(7, 0, 12), 0, Rotation::Identity(), p) != direction);
 }
 
 void BudsTest::newInternode_bearsATerminalAndItsLaterals()

@@ -159,7 +159,7 @@ void CompetitionTest::budsOfOneNode_shareByDirection()
     MarkerSet markers;
     for (int slot : {0, 1, 2, 3, kTerminalSlot}) {
         markers.positions.push_back(growing.nodePosition(node) +
-                                    budDirection(1, node, slot, growing.rotation(node), p));
+                                    budDirection(growing.key(node), slot, growing.rotation(node), p));
         markers.born.push_back(0);
     }
     const auto enabled = compete(document, growing, Perception::of(p), {}, markers);
@@ -167,8 +167,8 @@ void CompetitionTest::budsOfOneNode_shareByDirection()
     for (std::size_t i = 0; i < enabled.size(); ++i) {
         const BudRef bud = enabled[i].bud;
         QVERIFY(
-            (enabled[i].space - budDirection(1, bud.node, bud.slot, growing.rotation(bud.node), p)).norm() <
-            1e-4F);
+            (enabled[i].space - budDirection(growing.key(bud.node), bud.slot, growing.rotation(bud.node), p))
+                .norm() < 1e-4F);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/GrowthIndex.h"
 
+#include "commands/SetParameters.h"
 #include "tests/support/BruteForce.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
@@ -27,13 +28,6 @@ private Q_SLOTS:
 };
 
 namespace {
-
-void put(TreeDocument& document, const TreeParameters& parameters)
-{
-    TreeDelta delta = TreeDelta::startingAt(document.tree());
-    delta.parametersAfter = document.rememberParameters(parameters);
-    document.apply(std::make_shared<TreeDelta>(std::move(delta)));
-}
 
 std::int64_t inUnits(double q)
 {
@@ -85,7 +79,7 @@ void GrowthIndexTest::q_withoutGravimorphism_isExactlyBruteForce()
         TreeParameters parameters = document.parameters();
         parameters.growth.ellipseVertical = parameters.growth.ellipseParallel = 1.0;
         parameters.growth.ellipseOffset = 0.0;
-        put(document, parameters);
+        setParameters(document, parameters);
         const BruteVigour brute(document.tree(), document.index());
         QVERIFY(brute.budQ.size() > 50);
         for (const auto& [bud, q] : brute.budQ)
@@ -103,7 +97,7 @@ void GrowthIndexTest::q_withGravimorphism_isBruteForce()
         parameters.growth.ellipseVertical = random.uniform(0.3, 2.0);
         parameters.growth.ellipseParallel = random.uniform(0.3, 2.0);
         parameters.growth.ellipseOffset = random.uniform(-0.9, 0.9) * parameters.growth.ellipseVertical;
-        put(document, parameters);
+        setParameters(document, parameters);
         const BruteVigour brute(document.tree(), document.index());
         for (const auto& [bud, q] : brute.budQ)
             QVERIFY(std::abs(static_cast<double>(budQ(document, bud)) / GrowthIndex::kUnit - q) < 1e-4);
@@ -163,7 +157,7 @@ void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
     parameters.growth.lightSensitivity = 1.0;
     parameters.growth.shadowIntensity = 0.03;
     parameters.growth.shadowDepth = 6;
-    put(document, parameters);
+    setParameters(document, parameters);
     std::vector<double> light;
     forEachLiving(document.tree(), [&](InternodeId id) {
         light.push_back(
@@ -174,7 +168,7 @@ void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
 
     for (const double exponent : {0.25, 2.0, 5.0}) {
         parameters.growth.lightSensitivity = exponent;
-        put(document, parameters);
+        setParameters(document, parameters);
         std::size_t i = 0;
         forEachLiving(document.tree(), [&](InternodeId id) {
             const double q = static_cast<double>(
@@ -229,11 +223,11 @@ void GrowthIndexTest::gravimorphism_leavesTerminalBudsAlone()
     };
     parameters.growth.ellipseVertical = parameters.growth.ellipseParallel = 1.0;
     parameters.growth.ellipseOffset = 0.0;
-    put(document, parameters);
+    setParameters(document, parameters);
     const auto neutral = terminals();
     parameters.growth.ellipseVertical = 0.5;
     parameters.growth.ellipseOffset = 0.4;
-    put(document, parameters);
+    setParameters(document, parameters);
     QVERIFY(terminals() == neutral);
 }
 

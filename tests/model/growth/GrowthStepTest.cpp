@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/GrowthStep.h"
 
+#include "commands/SetParameters.h"
 #include "model/growth/BorchertHonda.h"
 #include "model/growth/Buds.h"
 #include "tests/support/BruteForce.h"
@@ -59,9 +60,7 @@ struct Step1 {
         TreeParameters parameters = document.parameters();
         parameters.growth.shedding = shedding;
         parameters.growth.maxShootLength = 3 + static_cast<int>(seed % 4);
-        TreeDelta change = TreeDelta::startingAt(tree());
-        change.parametersAfter = document.rememberParameters(parameters);
-        document.apply(std::make_shared<TreeDelta>(std::move(change)));
+        setParameters(document, parameters);
 
         const Perception perception = Perception::of(parameters.growth);
         const GrowingTree growing(tree(), index(), workspace);
@@ -104,9 +103,9 @@ struct Step1 {
         std::map<BudRef, int> result;
         std::vector<BudRef> origin;
         for (std::uint32_t i = 0; i < delta.born.count; ++i) {
-            const InternodeId parent = delta.rows->parent[i];
+            const InternodeId parent = delta.rows->internodes.parent[i];
             origin.push_back(delta.born.contains(parent) ? origin[parent - delta.born.first]
-                                                         : BudRef{parent, delta.rows->slot[i]});
+                                                         : BudRef{parent, delta.rows->internodes.slot[i]});
             ++result[origin.back()];
         }
         return result;
@@ -255,7 +254,7 @@ void GrowthStepTest::strongestEnabledBud_growsTheLongestShoot()
         const TreeDelta delta = growthStep(document.tree(), document.index(), document.growthIndex(), markers,
                                            GrowthStepOptions::of(parameters.growth), workspace);
         QCOMPARE(static_cast<int>(delta.born.count), longest);
-        for (const float vigour : delta.rows->vigour)
+        for (const float vigour : delta.rows->internodes.vigour)
             QCOMPARE(vigour, 1.0F);
     }
 }
@@ -300,7 +299,7 @@ void GrowthStepTest::branches_areShedWhereBruteForceSays()
             Tree tree = one.tree();
             TreeDelta births = TreeDelta::startingAt(tree);
             births.born = one.delta.born;
-            births.rows = std::make_unique<InternodeColumns>(*one.delta.rows);
+            births.rows = std::make_shared<TreeRows>(*one.delta.rows);
             tree.apply(births);
             const TreeIndex index(tree);
             for (InternodeId id = births.born.first; id != births.born.end(); ++id)
@@ -435,16 +434,14 @@ void GrowthStepTest::grownTree_isConsistent()
         TreeDocument document;
         growAtRandom(document, seed);
         const Tree& tree = document.tree();
-        const Result<Tree> read = Tree::fromColumns(tree.seed(), tree.step(), tree.columns(),
-                                                    tree.parameterSets(), tree.currentParameterSet());
+        const Result<Tree> read = Tree::fromContent(tree.content());
         QVERIFY2(static_cast<bool>(read), read ? "" : qPrintable(read.error().message));
         QVERIFY(*read == tree);
         for (InternodeId id = 1; id < tree.size(); ++id) {
             QVERIFY(tree.parent(id) < id);
             QVERIFY(document.index().nodePosition(id).allFinite());
             // A bud that has become an internode is a bud no more.
-            QVERIFY((tree.buds(tree.parent(id)) & budBit(tree.columns().slot[id])) == 0 ||
-                    tree.columns().present[id] == 0);
+            QVERIFY((tree.buds(tree.parent(id)) & budBit(tree.columns().slot[id])) == 0);
         }
     }
 }
@@ -510,7 +507,7 @@ void GrowthStepTest::autonomousStep_goesOnWhereTheStrongestAreHemmedIn()
     const TreeDelta delta =
         autonomousStep(builder.tree, builder.index, growth, GrowthStepOptions::of(p), workspace);
     QVERIFY(delta.born.count > 0);
-    for (const std::uint8_t slot : delta.rows->slot)
+    for (const std::uint8_t slot : delta.rows->internodes.slot)
         QVERIFY(slot != kTerminalSlot);
 }
 

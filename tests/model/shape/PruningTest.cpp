@@ -78,7 +78,7 @@ void PruningTest::prune_takesWhatTheCutsCarryAndNoMore()
         const Tree before = builder.tree;
         const TreeDelta& delta = builder.apply(prune(builder.tree, builder.index, cuts));
         QVERIFY(std::ranges::equal(delta.died, expected));
-        QVERIFY(delta.buds.empty() && delta.born.count == 0);
+        QVERIFY(delta.internodes.buds.empty() && delta.born.count == 0);
         builder.revert();
         QVERIFY(builder.tree == before);
     }

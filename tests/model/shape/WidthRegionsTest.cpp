@@ -194,7 +194,7 @@ void WidthRegionsTest::radii_areAsByRecursionOverTips()
         const Constraints constraints = randomConstraints(builder, seed, 0.8, 1.6, seed);
         const Widths widths(builder.tree, builder.index, constraints);
         for (const WidthConstraint& constraint : constraints) {
-            const auto wanted = static_cast<double>(constraint.diameter);
+            const auto wanted = static_cast<double>(constraint.value);
             double low = 0.5;
             double high = 10.0;
             const auto at = [&](double n) {
@@ -234,7 +234,7 @@ void WidthRegionsTest::constrainedInternodes_haveTheirDiameters()
         const Constraints constraints = randomConstraints(builder, 12, 0.1, 10.0, seed);
         const Widths widths(builder.tree, builder.index, constraints);
         for (const WidthConstraint& constraint : constraints) {
-            const auto wanted = static_cast<double>(constraint.diameter);
+            const auto wanted = static_cast<double>(constraint.value);
             QVERIFY(std::abs(diameterOf(widths, builder.index, constraint.id) - wanted) <= 1e-6 * wanted);
         }
     }
@@ -246,7 +246,7 @@ void WidthRegionsTest::oneConstraint_changesItsRegionsAlone()
     Constraints constraints = randomConstraints(builder, 6, 1.0, 1.5, 3);
     const Widths before(builder.tree, builder.index, constraints);
     const std::size_t changed = 3;
-    constraints[changed].diameter *= 1.3F;
+    constraints[changed].value *= 1.3F;
     const Widths after(builder.tree, builder.index, constraints);
 
     InternodeId below = builder.tree.parent(constraints[changed].id);
@@ -275,7 +275,7 @@ void WidthRegionsTest::scale_ofAllDiameters_scalesAllRadii()
     Constraints constraints = randomConstraints(one, 8, 0.3, 4.0, 4);
     const Widths widths(one.tree, one.index, constraints);
     for (WidthConstraint& constraint : constraints)
-        constraint.diameter *= 4.0F;
+        constraint.value *= 4.0F;
     const Widths scaled(other.tree, other.index, constraints);
     for (InternodeId id = 0; id < one.tree.size(); ++id)
         QVERIFY(std::abs(scaled.radius(other.index, id) / widths.radius(one.index, id) - 4.0F) < 1e-5F);

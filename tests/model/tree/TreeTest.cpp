@@ -19,13 +19,16 @@ private Q_SLOTS:
     void applyAgain_bringsBackTheSameTree();
     void copies_doNotShareWhatChanges();
     void death_leavesRowsAndRevertRevives();
-    void absentRows_liveAgainWhenTheirBirthIsRedone();
-    void rememberedParameters_areKnownOnce();
-    void forgottenParameters_areGone();
+    void undoneRows_leaveNoTrace();
+    void keptParameters_areKnownOnce_andGoWhenTheirDeltaIsReverted();
+    void manyParameterSets_areRefusedBeforeTheirNumberOverflows();
+    void placedLeaves_comeAndGoWithTheirDelta();
+    void attachmentAlong_placesTheBaseOnTheParent();
+    void severalRoots_standWhereTheyAre();
     void parameterChange_leavesWhatHasGrown();
-    void fromColumns_acceptsWhatATreeHolds();
-    void fromColumns_refusesFaults_data();
-    void fromColumns_refusesFaults();
+    void fromContent_acceptsWhatATreeHolds();
+    void fromContent_refusesFaults_data();
+    void fromContent_refusesFaults();
     void emptyDelta_isEmpty();
 };
 
@@ -33,23 +36,9 @@ namespace {
 
 Result<Tree> reread(const Tree& tree, InternodeColumns columns)
 {
-    return Tree::fromColumns(tree.seed(), tree.step(), std::move(columns), tree.parameterSets(),
-                             tree.currentParameterSet());
-}
-
-/// The two trees look alike: @p after may hold more rows and parameters, but only absent and unused ones.
-bool looksLike(const Tree& after, const Tree& before)
-{
-    if (after.step() != before.step() || after.parameters() != before.parameters())
-        return false;
-    for (InternodeId id = 0; id < after.size(); ++id) {
-        if (id >= before.size()
-                ? after.isAlive(id)
-                : after.isAlive(id) != before.isAlive(id) || after.buds(id) != before.buds(id) ||
-                      after.columns().death[id] != before.columns().death[id])
-            return false;
-    }
-    return true;
+    TreeContent content = tree.content();
+    content.internodes = std::move(columns);
+    return Tree::fromContent(std::move(content));
 }
 
 } // namespace
@@ -85,7 +74,7 @@ void TreeTest::revert_restoresWhatApplyChanged()
         }
         while (!before.empty()) {
             builder.revert();
-            QVERIFY(looksLike(builder.tree, before.back()));
+            QVERIFY(builder.tree == before.back());
             before.pop_back();
         }
     }
@@ -143,44 +132,119 @@ void TreeTest::death_leavesRowsAndRevertRevives()
     QCOMPARE(builder.index.livingCount(), 100U);
 }
 
-void TreeTest::absentRows_liveAgainWhenTheirBirthIsRedone()
+void TreeTest::undoneRows_leaveNoTrace()
 {
     TreeBuilder builder;
+    const Tree before = builder.tree;
     const InternodeId tip = builder.growAxis(0, kTerminalSlot, continuing(), 5);
     TreeDelta growth = builder.revert();
-    QCOMPARE(builder.tree.size(), tip + 1);
+    QVERIFY(builder.tree == before);
     QVERIFY(!builder.tree.isAlive(tip));
-    QVERIFY((builder.tree.buds(0) & kTerminalBud) != 0);
-    // Something else grows in the meantime, under ids of its own, and goes again.
-    builder.grow({.parent = 0});
-    QCOMPARE(builder.tree.size(), tip + 2);
+    // Something else grows in the meantime, under the same ids, and goes again.
+    const InternodeId other = builder.grow({.parent = 0});
+    QCOMPARE(other, 1U);
     builder.revert();
     builder.apply(std::move(growth));
+    QCOMPARE(builder.tree.size(), tip + 1);
     QVERIFY(builder.tree.isAlive(tip));
-    QVERIFY(!builder.tree.isAlive(tip + 1));
-    QVERIFY((builder.tree.buds(0) & kTerminalBud) == 0);
+    QCOMPARE(builder.tree.buds(0) & kTerminalBud, 0);
 }
 
-void TreeTest::rememberedParameters_areKnownOnce()
+void TreeTest::keptParameters_areKnownOnce_andGoWhenTheirDeltaIsReverted()
 {
-    Tree tree;
+    TreeBuilder builder;
     TreeParameters parameters;
-    QCOMPARE(tree.rememberParameters(parameters), 0U);
+    const TreeDelta none = parameterChange(builder.tree, parameters);
+    QCOMPARE(none.parametersAfter, 0U);
+    QVERIFY(!none.bringsRows());
     parameters.growth.shedding = 0.3;
-    QCOMPARE(tree.rememberParameters(parameters), 1U);
-    QCOMPARE(tree.rememberParameters(parameters), 1U);
-    QCOMPARE(tree.currentParameterSet(), 0U); // no delta has put them in force
+    builder.apply(parameterChange(builder.tree, parameters));
+    QCOMPARE(builder.tree.parameterSets().size(), 2);
+    QCOMPARE(builder.tree.currentParameterSet(), 1U);
+    builder.apply(parameterChange(builder.tree, TreeParameters()));
+    builder.apply(parameterChange(builder.tree, parameters));
+    QCOMPARE(builder.tree.parameterSets().size(), 2);
+    while (!builder.journal.empty())
+        builder.revert();
+    QVERIFY(builder.tree == Tree());
 }
 
-void TreeTest::forgottenParameters_areGone()
+void TreeTest::manyParameterSets_areRefusedBeforeTheirNumberOverflows()
 {
-    Tree tree;
+    TreeContent content = Tree().content();
     TreeParameters parameters;
+    content.kept.parameters.resize(kMostParameterSets, parameters);
+    const Result<Tree> full = Tree::fromContent(content);
+    QVERIFY(full);
+    QVERIFY(full->hasRoomFor(parameters));
     parameters.growth.shedding = 0.3;
-    tree.rememberParameters(parameters);
-    tree.forgetLastParameters();
-    QCOMPARE(tree.parameterSets().size(), 1);
-    QVERIFY(tree == Tree());
+    QVERIFY(!full->hasRoomFor(parameters));
+    content.kept.parameters.append(parameters);
+    const Result<Tree> tooMany = Tree::fromContent(content);
+    QVERIFY(!tooMany);
+    QVERIFY(tooMany.error().message.contains(QStringLiteral("parameter sets")));
+}
+
+void TreeTest::placedLeaves_comeAndGoWithTheirDelta()
+{
+    TreeBuilder builder = randomTree(20, 3);
+    const Tree before = builder.tree;
+    TreeDelta delta = TreeDelta::startingAt(builder.tree);
+    delta.rows = std::make_shared<TreeRows>();
+    LeafColumns& leaves = delta.rows->leaves;
+    leaves.internode.append(7);
+    leaves.along.append(0.25F);
+    leaves.rotation.append(Rotation::Identity());
+    leaves.length.append(0.08F);
+    leaves.kind.append(LeafKind::Flower);
+    leaves.birth.append(builder.tree.step());
+    leaves.death.append(kNever);
+    delta.bornLeaves.count = 1;
+    builder.apply(delta);
+    QCOMPARE(builder.tree.placedLeaves().size(), 1U);
+    TreeDelta wilts = TreeDelta::startingAt(builder.tree);
+    wilts.leaves.death.push_back({0, kNever, builder.tree.step()});
+    builder.apply(wilts);
+    QCOMPARE(builder.tree.placedLeaves().death[0], builder.tree.step());
+    builder.revert();
+    QCOMPARE(builder.tree.placedLeaves().death[0], kNever);
+    builder.revert();
+    QVERIFY(builder.tree == before);
+}
+
+void TreeTest::attachmentAlong_placesTheBaseOnTheParent()
+{
+    TreeBuilder builder;
+    builder.growAxis(0, kTerminalSlot, Rotation::Identity(), 2, Rotation::Identity(), 1.0F);
+    TreeDelta delta = births(
+        builder.tree, std::array{NewInternode{.parent = 2, .slot = 0, .rotation = branching(radians(90))}});
+    delta.rows->internodes.along[0] = 0.25F;
+    builder.apply(delta);
+    const Vec3 foot = builder.index.basePosition(builder.tree, 3);
+    const Vec3 lower = builder.index.basePosition(builder.tree, 2);
+    QVERIFY((foot - (lower + 0.25F * up())).norm() < 1e-6F);
+    QVERIFY(((builder.index.nodePosition(3) - foot).norm() - 0.1F) < 1e-6F);
+}
+
+void TreeTest::severalRoots_standWhereTheyAre()
+{
+    TreeBuilder builder;
+    TreeDelta delta = births(builder.tree, std::array{NewInternode{.parent = 0, .slot = 0}});
+    delta.internodes = {};
+    delta.rows->internodes.parent[0] = kNoInternode;
+    delta.rows->internodes.slot[0] = kTerminalSlot;
+    delta.sparse.rootPosition.push_back({1, std::nullopt, Vec3(2.0F, 0.0F, -1.0F)});
+    builder.apply(delta);
+    QCOMPARE(builder.index.roots().size(), std::size_t{2});
+    QCOMPARE(builder.index.livingCount(), 2U);
+    QVERIFY((builder.index.basePosition(builder.tree, 1) - Vec3(2.0F, 0.0F, -1.0F)).norm() < 1e-6F);
+    const InternodeId above = builder.grow({.parent = 1});
+    QCOMPARE(builder.index.rootOf(builder.tree, above), 1U);
+    QVERIFY(Tree::fromContent(builder.tree.content()));
+    builder.revert();
+    builder.revert();
+    QVERIFY(builder.tree == Tree());
+    QCOMPARE(builder.index.roots().size(), std::size_t{1});
 }
 
 void TreeTest::parameterChange_leavesWhatHasGrown()
@@ -200,7 +264,7 @@ void TreeTest::parameterChange_leavesWhatHasGrown()
     QVERIFY(builder.tree.parameters() == builder.tree.parameterSets()[0]);
 }
 
-void TreeTest::fromColumns_acceptsWhatATreeHolds()
+void TreeTest::fromContent_acceptsWhatATreeHolds()
 {
     TreeBuilder builder = randomTree(200, 7);
     builder.apply(death(builder.tree, builder.index, 60));
@@ -211,37 +275,42 @@ void TreeTest::fromColumns_acceptsWhatATreeHolds()
     QVERIFY(*read == builder.tree);
 }
 
-void TreeTest::fromColumns_refusesFaults_data()
+void TreeTest::fromContent_refusesFaults_data()
 {
     QTest::addColumn<QString>("fault");
-    for (const char* fault : {"short column",
-                              "no rows",
-                              "parent after child",
-                              "parent of itself",
-                              "second base",
-                              "seedling dead",
-                              "rotation not unit",
-                              "rotation not a number",
-                              "length zero",
-                              "length negative",
-                              "length not a number",
-                              "length infinite",
-                              "vigour above one",
-                              "vigour not a number",
-                              "slot",
-                              "bud",
-                              "present",
-                              "parameters",
-                              "born in the future",
-                              "died before birth",
-                              "two continuations",
-                              "alive on the dead"})
-        QTest::newRow(fault) << QString::fromLatin1(fault);
+    QTest::addColumn<QString>("named");
+    const auto row = [](const char* fault, const char* named) {
+        QTest::newRow(fault) << QString::fromLatin1(fault) << QString::fromLatin1(named);
+    };
+    row("short column", "different lengths");
+    row("no rows", "empty");
+    row("parent after child", "does not come before");
+    row("parent of itself", "does not come before");
+    row("seedling dead", "seedling");
+    row("rotation not unit", "rotation");
+    row("rotation not a number", "rotation");
+    row("length zero", "length");
+    row("length negative", "length");
+    row("length not a number", "length");
+    row("length infinite", "length");
+    row("vigour above one", "vigour");
+    row("vigour not a number", "vigour");
+    row("slot", "bud");
+    row("bud", "bud");
+    row("parameters", "parameters");
+    row("born in the future", "born in the future");
+    row("died before birth", "died before");
+    row("two continuations", "continue the same axis");
+    row("alive on the dead", "dead internode");
+    row("twice the same key", "key");
+    row("attached beyond the node", "attachment");
+    row("width of nothing", "internode is missing");
 }
 
-void TreeTest::fromColumns_refusesFaults()
+void TreeTest::fromContent_refusesFaults()
 {
     QFETCH(QString, fault);
+    QFETCH(QString, named);
     TreeBuilder builder;
     builder.growAxis(0, kTerminalSlot, continuing(), 4);
     builder.growAxis(2, 0, branching(0.8), 3);
@@ -255,8 +324,6 @@ void TreeTest::fromColumns_refusesFaults()
         c.parent[3] = 6;
     else if (fault == u"parent of itself")
         c.parent[3] = 3;
-    else if (fault == u"second base")
-        c.parent[3] = kNoInternode;
     else if (fault == u"seedling dead")
         c.death[0] = 1;
     else if (fault == u"rotation not unit")
@@ -278,9 +345,11 @@ void TreeTest::fromColumns_refusesFaults()
     else if (fault == u"slot")
         c.slot[3] = kMaxLaterals;
     else if (fault == u"bud")
-        c.buds[3] = budBit(kMaxLaterals);
-    else if (fault == u"present")
-        c.present[3] = 2;
+        c.buds[3] = BudStates::active(budBit(kMaxLaterals));
+    else if (fault == u"twice the same key")
+        c.key[3] = c.key[5];
+    else if (fault == u"attached beyond the node")
+        c.along[3] = 1.5F;
     else if (fault == u"parameters")
         c.parameterSet[3] = 1;
     else if (fault == u"born in the future")
@@ -291,9 +360,13 @@ void TreeTest::fromColumns_refusesFaults()
         c.slot[5] = kTerminalSlot;
     else if (fault == u"alive on the dead")
         c.death[2] = builder.tree.step();
-    const Result<Tree> read = reread(builder.tree, c);
+    TreeContent content = builder.tree.content();
+    content.internodes = c;
+    if (fault == u"width of nothing")
+        content.sparse.width.set(c.size(), 0.1F);
+    const Result<Tree> read = Tree::fromContent(content);
     QVERIFY(!read);
-    QVERIFY(!read.error().message.isEmpty());
+    QVERIFY2(read.error().message.contains(named), qPrintable(read.error().message));
 }
 
 void TreeTest::emptyDelta_isEmpty()

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/document/Edit.h"
+
+#include "model/document/EditCommand.h"
+
+namespace espalier {
+
+namespace {
+
+/// All commands of a document's stack are EditCommands. QUndoStack gives them as const; they are the
+/// document's.
+EditCommand& lastCommand(const QUndoStack& stack)
+{
+    return const_cast<EditCommand&>(static_cast<const EditCommand&>(*stack.command(stack.index() - 1)));
+}
+
+} // namespace
+
+Edit::Edit(TreeDocument& document, Interrupted interrupted)
+    : m_document(document), m_interrupted(std::move(interrupted))
+{
+    document.interruptEdit();
+    document.setEdit(this);
+    m_from = m_to = document.journal().size();
+}
+
+std::unique_ptr<Edit> Edit::resumed(TreeDocument& document)
+{
+    auto edit = std::make_unique<Edit>(document);
+    QUndoStack& stack = document.undoStack();
+    Q_ASSERT(stack.index() > 0);
+    EditCommand& last = lastCommand(stack);
+    const EditCommand::Content& content = last.content();
+    edit->m_from = content.from;
+    edit->m_to = content.to;
+    edit->m_replaced = content.replaced;
+    edit->m_deltas = content.deltas;
+    edit->m_future = content.future;
+    last.handOver();
+    stack.undo();
+    return edit;
+}
+
+Edit::~Edit()
+{
+    cancel();
+}
+
+void Edit::apply(TreeDelta delta)
+{
+    Q_ASSERT(isActive());
+    if (delta.isEmpty())
+        return;
+    if (m_deltas.empty() && m_replaced.empty())
+        m_future = m_document.takeFuture();
+    m_deltas.push_back(std::make_shared<TreeDelta>(std::move(delta)));
+    m_document.apply(m_deltas.back());
+}
+
+void Edit::takeBackLast()
+{
+    Q_ASSERT(isActive() && !m_deltas.empty());
+    m_document.revertLast();
+    m_deltas.pop_back();
+    if (m_deltas.empty() && m_replaced.empty())
+        m_document.setFuture(std::move(m_future));
+}
+
+void Edit::takeBack()
+{
+    while (!m_deltas.empty())
+        takeBackLast();
+}
+
+void Edit::show(TreeDelta delta)
+{
+    takeBack();
+    apply(std::move(delta));
+}
+
+void Edit::replaceFrom(std::size_t position)
+{
+    Q_ASSERT(isActive() && m_deltas.empty() && m_replaced.empty());
+    const Journal& journal = m_document.journal();
+    Journal replaced(journal.begin() + static_cast<std::ptrdiff_t>(position), journal.end());
+    if (replaced.empty())
+        return;
+    m_future = m_document.takeFuture();
+    for (std::size_t i = 0; i < replaced.size(); ++i)
+        m_document.revertLast();
+    m_replaced = std::move(replaced);
+}
+
+void Edit::travelTo(std::size_t position)
+{
+    Q_ASSERT(isActive() && m_deltas.empty() && m_replaced.empty());
+    m_document.travelTo(position);
+    m_to = position;
+}
+
+void Edit::commit(const QString& text)
+{
+    if (m_hasEnded)
+        return;
+    end();
+    if (!hasChanges())
+        return;
+    QUndoStack& stack = m_document.undoStack();
+    // A travel, and what follows at the moment that it led to, are one step: one undo brings back the future
+    // that was lost. Travels in a row are one, too, and none if they led back; but the steps that can be
+    // redone count from where the last travel led to, so then it stays on the stack until a new one clears
+    // them.
+    std::size_t from = m_from;
+    const bool isTravel = m_deltas.empty() && m_replaced.empty();
+    if (stack.index() > 0 && lastCommand(stack).isTravel() && (isTravel || !m_future.empty())) {
+        EditCommand& last = lastCommand(stack);
+        from = last.content().from;
+        const bool leadsBack = isTravel && from == m_to;
+        if (!leadsBack || !stack.canRedo()) {
+            last.handOver();
+            stack.undo();
+        } else {
+            from = m_from;
+        }
+        if (leadsBack && from == m_to)
+            return;
+    }
+    stack.push(new EditCommand(
+        m_document, text, {from, m_to, std::move(m_replaced), std::move(m_deltas), std::move(m_future)}));
+}
+
+void Edit::cancel()
+{
+    if (m_hasEnded)
+        return;
+    takeBack();
+    if (!m_replaced.empty()) {
+        for (const auto& delta : m_replaced)
+            m_document.apply(delta);
+        m_replaced.clear();
+        m_document.setFuture(std::move(m_future));
+    }
+    m_document.travelTo(m_from);
+    end();
+}
+
+void Edit::end()
+{
+    m_hasEnded = true;
+    m_document.setEdit(nullptr);
+}
+
+} // namespace espalier

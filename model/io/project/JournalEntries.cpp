@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/project/JournalEntries.h"
+
+#include "model/io/JsonReader.h"
+#include "model/io/project/ColumnEntries.h"
+#include "model/io/project/ProjectFile.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
+};
+
+Error doesNotAddUp()
+{
+    return inputError(Text::tr("the history"), Text::tr("its parts do not add up"));
+}
+
+/// What a kind of change has in all deltas: how many changes each delta makes, and where reading them stands.
+struct Counts {
+    QList<std::uint32_t> count;
+    std::uint32_t sum = 0;
+    qsizetype next = 0;
+
+    void append(std::size_t changes)
+    {
+        count.append(static_cast<std::uint32_t>(changes));
+        sum += count.back();
+    }
+    /// Whether the journal has any.
+    Result<bool> read(const ZipReader& archive, const QByteArray& name, std::uint32_t deltas)
+    {
+        const QByteArray entry = name + ".count";
+        if (!archive.contains(entry.constData()))
+            return false;
+        if (const Result<void> read = readEntry(archive, entry, deltas, count); !read)
+            return read.error();
+        std::uint64_t all = 0;
+        for (const std::uint32_t changes : count)
+            all += changes;
+        if (all > projectLimits::kChanges)
+            return doesNotAddUp();
+        sum = static_cast<std::uint32_t>(all);
+        return sum > 0;
+    }
+};
+
+/// The changes of one column.
+template <class T>
+struct ChangeColumns {
+    Counts counts;
+    QList<std::uint32_t> row;
+    QList<T> before;
+    QList<T> after;
+
+    void append(const CellChanges<T>& changes)
+    {
+        counts.append(changes.size());
+        for (const CellChange<T>& change : changes) {
+            row.append(change.row);
+            before.append(change.before);
+            after.append(change.after);
+        }
+    }
+    void add(ZipWriter& archive, const QByteArray& name) const
+    {
+        if (counts.sum == 0)
+            return;
+        addEntry(archive, name + ".count", counts.count);
+        addEntry(archive, name + ".row", row);
+        addEntry(archive, name + ".before", before);
+        addEntry(archive, name + ".after", after);
+    }
+    Result<void> read(const ZipReader& archive, const QByteArray& name, std::uint32_t deltas)
+    {
+        const Result<bool> any = counts.read(archive, name, deltas);
+        if (!any)
+            return any.error();
+        Result<void> read;
+        if (*any)
+            read = readEntry(archive, name + ".row", counts.sum, row);
+        if (*any && read)
+            read = readEntry(archive, name + ".before", counts.sum, before);
+        if (*any && read)
+            read = readEntry(archive, name + ".after", counts.sum, after);
+        return read;
+    }
+    /// The changes of delta @p i; to be called for each in turn.
+    void take(std::size_t i, CellChanges<T>& changes)
+    {
+        const std::uint32_t count = counts.sum == 0 ? 0 : counts.count[static_cast<qsizetype>(i)];
+        if (count > 0)
+            changes.reserve(count);
+        for (const qsizetype end = counts.next + count; counts.next < end; ++counts.next)
+            changes.push_back({row[counts.next], before[counts.next], after[counts.next]});
+    }
+};
+
+#define ESPALIER_CHANGE_COLUMNS(Type, name, fallback, fault) ChangeColumns<Type> name;
+#define ESPALIER_SPARSE_CHANGE_COLUMNS(Type, name, fallback, fault) ChangeColumns<std::optional<Type>> name;
+#define ESPALIER_KEPT_COUNT_COLUMN(Type, name, fallback, fault) QList<std::uint32_t> name;
+
+/// A journal as columns.
+struct JournalColumns {
+    struct Internodes {
+        ESPALIER_INTERNODE_COLUMNS(ESPALIER_CHANGE_COLUMNS)
+    };
+    struct Leaves {
+        ESPALIER_LEAF_COLUMNS(ESPALIER_CHANGE_COLUMNS)
+    };
+    struct Sparse {
+        ESPALIER_SPARSE_COLUMNS(ESPALIER_SPARSE_CHANGE_COLUMNS)
+    };
+    struct Kept {
+        ESPALIER_KEPT_VALUES(ESPALIER_KEPT_COUNT_COLUMN)
+    };
+
+    QList<Step> stepBefore;
+    QList<Step> stepAfter;
+    QList<std::uint32_t> parametersBefore;
+    QList<std::uint32_t> parametersAfter;
+    QList<std::uint32_t> born;
+    QList<std::uint32_t> bornLeaves;
+    Kept kept;
+    Internodes internodes;
+    Leaves leaves;
+    Sparse sparse;
+    Counts diedCounts;
+    QList<InternodeId> died;
+    Counts lassoCounts;
+    QList<std::uint32_t> lassoIndex;
+    QList<std::uint8_t> lassoInForce;
+
+    /// Calls @p visit(name, column) for each column of numbers that every delta has; one of zeros may be
+    /// missing.
+    template <class Self, class Visit>
+    static void visitNumbers(Self& self, const Visit& visit)
+    {
+        visit("stepBefore", self.stepBefore);
+        visit("stepAfter", self.stepAfter);
+        visit("parametersBefore", self.parametersBefore);
+        visit("parametersAfter", self.parametersAfter);
+        visit("born", self.born);
+        visit("bornLeaves", self.bornLeaves);
+        KeptTable::visit(
+            [&](const auto& info, auto& column) { visit(QByteArray("kept.") + info.name, column); },
+            self.kept);
+    }
+    /// Calls @p visit(name, columns) for the changes of each column of each table.
+    template <class Self, class Visit>
+    static void visitChanges(Self& self, const Visit& visit)
+    {
+        const auto in = [&visit](const char* table) {
+            return [&visit, table](const auto& info, auto& columns) {
+                visit(QByteArray(table) + '.' + info.name, columns);
+            };
+        };
+        InternodeTable::visit(in("internodes"), self.internodes);
+        LeafTable::visit(in("leaves"), self.leaves);
+        SparseTable::visit(in("sparse"), self.sparse);
+    }
+
+    void append(const TreeDelta& delta)
+    {
+        stepBefore.append(delta.stepBefore);
+        stepAfter.append(delta.stepAfter);
+        parametersBefore.append(delta.parametersBefore);
+        parametersAfter.append(delta.parametersAfter);
+        born.append(delta.born.count);
+        bornLeaves.append(delta.bornLeaves.count);
+        const auto append = [](const auto&, auto& columns, const auto& values) { columns.append(values); };
+        KeptTable::visit(append, kept, delta.kept);
+        InternodeTable::visit(append, internodes, delta.internodes);
+        LeafTable::visit(append, leaves, delta.leaves);
+        SparseTable::visit(append, sparse, delta.sparse);
+        diedCounts.append(delta.died.size());
+        for (const InternodeId id : delta.died)
+            died.append(id);
+        lassoCounts.append(delta.lassos.size());
+        for (const auto [index, isInForce] : delta.lassos) {
+            lassoIndex.append(index);
+            lassoInForce.append(isInForce ? 1 : 0);
+        }
+    }
+
+    TreeDelta take(std::size_t i)
+    {
+        const auto row = static_cast<qsizetype>(i);
+        TreeDelta delta;
+        delta.stepBefore = stepBefore[row];
+        delta.stepAfter = stepAfter[row];
+        delta.parametersBefore = parametersBefore[row];
+        delta.parametersAfter = parametersAfter[row];
+        delta.born.count = born[row];
+        delta.bornLeaves.count = bornLeaves[row];
+        KeptTable::visit([&](const auto&, const auto& column, std::uint32_t& count) { count = column[row]; },
+                         kept, delta.kept);
+        const auto take = [i](const auto&, auto& columns, auto& changes) { columns.take(i, changes); };
+        InternodeTable::visit(take, internodes, delta.internodes);
+        LeafTable::visit(take, leaves, delta.leaves);
+        SparseTable::visit(take, sparse, delta.sparse);
+        if (diedCounts.sum > 0) {
+            const auto first = died.cbegin() + diedCounts.next;
+            delta.died.assign(first, first + diedCounts.count[row]);
+            diedCounts.next += diedCounts.count[row];
+        }
+        if (lassoCounts.sum > 0) {
+            for (std::uint32_t j = 0; j < lassoCounts.count[row]; ++j, ++lassoCounts.next)
+                delta.lassos.push_back({lassoIndex[lassoCounts.next], lassoInForce[lassoCounts.next] != 0});
+        }
+        return delta;
+    }
+};
+
+/// Puts the first ids of births in: the births of all deltas are the last rows of the tables, in the same
+/// order.
+bool numberBirths(Journal& journal, const TreeContent& content)
+{
+    std::uint32_t internodes = content.internodes.size();
+    std::uint32_t leaves = content.leaves.size();
+    for (auto delta = journal.rbegin(); delta != journal.rend(); ++delta) {
+        IdRange& born = (*delta)->born;
+        IdRange& bornLeaves = (*delta)->bornLeaves;
+        if (born.count > internodes || bornLeaves.count > leaves)
+            return false;
+        born.first = internodes -= born.count;
+        bornLeaves.first = leaves -= bornLeaves.count;
+    }
+    return true;
+}
+
+Result<void> read(const ZipReader& archive, std::uint32_t deltas, JournalColumns& columns)
+{
+    Result<void> read;
+    JournalColumns::visitNumbers(columns, [&](const QByteArray& name, auto& column) {
+        const QByteArray entry = "journal/" + name;
+        if (!archive.contains(entry.constData()))
+            column.fill(0, deltas);
+        else if (read)
+            read = readEntry(archive, entry, deltas, column);
+    });
+    JournalColumns::visitChanges(columns, [&](const QByteArray& name, auto& changes) {
+        if (read)
+            read = changes.read(archive, "journal/" + name, deltas);
+    });
+    if (!read)
+        return read;
+    const Result<bool> anyDied = columns.diedCounts.read(archive, "journal/died", deltas);
+    if (!anyDied)
+        return anyDied.error();
+    if (*anyDied)
+        read = readEntry(archive, "journal/died", columns.diedCounts.sum, columns.died);
+    if (!read)
+        return read;
+    const Result<bool> anyLassos = columns.lassoCounts.read(archive, "journal/lassos", deltas);
+    if (!anyLassos)
+        return anyLassos.error();
+    if (*anyLassos)
+        read = readEntry(archive, "journal/lassos.index", columns.lassoCounts.sum, columns.lassoIndex);
+    if (*anyLassos && read)
+        read = readEntry(archive, "journal/lassos.inForce", columns.lassoCounts.sum, columns.lassoInForce);
+    if (std::ranges::any_of(columns.lassoInForce, [](std::uint8_t flag) { return flag > 1; }))
+        return doesNotAddUp();
+    return read;
+}
+
+} // namespace
+
+void addJournal(ZipWriter& archive, const Journal& journal)
+{
+    JournalColumns columns;
+    for (const auto& delta : journal)
+        columns.append(*delta);
+    JournalColumns::visitNumbers(columns, [&](const QByteArray& name, const QList<std::uint32_t>& column) {
+        if (column.count(0) < column.size())
+            addEntry(archive, "journal/" + name, column);
+    });
+    JournalColumns::visitChanges(columns, [&](const QByteArray& name, const auto& changes) {
+        changes.add(archive, "journal/" + name);
+    });
+    if (!columns.died.isEmpty()) {
+        addEntry(archive, "journal/died.count", columns.diedCounts.count);
+        addEntry(archive, "journal/died", columns.died);
+    }
+    if (!columns.lassoIndex.isEmpty()) {
+        addEntry(archive, "journal/lassos.count", columns.lassoCounts.count);
+        addEntry(archive, "journal/lassos.index", columns.lassoIndex);
+        addEntry(archive, "journal/lassos.inForce", columns.lassoInForce);
+    }
+}
+
+Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content)
+{
+    JournalColumns columns;
+    if (const Result<void> result = read(archive, deltas, columns); !result)
+        return result.error();
+    Journal journal;
+    journal.reserve(deltas);
+    for (std::uint32_t i = 0; i < deltas; ++i)
+        journal.push_back(std::make_shared<TreeDelta>(columns.take(i)));
+    if (!numberBirths(journal, content))
+        return doesNotAddUp();
+    return journal;
+}
+
+} // namespace espalier

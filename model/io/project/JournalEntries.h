@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Error.h"
+#include "model/io/ZipArchive.h"
+#include "model/tree/Tree.h"
+
+namespace espalier {
+
+/// Adds a journal to a project's archive, by the lists of columns in TreeTables.h. Entries journal/<number>
+/// have a row a delta. For each kind of change that occurs, journal/<kind>.count has a row a delta, and the
+/// other entries of the kind have the changes of all deltas, in the journal's order. Precondition: each
+/// delta's births follow those of the one before.
+void addJournal(ZipWriter& archive, const Journal& journal);
+
+/// Reads @p deltas deltas that stand applied in a tree with the sizes of @p content. Checks that counts add
+/// up, not values: see checkJournal().
+Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content);
+
+} // namespace espalier

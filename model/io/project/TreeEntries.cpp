@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/project/TreeEntries.h"
+
+#include "model/io/project/ColumnEntries.h"
+
+namespace espalier {
+
+namespace {
+
+template <class Table, class Columns>
+void addTable(ZipWriter& archive, const char* folder, const Columns& columns)
+{
+    Table::visit(
+        [&]<class T>(const ColumnInfo<T>& info, const QList<T>& column) {
+            const bool isPlain = info.fallback && std::ranges::all_of(column, [&](const T& value) {
+                                     return isSame(value, *info.fallback);
+                                 });
+            if (!isPlain)
+                addEntry(archive, QByteArray(folder) + '/' + info.name, column);
+        },
+        columns);
+}
+
+template <class Table, class Columns>
+Result<void> readTable(const ZipReader& archive, const char* folder, std::uint32_t rows, Columns& columns)
+{
+    Result<void> read;
+    Table::visit(
+        [&]<class T>(const ColumnInfo<T>& info, QList<T>& column) {
+            const QByteArray name = QByteArray(folder) + '/' + info.name;
+            if (!read || rows == 0)
+                return;
+            if (info.fallback && !archive.contains(name.constData()))
+                column.fill(*info.fallback, rows);
+            else
+                read = readEntry(archive, name, rows, column);
+        },
+        columns);
+    return read;
+}
+
+template <class T>
+Result<void> readSparse(const ZipReader& archive, const QByteArray& name, std::uint32_t internodes,
+                        SparseColumn<T>& column)
+{
+    const QByteArray idName = name + ".id";
+    if (!archive.contains(idName.constData()))
+        return {};
+    const Result<QByteArray> bytes =
+        archive.read(idName.constData(), std::uint64_t{internodes} * sizeof(InternodeId));
+    if (!bytes)
+        return bytes.error();
+    const auto rows = static_cast<std::uint32_t>(bytes->size() / static_cast<qsizetype>(sizeof(InternodeId)));
+    QList<InternodeId> ids;
+    QList<T> values;
+    Result<void> read = readEntry(archive, idName, rows, ids);
+    if (read)
+        read = readEntry(archive, name + ".value", rows, values);
+    if (!read)
+        return read;
+    std::vector<SparseCell<T>> cells;
+    cells.reserve(rows);
+    for (qsizetype i = 0; i < ids.size(); ++i)
+        cells.push_back({ids[i], values[i]});
+    column = SparseColumn<T>::fromCells(std::move(cells));
+    return {};
+}
+
+} // namespace
+
+void addTree(ZipWriter& archive, const TreeContent& content)
+{
+    addTable<InternodeTable>(archive, "internodes", content.internodes);
+    if (content.leaves.size() > 0)
+        addTable<LeafTable>(archive, "leaves", content.leaves);
+    SparseTable::visit(
+        [&]<class T>(const ColumnInfo<T>& info, const SparseColumn<T>& column) {
+            if (column.cells().empty())
+                return;
+            QList<InternodeId> ids;
+            QList<T> values;
+            for (const auto& [id, value] : column.cells()) {
+                ids.append(id);
+                values.append(value);
+            }
+            const QByteArray name = QByteArray("sparse/") + info.name;
+            addEntry(archive, name + ".id", ids);
+            addEntry(archive, name + ".value", values);
+        },
+        content.sparse);
+}
+
+Result<void> readTree(const ZipReader& archive, std::uint32_t internodes, std::uint32_t leaves,
+                      TreeContent& content)
+{
+    Result<void> read = readTable<InternodeTable>(archive, "internodes", internodes, content.internodes);
+    if (read)
+        read = readTable<LeafTable>(archive, "leaves", leaves, content.leaves);
+    SparseTable::visit(
+        [&]<class T>(const ColumnInfo<T>& info, SparseColumn<T>& column) {
+            if (read)
+                read = readSparse(archive, QByteArray("sparse/") + info.name, internodes, column);
+        },
+        content.sparse);
+    return read;
+}
+
+} // namespace espalier

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/tree/TreeDelta.h"
+
+#include "model/tree/Tree.h"
+
+namespace espalier {
+
+namespace {
+
+TreeRows& rowsOf(TreeDelta& delta)
+{
+    if (!delta.rows)
+        delta.rows = std::make_shared<TreeRows>();
+    return *delta.rows;
+}
+
+} // namespace
+
+TreeDelta TreeDelta::startingAt(const Tree& tree)
+{
+    TreeDelta delta;
+    delta.stepBefore = delta.stepAfter = tree.step();
+    delta.parametersBefore = delta.parametersAfter = tree.currentParameterSet();
+    delta.born = {tree.size(), 0};
+    delta.bornLeaves = {tree.placedLeaves().size(), 0};
+    return delta;
+}
+
+std::uint32_t TreeDelta::keepParameters(const Tree& tree, const TreeParameters& parameters)
+{
+    const QList<TreeParameters>& sets = tree.parameterSets();
+    if (const auto known = sets.lastIndexOf(parameters); known >= 0)
+        return static_cast<std::uint32_t>(known);
+    Q_ASSERT(tree.hasRoomFor(parameters));
+    rowsOf(*this).kept.parameters.append(parameters);
+    return static_cast<std::uint32_t>(sets.size()) + kept.parameters++;
+}
+
+std::uint32_t TreeDelta::keepLasso(const Tree& tree, const LassoStroke& stroke)
+{
+    Q_ASSERT(isLasso(stroke));
+    rowsOf(*this).kept.lassos.append(stroke);
+    return static_cast<std::uint32_t>(tree.lassos().size()) + kept.lassos++;
+}
+
+void TreeDelta::addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,
+                         float lengthAfter)
+{
+    if (!isSame(before, after))
+        internodes.rotation.push_back({id, before, after});
+    if (lengthBefore != lengthAfter)
+        internodes.length.push_back({id, lengthBefore, lengthAfter});
+}
+
+bool TreeDelta::isEmpty() const
+{
+    bool isEmpty = stepBefore == stepAfter && parametersBefore == parametersAfter && !bringsRows() &&
+                   died.empty() && lassos.empty();
+    const auto look = [&isEmpty](const auto&, const auto& changes) { isEmpty = isEmpty && changes.empty(); };
+    InternodeTable::visit(look, internodes);
+    LeafTable::visit(look, leaves);
+    SparseTable::visit(look, sparse);
+    return isEmpty;
+}
+
+std::size_t TreeDelta::bytes() const
+{
+    std::size_t sum =
+        sizeof(*this) + died.capacity() * sizeof(InternodeId) + lassos.capacity() * sizeof(LassoChange);
+    const auto add = [&sum](const auto&, const auto& changes) { sum += changes.bytes(); };
+    InternodeTable::visit(add, internodes);
+    LeafTable::visit(add, leaves);
+    SparseTable::visit(add, sparse);
+    return sum;
+}
+
+bool TreeDelta::operator==(const TreeDelta& other) const
+{
+    bool isEqual = stepBefore == other.stepBefore && stepAfter == other.stepAfter &&
+                   parametersBefore == other.parametersBefore && parametersAfter == other.parametersAfter &&
+                   born == other.born && bornLeaves == other.bornLeaves && kept == other.kept &&
+                   died == other.died && lassos == other.lassos;
+    const auto compare = [&isEqual](const auto&, const auto& a, const auto& b) {
+        isEqual = isEqual && a == b;
+    };
+    InternodeTable::visit(compare, internodes, other.internodes);
+    LeafTable::visit(compare, leaves, other.leaves);
+    SparseTable::visit(compare, sparse, other.sparse);
+    return isEqual;
+}
+
+} // namespace espalier

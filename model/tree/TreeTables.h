@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Ids.h"
+#include "model/tree/BudStates.h"
+#include "model/tree/Columns.h"
+#include "model/tree/LassoStroke.h"
+#include "model/tree/Parameters.h"
+
+namespace espalier {
+
+/// Limits of what a tree may hold, m.
+inline constexpr float kGreatestLength = 1000.0F;  ///< Of an internode
+inline constexpr float kGreatestDiameter = 100.0F; ///< Of a width constraint
+inline constexpr float kFarthestRoot = 1'000.0F;   ///< Of a root from the world's origin, along an axis
+inline constexpr float kFarthestNode = 10'000.0F;  ///< Of any node, likewise: what no bend may go beyond
+inline constexpr float kGreatestLeaf = 100.0F;     ///< Of a placed leaf
+/// Different parameter sets that one tree may know; columns name them by 16 bits.
+inline constexpr qsizetype kMostParameterSets = 65'535;
+
+/// What a placed leaf is.
+enum class LeafKind : std::uint8_t { Leaf, Flower, Fruit };
+
+namespace faults {
+const char* ofShare(const float& value);
+const char* ofRotation(const Rotation& value);
+const char* ofLength(const float& value);
+const char* ofVigour(const float& value);
+const char* ofSlot(const std::uint8_t& value);
+const char* ofBuds(const BudStates& value);
+const char* ofLeafLength(const float& value);
+const char* ofLeafKind(const LeafKind& value);
+const char* ofDiameter(const float& value);
+const char* ofRootPosition(const Vec3& value);
+} // namespace faults
+
+// The columns of internodes:
+//   parent        kNoInternode for a root
+//   along         where on the parent it is attached: 0 at its lower end, 1 at its node
+//   rotation      local frame against the parent's; +Y along the internode, +X to its first lateral bud
+//   length        m
+//   vigour        of its bud when it grew, 0...1 of the strongest of the step
+//   slot          bud of the parent's node that it grew from; kTerminalSlot continues the axis
+//   buds          at its node, the upper end
+//   birth, death  steps; kNever while it lives
+//   parameterSet  what it was grown with
+//   key           its random numbers, and its name in recipes
+#define ESPALIER_INTERNODE_COLUMNS(COLUMN)                                                                   \
+    COLUMN(InternodeId, parent, std::nullopt, noFault)                                                       \
+    COLUMN(float, along, 1.0F, faults::ofShare)                                                              \
+    COLUMN(Rotation, rotation, std::nullopt, faults::ofRotation)                                             \
+    COLUMN(float, length, std::nullopt, faults::ofLength)                                                    \
+    COLUMN(float, vigour, 0.0F, faults::ofVigour)                                                            \
+    COLUMN(std::uint8_t, slot, std::nullopt, faults::ofSlot)                                                 \
+    COLUMN(BudStates, buds, BudStates(), faults::ofBuds)                                                     \
+    COLUMN(Step, birth, std::nullopt, noFault)                                                               \
+    COLUMN(Step, death, kNever, noFault)                                                                     \
+    COLUMN(std::uint16_t, parameterSet, std::uint16_t{0}, noFault)                                           \
+    COLUMN(InternodeKey, key, std::nullopt, noFault)
+
+// The columns of leaves (flowers, fruit) that a person placed; leaves by rule are a function of the
+// parameters:
+//   internode     that it hangs on
+//   along         where on it, 0...1
+//   rotation      frame against the internode's; +Y along the midrib, +Z the upper side
+//   length        m, from its foot to its tip
+//   kind
+//   birth, death  steps; kNever while it is there
+#define ESPALIER_LEAF_COLUMNS(COLUMN)                                                                        \
+    COLUMN(InternodeId, internode, std::nullopt, noFault)                                                    \
+    COLUMN(float, along, 1.0F, faults::ofShare)                                                              \
+    COLUMN(Rotation, rotation, std::nullopt, faults::ofRotation)                                             \
+    COLUMN(float, length, std::nullopt, faults::ofLeafLength)                                                \
+    COLUMN(LeafKind, kind, LeafKind::Leaf, faults::ofLeafKind)                                               \
+    COLUMN(Step, birth, std::nullopt, noFault)                                                               \
+    COLUMN(Step, death, kNever, noFault)
+
+// Rare things about an internode:
+//   width         diameter that a person has set, m (TreeSketch §3.3); sleeps while the internode is dead
+//   rootPosition  where a root stands, m; the world's origin for those that have none
+#define ESPALIER_SPARSE_COLUMNS(COLUMN)                                                                      \
+    COLUMN(float, width, std::nullopt, faults::ofDiameter)                                                   \
+    COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition)
+
+// Values that are kept once and referred to by index; see KeptCodec (model/io/project) for how files hold
+// them:
+//   parameters    every set that was ever in force
+//   lassos        every stroke that was ever in force
+#define ESPALIER_KEPT_VALUES(COLUMN)                                                                         \
+    COLUMN(TreeParameters, parameters, std::nullopt, noFault)                                                \
+    COLUMN(LassoStroke, lassos, std::nullopt, noFault)
+
+ESPALIER_VISITOR(InternodeTable, ESPALIER_INTERNODE_COLUMNS)
+ESPALIER_VISITOR(LeafTable, ESPALIER_LEAF_COLUMNS)
+ESPALIER_VISITOR(SparseTable, ESPALIER_SPARSE_COLUMNS)
+ESPALIER_VISITOR(KeptTable, ESPALIER_KEPT_VALUES)
+
+/// Internodes as columns: row i of each belongs to internode i (or, in a delta, to the i-th one that it
+/// bears). QList shares implicitly: a copy is a snapshot that costs nothing until one side writes.
+struct InternodeColumns {
+    ESPALIER_INTERNODE_COLUMNS(ESPALIER_COLUMN_MEMBER)
+    std::uint32_t size() const { return static_cast<std::uint32_t>(parent.size()); }
+};
+
+/// Placed leaves as columns, likewise.
+struct LeafColumns {
+    ESPALIER_LEAF_COLUMNS(ESPALIER_COLUMN_MEMBER)
+    std::uint32_t size() const { return static_cast<std::uint32_t>(internode.size()); }
+};
+
+/// The sparse columns of a tree.
+struct SparseColumns {
+    ESPALIER_SPARSE_COLUMNS(ESPALIER_SPARSE_MEMBER)
+};
+
+/// The kept values of a tree, or those that a delta brings; never changed once they are there.
+struct KeptValues {
+    ESPALIER_KEPT_VALUES(ESPALIER_COLUMN_MEMBER)
+};
+
+struct InternodeChanges {
+    ESPALIER_INTERNODE_COLUMNS(ESPALIER_CHANGES_MEMBER)
+};
+struct LeafChanges {
+    ESPALIER_LEAF_COLUMNS(ESPALIER_CHANGES_MEMBER)
+};
+/// No value: the internode has none.
+struct SparseChanges {
+    ESPALIER_SPARSE_COLUMNS(ESPALIER_SPARSE_CHANGES_MEMBER)
+};
+/// How many values of each kind.
+struct KeptCounts {
+    ESPALIER_KEPT_VALUES(ESPALIER_COUNT_MEMBER)
+    bool operator==(const KeptCounts&) const = default;
+};
+
+/// A diameter that a person has given to an internode, m.
+using WidthConstraint = SparseCell<float>;
+
+} // namespace espalier

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/BendGesture.h"
+#include "commands/DocumentProject.h"
+#include "commands/LassoGesture.h"
+#include "commands/ParameterGesture.h"
+#include "commands/Prune.h"
+#include "commands/SetParameters.h"
+#include "commands/TimeGesture.h"
+#include "commands/WidthGesture.h"
+#include "tests/support/Documents.h"
+#include "tests/support/Growing.h"
+#include "tests/support/TestClasses.h"
+
+#include <QtTest>
+
+#include <functional>
+
+namespace espalier::test {
+
+/// What was undone or cancelled leaves no trace: a document that lived through any sequence of edits, undos,
+/// redos, travels in time and cancelled gestures equals, byte for byte, one in which the undone and the
+/// cancelled never happened.
+class UndoPropertyTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void anySequence_equalsTheOneWithoutWhatWasUndone();
+    void undoneGrowth_neitherFillsTheFileNorTheMemory();
+    void cancelledGesture_doesNotChangeWhatGrowsNext();
+    void gestureAtAnEarlierMoment_isSavedAndReadAgain();
+};
+
+namespace {
+
+using Action = std::function<void(TreeDocument&)>;
+
+QByteArray packed(const TreeDocument& document)
+{
+    const Result<QByteArray> bytes = packProject(projectOf(document, QStringLiteral("Tree")));
+    if (!bytes)
+        qFatal("%s", qPrintable(bytes.error().message));
+    return *bytes;
+}
+
+/// A document in the hands of somebody who changes their mind all the time, and what of it counts.
+class Undecided {
+public:
+    explicit Undecided(std::uint64_t seed) : m_random(seed, 0, 0, Purpose::ShootLength), m_seed(seed)
+    {
+        TreeParameters parameters;
+        parameters.growth.lateralsPerNode = 1 + below(2);
+        parameters.growth.irregularity = 0.4;
+        parameters.growth.shedding = 0.1;
+        m_parameters = parameters;
+        m_document.reset(m_seed, m_parameters);
+    }
+
+    void act()
+    {
+        switch (below(8)) {
+        case 0:
+        case 1:
+            if (m_index > 0) {
+                m_document.undo();
+                --m_index;
+            }
+            break;
+        case 2:
+            if (m_index < m_entries.size()) {
+                m_document.redo();
+                ++m_index;
+            }
+            break;
+        case 3:
+            cancelSomething();
+            break;
+        default:
+            doSomething(randomAction());
+        }
+    }
+
+    const TreeDocument& document() const { return m_document; }
+
+    /// Lives through what counts alone.
+    void replay(TreeDocument& document) const
+    {
+        document.reset(m_seed, m_parameters);
+        for (std::size_t i = 0; i < m_index; ++i) {
+            for (const Action& action : m_entries[i])
+                action(document);
+        }
+    }
+
+private:
+    int below(int count) { return static_cast<int>(m_random.bits() % static_cast<std::uint64_t>(count)); }
+    InternodeId living()
+    {
+        for (;;) {
+            const auto id = static_cast<InternodeId>(below(static_cast<int>(m_document.tree().size())));
+            if (m_document.tree().isAlive(id))
+                return id;
+        }
+    }
+    std::size_t somewhere() const { return m_document.journal().size() + m_document.future().size(); }
+
+    /// A step of the stack is what lies between two indices; travels in a row, and what follows one, join.
+    void doSomething(const Action& action)
+    {
+        const int before = m_document.undoStack().index();
+        const std::uint64_t revision = m_document.revision();
+        action(m_document);
+        const int after = m_document.undoStack().index();
+        if (after == before && m_document.revision() == revision)
+            return;
+        m_entries.resize(static_cast<std::size_t>(std::min(before, after)));
+        if (after > before)
+            m_entries.push_back({action});
+        else if (after == before && before > 0)
+            m_entries.back().push_back(action);
+        m_index = m_entries.size();
+    }
+
+    Action randomAction()
+    {
+        const bool isLarge = m_document.index().livingCount() > 220;
+        switch (below(isLarge ? 5 : 9)) {
+        case 0:
+            return [cut = living()](TreeDocument& document) { pruneBranches(document, std::span(&cut, 1)); };
+        case 1:
+            return [id = living(), diameter = m_random.uniform(-0.01, 0.1)](TreeDocument& document) {
+                setWidth(document, id, diameter);
+            };
+        case 2: {
+            const InternodeId id = living();
+            const Vec3 target = m_document.index().nodePosition(id) + 0.2F * m_random.inBall();
+            return [id, target](TreeDocument& document) {
+                BendGesture gesture(document, 0, {{id, 1.0}});
+                gesture.settleAt(std::span(&target, 1));
+                gesture.finish();
+            };
+        }
+        case 3: {
+            TreeParameters parameters = m_document.parameters();
+            parameters.growth.branchingAngle = radians(30 + 10 * below(4));
+            return [parameters](TreeDocument& document) { setParameters(document, parameters); };
+        }
+        case 4:
+            return [position = static_cast<std::size_t>(below(static_cast<int>(somewhere()) + 1))](
+                       TreeDocument& document) { travel(document, position); };
+        case 5:
+            return lasso();
+        case 6: {
+            const std::vector<BrushSample> stroke =
+                randomStroke(m_random, m_document.parameters().growth, 0.4);
+            return [stroke](TreeDocument& document) { brush(document, stroke); };
+        }
+        default:
+            return [steps = 1 + below(2)](TreeDocument& document) { grow(document, steps); };
+        }
+    }
+
+    Action lasso()
+    {
+        switch (below(3)) {
+        case 0: {
+            LassoStroke stroke;
+            stroke.origin = Vec3(0.0F, 0.2F, 0.0F);
+            const auto size = static_cast<float>(m_random.uniform(0.2, 0.4));
+            stroke.points = {{-size, 0.0F}, {size, 0.05F}, {size, size}, {-size, size}};
+            return [stroke](TreeDocument& document) { fill(LassoGesture::fill(document, stroke)); };
+        }
+        case 1:
+            return [](TreeDocument& document) { fill(LassoGesture::regrow(document)); };
+        default:
+            return [](TreeDocument& document) { removeEnvelopes(document); };
+        }
+    }
+
+    static void fill(LassoGesture::Begun begun)
+    {
+        if (!begun)
+            return;
+        for (int i = 0; i < 3 && (*begun)->step(); ++i) {
+        }
+        (*begun)->finish();
+    }
+
+    void cancelSomething()
+    {
+        switch (below(5)) {
+        case 0: {
+            const std::vector<BrushSample> stroke =
+                randomStroke(m_random, m_document.parameters().growth, 0.3);
+            BrushGesture gesture(m_document, stroke.front());
+            for (const BrushSample& sample : stroke)
+                gesture.add(sample);
+            gesture.cancel();
+            break;
+        }
+        case 1: {
+            GrowGesture gesture(m_document);
+            gesture.step();
+            gesture.cancel();
+            break;
+        }
+        case 2: {
+            if (const LassoGesture::Begun begun = LassoGesture::regrow(m_document)) {
+                (*begun)->step();
+                (*begun)->cancel();
+            }
+            break;
+        }
+        case 3: {
+            TimeGesture gesture(m_document);
+            gesture.moveTo(static_cast<std::size_t>(below(static_cast<int>(somewhere()) + 1)));
+            gesture.moveTo(somewhere() + 1);
+            gesture.cancel();
+            break;
+        }
+        default: {
+            WidthGesture gesture(m_document, living());
+            gesture.set(0.05);
+            gesture.cancel();
+        }
+        }
+    }
+
+    Random m_random;
+    std::uint64_t m_seed;
+    TreeParameters m_parameters;
+    TreeDocument m_document;
+    std::vector<std::vector<Action>> m_entries; ///< As the undo stack
+    std::size_t m_index = 0;
+};
+
+} // namespace
+
+void UndoPropertyTest::anySequence_equalsTheOneWithoutWhatWasUndone()
+{
+    bool isNumber = false;
+    const int asked = qEnvironmentVariableIntValue("ESPALIER_SEQUENCES", &isNumber);
+    const auto sequences = static_cast<std::uint64_t>(isNumber ? asked : 1000);
+    for (std::uint64_t seed = 1; seed <= sequences; ++seed) {
+        Undecided hand(seed);
+        for (int i = 0; i < 16; ++i)
+            hand.act();
+        TreeDocument straight;
+        hand.replay(straight);
+        const DocumentState wanted(straight);
+        const QString difference = differenceFrom(wanted, hand.document());
+        // The replay has no steps to be redone, and the same index.
+        QVERIFY2(difference.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(difference)));
+        QVERIFY2(packed(hand.document()) == packed(straight),
+                 qPrintable(QStringLiteral("seed %1").arg(seed)));
+    }
+}
+
+void UndoPropertyTest::undoneGrowth_neitherFillsTheFileNorTheMemory()
+{
+    TreeDocument document;
+    document.reset(1);
+    grow(document, 8);
+    const qsizetype size = packed(document).size();
+    const DocumentState before(document);
+    std::size_t bytes = 0;
+    for (int i = 0; i < 20; ++i) {
+        grow(document, 3);
+        document.undo();
+        if (i == 0)
+            bytes = document.bytes();
+    }
+    QCOMPARE(differenceFrom(before, document), QString());
+    QCOMPARE(packed(document).size(), size);
+    QVERIFY(document.bytes() <= bytes + bytes / 20);
+}
+
+void UndoPropertyTest::cancelledGesture_doesNotChangeWhatGrowsNext()
+{
+    TreeDocument straight;
+    straight.reset(5);
+    grow(straight, 6);
+    TreeDocument document;
+    document.reset(5);
+    grow(document, 3);
+    BrushGesture gesture(document, {0.0, Vec3(0.0F, 0.5F, 0.0F), 0.4F});
+    gesture.add({0.5, Vec3(0.3F, 0.8F, 0.1F), 0.4F});
+    gesture.cancel();
+    grow(document, 3);
+    QVERIFY(document.tree().content().internodes.key == straight.tree().content().internodes.key);
+}
+
+void UndoPropertyTest::gestureAtAnEarlierMoment_isSavedAndReadAgain()
+{
+    TreeDocument document;
+    document.reset(2);
+    grow(document, 6);
+    travel(document, 3);
+    QVERIFY(!document.future().empty());
+    // In the middle of the gesture, and after it.
+    BrushGesture gesture(document, {0.0, Vec3(0.0F, 0.3F, 0.0F), 0.3F});
+    gesture.add({0.4, Vec3(0.2F, 0.5F, 0.1F), 0.3F});
+    const Result<Project> during = unpackProject(packed(document));
+    QVERIFY2(during, during ? "" : qPrintable(during.error().message));
+    gesture.finish();
+    const Result<Project> after = unpackProject(packed(document));
+    QVERIFY2(after, after ? "" : qPrintable(after.error().message));
+    document.undo();
+    QCOMPARE(document.journal().size(), std::size_t{6});
+    QVERIFY(document.future().empty());
+}
+
+const TestClass<UndoPropertyTest> undoPropertyTest;
+
+} // namespace espalier::test
+
+#include "UndoPropertyTest.moc"
