@@ -89,7 +89,7 @@ void RecipeReadingTest::setParameters_buildsOnThoseBefore()
 
 void RecipeReadingTest::weights_areScaledToSumToOne()
 {
-    const Result<Recipe> result = parseRecipe(recipe(
+    const Result<Recipe> result = parseRecipe(recipeOf(
         R"("parameters": {"growth": {"axisWeight": 1, "tropismWeight": 0.25, "spaceWeight": 0.75}},
            "operations": [{"op": "setParameters", "parameters": {"growth": {"axisWeight": 0.5}}}])"));
     QVERIFY(result);
