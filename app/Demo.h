@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/recipe/Recipe.h"
 #include "model/base/Error.h"
-#include "model/io/recipe/Recipe.h"
 
 #include <QStringList>
 

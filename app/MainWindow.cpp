@@ -50,19 +50,8 @@ QString droppedFile(const QMimeData& data)
 Box3 strokeBounds(const Recipe& recipe)
 {
     Box3 bounds;
-    for (const RecipeOperation& operation : recipe.operations) {
-        if (const auto* stroke = std::get_if<BrushStrokeOperation>(&operation)) {
-            for (const BrushSample& sample : stroke->samples) {
-                const Vec3 reach = Vec3::Constant(sample.radius);
-                bounds.extend(Box3(sample.position - reach, sample.position + reach));
-            }
-        } else if (const auto* lasso = std::get_if<LassoOperation>(&operation)) {
-            bounds.extend(Vec3(Vec3::Zero()));
-            for (const Vec2& point : lasso->stroke.points)
-                bounds.extend(Vec3(lasso->stroke.origin + point.x() * lasso->stroke.right +
-                                   point.y() * lasso->stroke.up));
-        }
-    }
+    for (const RecipeOperation& operation : recipe.operations)
+        bounds.extend(operation.reach());
     return bounds;
 }
 
@@ -167,9 +156,11 @@ void MainWindow::connectTools()
     connect(&m_lassoRunner, &LassoRunner::refused, this,
             [this](const QString& why) { m_workspace->notice().showInformation(why); });
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
-    connect(&m_recipeRunner, &RecipeRunner::finished, this, [this] {
+    connect(&m_recipeRunner, &RecipeRunner::finished, this, [this](bool whole) {
         if (m_recipeRunner.pace() == RecipeRunner::Pace::Hurried && !m_workspace->notice().isWarning())
             m_workspace->notice().finish();
+        if (whole)
+            showRecipeWarnings();
         takeTool();
         updateEnabled();
         m_workspace->viewport().frameAll();
@@ -324,6 +315,18 @@ void MainWindow::showRecipeProgress()
     if (m_recipeRunner.isRunning() && m_recipeRunner.pace() == RecipeRunner::Pace::Hurried)
         m_workspace->notice().showProgress(tr("Growing %1").arg(m_files->file().displayName()),
                                            m_recipeRunner.player()->progress(), [this] { cancelAll(); });
+}
+
+void MainWindow::showRecipeWarnings()
+{
+    const QStringList warnings = m_recipeRunner.warnings();
+    if (warnings.isEmpty())
+        return;
+    m_workspace->notice().showWarning(
+        tr("%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3")
+            .arg(warnings.size())
+            .arg(m_recipeRunner.operationCount())
+            .arg(joinedFaults(warnings)));
 }
 
 void MainWindow::followRecipe()

@@ -81,6 +81,8 @@ private:
     void updateTitle();
     void updateTip();
     void showRecipeProgress();
+    /// Tells what the recipe that has just been played did not find.
+    void showRecipeWarnings();
     /// Keeps a tree in sight that a recipe lets grow.
     void followRecipe();
     ActionId toolInHand() const;

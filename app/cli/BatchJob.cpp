@@ -4,13 +4,14 @@
 #include "app/TreeCounts.h"
 #include "app/files/Outputs.h"
 #include "commands/DocumentProject.h"
-#include "commands/RecipePlayer.h"
+#include "commands/recipe/Recipe.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "model/io/ParametersJson.h"
-#include "model/io/recipe/Recipe.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
 #include "views/render/OffscreenRenderer.h"
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
@@ -139,7 +140,8 @@ Result<void> writeOutputs(const Project& project, const QStringList& fileNames)
     return {};
 }
 
-/// Plays the recipes one after another on one document. Returns the view that the last of them asks for.
+/// Plays the recipes one after another on one document, and prints what they did not find there, which is an
+/// Error if the command line is strict. Returns the view that the last of them asks for.
 Result<QString> playRecipes(TreeDocument& document, QString& name, const CommandLine& line)
 {
     std::vector<Recipe> recipes;
@@ -155,6 +157,7 @@ Result<QString> playRecipes(TreeDocument& document, QString& name, const Command
                                           : recipes.front().name;
 
     QString view;
+    qsizetype warnings = 0;
     for (std::size_t i = 0; i < recipes.size(); ++i) {
         if (!recipes[i].camera.view.isEmpty())
             view = recipes[i].camera.view;
@@ -169,7 +172,16 @@ Result<QString> playRecipes(TreeDocument& document, QString& name, const Command
             player.playOperation();
         }
         tellProgress({});
+        const QString fileName = QFileInfo(line.inputs[static_cast<qsizetype>(i)]).fileName();
+        for (const QString& warning : player.warnings())
+            complain(QStringLiteral("%1: %2").arg(fileName, warning));
+        warnings += player.warnings().size();
     }
+    if (line.strict && warnings > 0)
+        return Error{Error::Kind::Input,
+                     QCoreApplication::translate("CommandLine",
+                                                 "--strict: nothing is written, since operations "
+                                                 "found nothing to do, or not all that they name")};
     return view;
 }
 

@@ -99,6 +99,12 @@ constexpr Option kOptions[] = {
          line.stats = value;
          return {};
      }},
+    {"--strict", " replay ",
+     [](CommandLine& line, const QString&) -> Result<void> {
+         line.strict = true;
+         return {};
+     },
+     true},
     {"--threads", " replay ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          bool isNumber = false;
@@ -259,10 +265,12 @@ QString commandLineHelp()
               "espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]\n"
               "                [--camera front|side|top|three-quarter]\n"
               "                [--transparent [--ground-shadow]]\n"
-              "                [--stats FILE] [--threads N] [--seed N]\n"
+              "                [--stats FILE] [--threads N] [--seed N] [--strict]\n"
               "    Does what a recipe says, without a window, and writes what comes of it.\n"
               "    Of several recipes each continues the tree of the one before: the first\n"
               "    says the seed, and each begins by putting its parameters in force.\n"
+              "    What operations do not find in the tree is printed; with --strict it is an\n"
+              "    error, and nothing is written.\n"
               "\n"
               "espalier export PROJECT [-o OUT]...\n"
               "    Writes a project in other formats.\n"

@@ -33,6 +33,7 @@ struct CommandLine {
     bool transparent = false;          ///< The picture: the tree alone, on nothing
     bool groundShadow = false;         ///< If so, also its shadow, as black that covers more or less
     QString stats;                     ///< JSON; empty for none
+    bool strict = false;               ///< An operation that finds nothing to do is an error
     int threads = 0;                   ///< 0 for as many as the machine has
     std::optional<std::uint64_t> seed; ///< In place of the recipe's
 

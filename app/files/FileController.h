@@ -4,7 +4,7 @@
 #include "app/files/Autosave.h"
 #include "app/files/DocumentFile.h"
 #include "app/files/Settings.h"
-#include "model/io/recipe/Recipe.h"
+#include "commands/recipe/Recipe.h"
 
 #include <QObject>
 

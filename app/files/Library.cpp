@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/Library.h"
 
+#include "commands/recipe/Recipe.h"
 #include "model/io/project/ProjectFile.h"
-#include "model/io/recipe/Recipe.h"
 
 #include <QCollator>
 #include <QDir>

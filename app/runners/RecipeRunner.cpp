@@ -12,20 +12,12 @@ constexpr int kHurriedWork = 25;      ///< ms between two pictures, where these 
 constexpr double kRest = 0.9;         ///< s before and after what happens at once
 constexpr double kFilmStep = 0.12;    ///< s between several of the same kind: steps back in time make a film
 
-bool happensAtOnce(const RecipeOperation& operation)
-{
-    return !std::holds_alternative<BrushStrokeOperation>(operation) &&
-           !std::holds_alternative<GrowOperation>(operation) &&
-           !std::holds_alternative<LassoOperation>(operation) &&
-           !std::holds_alternative<RegrowOperation>(operation);
-}
-
 /// How long a hand rests between two operations, s.
 double restBetween(const RecipeOperation& before, const RecipeOperation& after)
 {
-    if (!happensAtOnce(before) && !happensAtOnce(after))
+    if (before.takesTime() && after.takesTime())
         return 0.0;
-    return before.index() == after.index() ? kFilmStep : kRest;
+    return before.name() == after.name() ? kFilmStep : kRest;
 }
 
 } // namespace
@@ -40,6 +32,8 @@ void RecipeRunner::start(Recipe recipe, Pace pace)
     stop();
     m_pace = pace;
     m_pause = 0.0;
+    m_warnings.clear();
+    m_operationCount = recipe.operations.size();
     m_player = std::make_unique<RecipePlayer>(m_document, std::move(recipe));
     m_clock.start();
     m_timer.start(pace == Pace::Hurried ? 0 : kTick);
@@ -79,6 +73,7 @@ void RecipeRunner::advance()
     Q_EMIT advanced();
     if (m_player->isDone()) {
         m_timer.stop();
+        m_warnings = m_player->warnings();
         m_player.reset();
         Q_EMIT finished(true);
     }

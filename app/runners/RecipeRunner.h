@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/RecipePlayer.h"
+#include "commands/recipe/RecipePlayer.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -30,6 +30,10 @@ public:
     bool isRunning() const { return m_player != nullptr; }
     /// Of the recipe that runs, or of the last one.
     Pace pace() const { return m_pace; }
+    /// See RecipePlayer::warnings(); of the recipe that was last played to its end.
+    const QStringList& warnings() const { return m_warnings; }
+    /// Of the recipe that was started last.
+    std::size_t operationCount() const { return m_operationCount; }
     /// Null unless it runs.
     const RecipePlayer* player() const { return m_player.get(); }
 
@@ -46,6 +50,8 @@ private:
     TreeDocument& m_document;
     std::unique_ptr<RecipePlayer> m_player;
     Pace m_pace = Pace::Hurried;
+    QStringList m_warnings;
+    std::size_t m_operationCount = 0;
     double m_pause = 0.0; ///< s that the hand still rests
     QTimer m_timer;
     QElapsedTimer m_clock;

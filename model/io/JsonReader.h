@@ -38,6 +38,8 @@ public:
     QString text(QLatin1StringView key, const std::optional<QString>& fallback = {});
     /// A whole number of 64 bits: as a number up to 2^53, or as a string of decimal digits.
     std::uint64_t seed(QLatin1StringView key, std::optional<std::uint64_t> fallback = {});
+    /// A member of any type, which must be there.
+    QJsonValue value(QLatin1StringView key) { return take(key, true); }
     /// Empty if it is not there.
     QJsonObject object(QLatin1StringView key);
     QJsonArray array(QLatin1StringView key);

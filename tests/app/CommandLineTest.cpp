@@ -38,9 +38,9 @@ void CommandLineTest::project_opensAWindowWithIt()
 
 void CommandLineTest::replay_takesRecipesOutputsAndOptionsInAnyOrder()
 {
-    const QString words =
-        QStringLiteral("replay -o t.espalier a.json --size 640x480 b.json -o t.FBX --png t.png "
-                       "--camera three-quarter --stats=s.json --threads 2 --seed 18446744073709551615");
+    const QString words = QStringLiteral(
+        "replay -o t.espalier a.json --size 640x480 b.json -o t.FBX --png t.png "
+        "--camera three-quarter --stats=s.json --threads 2 --seed 18446744073709551615 --strict");
     const Result<CommandLine> line = parseCommandLine(words.split(QLatin1Char(' ')));
     QVERIFY(line);
     QCOMPARE(line->verb, CommandLine::Verb::Replay);
@@ -50,10 +50,12 @@ void CommandLineTest::replay_takesRecipesOutputsAndOptionsInAnyOrder()
     QCOMPARE(line->camera, QStringLiteral("three-quarter"));
     QCOMPARE(line->picture, QStringLiteral("t.png"));
     QCOMPARE(line->stats, QStringLiteral("s.json"));
+    QVERIFY(line->strict);
     QCOMPARE(line->threads, 2);
     QCOMPARE(line->seed, std::optional<std::uint64_t>(18446744073709551615U));
     QVERIFY(line->needsDisplay());
     QVERIFY(!parseCommandLine({QStringLiteral("replay"), QStringLiteral("a.json")})->needsDisplay());
+    QVERIFY(!parseCommandLine({QStringLiteral("replay"), QStringLiteral("a.json")})->strict);
 }
 
 void CommandLineTest::transparent_isAskedForWithoutAValue()
@@ -106,6 +108,7 @@ void CommandLineTest::wrongLines_saySo_data()
     add("export", "project");
     add("export a.espalier b.espalier", "one project");
     add("export a.espalier --stats s.json", "--stats");
+    add("export a.espalier --strict", "--strict");
     add("render a.espalier", "--png");
     add("render a.espalier --png a.png --ground-shadow", "--transparent");
     add("render a.espalier --png a.png --transparent=yes", "no value");

@@ -19,6 +19,7 @@ private Q_SLOTS:
     void brokenFile_isRefusedInOneSentenceAndTheTreeStays();
     void unsavedChanges_areAskedAbout();
     void recipe_isPlayedAndHandedOver();
+    void recipe_tellsAtTheEndWhatItDidNotFind();
     void droppedFile_isOpened();
     void recentFiles_listWhatWasSaved();
     void crash_losesNothingThatWasFinished();
@@ -128,6 +129,22 @@ void FilesTest::recipe_isPlayedAndHandedOver()
     QVERIFY(m_window->isWindowModified());
     brush(0.2F, 1.2F, 0.3F);
     QCOMPARE(m_window->document().undoStack().count(), 3);
+}
+
+void FilesTest::recipe_tellsAtTheEndWhatItDidNotFind()
+{
+    QFile file(m_folder->filePath(QStringLiteral("futile.json")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"espalier-recipe": 1, "operations": [{"op": "prune", "internodes": [712]},
+                   {"op": "grow", "steps": 4}, {"op": "regrow"}]})");
+    file.close();
+    m_window->files().openFile(file.fileName());
+    QVERIFY2(m_window->recipeRunner().isRunning(), qPrintable(notice()));
+    QTRY_VERIFY(!m_window->recipeRunner().isRunning());
+    QVERIFY2(notice().startsWith(QStringLiteral("2 of 3 operations")) &&
+                 notice().contains(QStringLiteral("operations[0]: prune: there is no internode 712")) &&
+                 notice().contains(QStringLiteral("operations[2]: regrow: ")),
+             qPrintable(notice()));
 }
 
 void FilesTest::droppedFile_isOpened()

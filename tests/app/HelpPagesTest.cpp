@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/RecipePlayer.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "panels/Actions.h"
 #include "panels/HelpPage.h"
 #include "panels/HelpPanel.h"
@@ -144,6 +144,7 @@ void HelpPagesTest::recipes_doSomethingInEachOperation()
         QVERIFY2(!(document.tree() == before), qPrintable(QStringLiteral("operations[%1]").arg(i)));
     }
     QVERIFY(player.isDone());
+    QCOMPARE(player.warnings(), QStringList());
     QVERIFY(document.index().livingCount() > 100);
 }
 

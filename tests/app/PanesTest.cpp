@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/RecipePlayer.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/Bar.h"
 #include "panels/Notice.h"

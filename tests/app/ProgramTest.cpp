@@ -12,6 +12,8 @@ private Q_SLOTS:
     void replay_writesEveryOutputAndNothingElse();
     void replay_continuesOneTreeThroughSeveralRecipes();
     void replay_takesTheSeedOfTheCommandLine();
+    void replay_namesWhatOperationsDoNotFind();
+    void strictReplay_writesNothingIfAnOperationFindsNothing();
     void replay_givesTheSameBytesOnOneThreadAndOnTwo_data();
     void replay_givesTheSameBytesOnOneThreadAndOnTwo();
     void stats_haveTheirForm();
@@ -50,6 +52,16 @@ constexpr const char* kRecipe = R"({
         {"op": "grow", "steps": 3},
         {"op": "undo", "count": 1},
         {"op": "redo", "count": 1}
+    ]})";
+
+/// Two of its operations find nothing to do.
+constexpr const char* kFutileRecipe = R"({
+    "espalier-recipe": 1,
+    "operations": [
+        {"op": "grow", "steps": 1},
+        {"op": "prune", "internodes": [71200]},
+        {"op": "grow", "steps": 1},
+        {"op": "removeLasso"}
     ]})";
 
 } // namespace
@@ -154,6 +166,34 @@ void ProgramTest::replay_takesTheSeedOfTheCommandLine()
     runWell({"replay", "r.json", "--seed", "10", "-o", "c.csv"});
     QCOMPARE(read("a.csv"), read("b.csv"));
     QVERIFY(read("a.csv") != read("c.csv"));
+}
+
+void ProgramTest::replay_namesWhatOperationsDoNotFind()
+{
+    write("fault.json", kFutileRecipe);
+    const Outcome outcome = run({"replay", "r.json", "fault.json", "-o", "t.csv"});
+    QCOMPARE(outcome.code, 0);
+    QCOMPARE(outcome.error,
+             QByteArray("espalier: fault.json: operations[1]: prune: there is no internode 71200\n"
+                        "espalier: fault.json: operations[3]: removeLasso: there is no envelope\n"));
+    QVERIFY(read("t.csv").size() > 100);
+}
+
+void ProgramTest::strictReplay_writesNothingIfAnOperationFindsNothing()
+{
+    write("fault.json", kFutileRecipe);
+    const Outcome outcome =
+        run({"replay", "r.json", "fault.json", "--strict", "-o", "t.csv", "--stats", "s.json"});
+    QCOMPARE(outcome.code, 3);
+    const QList<QByteArray> lines = outcome.error.trimmed().split('\n');
+    QCOMPARE(lines.size(), 3);
+    QVERIFY2(lines[0].endsWith("operations[1]: prune: there is no internode 71200"),
+             outcome.error.constData());
+    QVERIFY2(lines[2].contains("--strict"), outcome.error.constData());
+    QVERIFY(!QFileInfo::exists(path(QStringLiteral("t.csv"))));
+    QVERIFY(!QFileInfo::exists(path(QStringLiteral("s.json"))));
+    runWell({"replay", "r.json", "--strict", "-o", "t.csv"});
+    QVERIFY(QFileInfo::exists(path(QStringLiteral("t.csv"))));
 }
 
 void ProgramTest::replay_givesTheSameBytesOnOneThreadAndOnTwo_data()

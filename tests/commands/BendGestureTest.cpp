@@ -92,7 +92,7 @@ void BendGestureTest::bend_isOneDeltaAndOneUndoStep_undoneAndRedoneToTheBit()
         for (int i = 1; i <= 30; ++i) {
             const Vec3 target = start + static_cast<float>(i) * Vec3(0.02F, -0.01F, 0.015F);
             gesture.moveTo(std::span(&target, 1));
-            QCOMPARE(document.journal().size(), before.journal + 1);
+            QCOMPARE(document.journal().size(), before.journal.size() + 1);
         }
         QCOMPARE(document.undoStack().count(), before.undoIndex);
         gesture.finish();
@@ -209,7 +209,7 @@ void BendGestureTest::otherHands_goOnFromTheFormThatStands()
     QVERIFY((specimen.tip() - second[0]).norm() < 1e-4F);
     gesture.finish();
 
-    QCOMPARE(document.journal().size(), before.journal + 1);
+    QCOMPARE(document.journal().size(), before.journal.size() + 1);
     QCOMPARE(document.undoStack().count(), before.undoIndex + 1);
     const DocumentState done(document);
     document.undoStack().undo();

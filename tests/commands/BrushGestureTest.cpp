@@ -107,7 +107,7 @@ void BrushGestureTest::stroke_isOneUndoStep_undoneAndRedoneToTheBit()
         Random random(seed, 9, 0, Purpose::ShootLength);
         const DocumentState before(document);
         brush(document, randomStroke(random, document.parameters().growth, 1.0));
-        if (document.journal().size() == before.journal)
+        if (document.journal().size() == before.journal.size())
             continue;
         QCOMPARE(document.undoStack().count(), before.undoIndex + 1);
         const DocumentState done(document);
@@ -132,7 +132,7 @@ void BrushGestureTest::cancelledStroke_leavesNoTrace()
     BrushGesture gesture(document, kCrownStroke.front());
     for (const BrushSample& sample : kCrownStroke)
         gesture.add(sample);
-    QVERIFY(document.journal().size() > before.journal);
+    QVERIFY(document.journal().size() > before.journal.size());
     gesture.cancel();
     QCOMPARE(differenceFrom(before, document), QString());
     QCOMPARE(document.undoStack().count(), 0);
@@ -149,7 +149,7 @@ void BrushGestureTest::strokeDroppedUnfinished_isCancelled()
         BrushGesture gesture(document, kCrownStroke.front());
         for (const BrushSample& sample : kCrownStroke)
             gesture.add(sample);
-        QVERIFY(document.journal().size() > before.journal);
+        QVERIFY(document.journal().size() > before.journal.size());
     }
     QCOMPARE(differenceFrom(before, document), QString());
     QCOMPARE(document.undoStack().count(), 0);

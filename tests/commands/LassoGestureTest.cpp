@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/LassoGesture.h"
 
-#include "commands/RecipePlayer.h"
 #include "commands/SetParameters.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "model/io/project/ProjectFile.h"
 #include "tests/model/envelope/Silhouettes.h"
+#include "tests/support/AllOperations.h"
 #include "tests/support/CrownSilhouette.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"

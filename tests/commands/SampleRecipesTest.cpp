@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/RecipePlayer.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "model/io/project/ProjectFile.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
@@ -47,7 +47,9 @@ void SampleRecipesTest::undoingAndRedoingAll_restoresTheDocument()
     const RecipePlayer seedling(document, *recipe);
     const DocumentState empty(document);
 
-    RecipePlayer(document, *recipe).playAll();
+    RecipePlayer player(document, *recipe);
+    player.playAll();
+    QCOMPARE(player.warnings(), QStringList());
     QVERIFY(document.index().livingCount() > 30);
     const DocumentState whole(document);
     const QByteArray file = packed(document);

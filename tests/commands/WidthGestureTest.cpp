@@ -60,7 +60,7 @@ void WidthGestureTest::width_isOneDeltaAndOneUndoStep_undoneAndRedoneToTheBit()
         WidthGesture gesture(document, id);
         for (int i = 1; i <= 20; ++i) {
             gesture.set(0.01 * i);
-            QCOMPARE(document.journal().size(), before.journal + 1);
+            QCOMPARE(document.journal().size(), before.journal.size() + 1);
             QCOMPARE(document.tree().widthConstraint(id), static_cast<float>(0.01 * i));
         }
         gesture.finish();
@@ -111,7 +111,7 @@ void WidthGestureTest::constraint_movesAndTakesThePlaceOfAnother()
     QCOMPARE(document.tree().widthConstraints().size(), 1U);
     QCOMPARE(document.tree().widthConstraint(second), 0.05F);
     gesture.finish();
-    QCOMPARE(document.journal().size(), before.journal + 1);
+    QCOMPARE(document.journal().size(), before.journal.size() + 1);
     document.undoStack().undo();
     QVERIFY(DocumentState(document) == before);
     QCOMPARE(document.tree().widthConstraint(first), 0.05F);

@@ -10,6 +10,7 @@
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
 #include "commands/WidthGesture.h"
+#include "tests/support/AllOperations.h"
 
 #include <algorithm>
 
@@ -47,7 +48,7 @@ public:
     void operator()(const BrushStrokeOperation& operation)
     {
         const std::vector<BrushSample>& samples = operation.samples;
-        BrushGesture gesture(m_document, samples.front(), operation.competitors);
+        BrushGesture gesture(m_document, samples.front(), operation.only.resolve(m_document).competitors);
         for (std::size_t i = 1; i < samples.size(); ++i) {
             if (m_random.onceIn(8))
                 gesture.moveToward(samples[i], 0.5 * (samples[i - 1].time + samples[i].time));
@@ -58,13 +59,19 @@ public:
 
     void operator()(const GrowOperation& operation)
     {
-        GrowGesture gesture(m_document, operation.competitors);
+        GrowGesture gesture(m_document, operation.only.resolve(m_document).competitors);
         for (int i = 0; i < operation.steps && gesture.step(); ++i) {
         }
         gesture.finish();
     }
 
-    void operator()(const PruneOperation& operation) { pruneBranches(m_document, operation.internodes); }
+    void operator()(const PruneOperation& operation)
+    {
+        std::vector<InternodeId> cuts;
+        for (const InternodeReference& internode : operation.internodes)
+            cuts.push_back(internode.number());
+        pruneBranches(m_document, cuts);
+    }
 
     void operator()(const TravelOperation& operation)
     {
@@ -97,10 +104,10 @@ public:
         std::vector<BranchBend::Handle> handles;
         std::vector<Vec3> targets;
         for (const BendOperation::Handle& handle : operation.handles) {
-            handles.push_back({handle.internode, handle.along});
+            handles.push_back({handle.internode.number(), handle.along});
             targets.push_back(handle.target);
         }
-        BendGesture gesture(m_document, operation.base, std::move(handles),
+        BendGesture gesture(m_document, operation.base.number(), std::move(handles),
                             {.stretching = operation.stretching, .bending = operation.bending});
         for (int call = 0; call < BendGesture::kMostCalls && !gesture.moveTo(targets); ++call) {
         }
@@ -109,7 +116,7 @@ public:
 
     void operator()(const SetWidthOperation& operation)
     {
-        WidthGesture gesture(m_document, operation.internode);
+        WidthGesture gesture(m_document, operation.internode.number());
         for (int i = m_random.below(3); i > 0; --i)
             gesture.set(static_cast<InternodeId>(m_random.below(static_cast<int>(m_document.tree().size()))),
                         0.01 * m_random.below(50));
@@ -119,23 +126,45 @@ public:
 
     void operator()(const LassoOperation& operation)
     {
-        finish(LassoGesture::fill(m_document, operation.stroke, operation.competitors));
+        finish(
+            LassoGesture::fill(m_document, operation.stroke, operation.only.resolve(m_document).competitors));
     }
 
     void operator()(const RegrowOperation&) { finish(LassoGesture::regrow(m_document)); }
 
     void operator()(const RemoveLassoOperation&) { removeEnvelopes(m_document); }
 
+    /// Does the operation if it is of this kind.
+    template <class Data>
+    bool does(const RecipeOperation& operation)
+    {
+        const Data* data = operation.as<Data>();
+        if (data)
+            (*this)(*data);
+        return data != nullptr;
+    }
+
 private:
     TreeDocument& m_document;
     RandomOperations& m_random;
 };
 
+template <class... Kinds>
+bool doesAny(Hand hand, const RecipeOperation& operation)
+{
+    return (hand.does<Kinds>(operation) || ...);
+}
+
 } // namespace
 
 void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOperations& random)
 {
-    std::visit(Hand(document, random), operation);
+    const bool isDone =
+        doesAny<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
+                UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
+                RegrowOperation, RemoveLassoOperation>(Hand(document, random), operation);
+    if (!isDone)
+        qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }
 
 } // namespace espalier::test

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/recipe/Recipe.h"
 #include "model/document/TreeDocument.h"
-#include "model/io/recipe/Recipe.h"
 #include "tests/soak/RandomOperations.h"
 
 namespace espalier::test {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/soak/RandomOperations.h"
 
+#include "commands/recipe/RecipeLimits.h"
 #include "model/io/ParametersJson.h"
 #include "tests/support/Growing.h"
 
@@ -10,35 +11,13 @@
 
 namespace espalier::test {
 
-namespace {
-
-/// How often something is done: to a tree that may grow, and to one that has to be cut back.
-struct Weights {
-    int growing;
-    int cuttingBack;
-};
-
-/// By the alternatives of RecipeOperation.
-constexpr std::array<Weights, std::variant_size_v<RecipeOperation>> kWeights{{
-    {16, 4},  // set parameters
-    {50, 0},  // brush stroke
-    {18, 0},  // grow
-    {14, 50}, // prune
-    {18, 14}, // travel
-    {22, 25}, // undo
-    {14, 0},  // redo
-    {18, 4},  // bend
-    {16, 4},  // set width
-    {2, 0},   // lasso
-    {1, 0},   // regrow
-    {1, 1},   // remove lasso
-}};
-
-} // namespace
-
 RandomOperations::RandomOperations(std::uint64_t seed, std::uint32_t most)
     : m_random(seed, 0, 0, Purpose::ShootLength), m_most(most)
 {
+    for (const QString& name : operationNames()) {
+        if (std::ranges::none_of(kinds(), [&](const Kind& kind) { return name == kind.name; }))
+            qFatal("the soak test never does “%s”", qPrintable(name));
+    }
 }
 
 int RandomOperations::below(int count)
@@ -87,7 +66,7 @@ InternodeId RandomOperations::living(const TreeDocument& document)
 InternodeId RandomOperations::any(const TreeDocument& document)
 {
     if (onceIn(100))
-        return static_cast<InternodeId>(recipeLimits::kInternode);
+        return static_cast<InternodeId>(InternodeReference::kGreatestNumber);
     if (onceIn(20))
         return static_cast<InternodeId>(m_random.bits() % (document.tree().size() + 3));
     return living(document);
@@ -112,7 +91,7 @@ InternodeId RandomOperations::large(const TreeDocument& document)
     return id;
 }
 
-Competitors RandomOperations::competitors(const TreeDocument& document)
+BudReference RandomOperations::only(const TreeDocument& document)
 {
     if (!onceIn(5))
         return {};
@@ -165,7 +144,7 @@ BrushStrokeOperation RandomOperations::make(const TreeDocument& document, int)
         kept.push_back(sample);
     }
     operation.samples = std::move(kept);
-    operation.competitors = competitors(document);
+    operation.only = only(document);
     return operation;
 }
 
@@ -173,7 +152,7 @@ template <>
 GrowOperation RandomOperations::make(const TreeDocument& document, int)
 {
     const bool isSmall = document.index().livingCount() < m_most / 4;
-    return {isSmall ? 1 + below(6) : 1 + below(2), competitors(document)};
+    return {isSmall ? 1 + below(6) : 1 + below(2), only(document)};
 }
 
 template <>
@@ -194,7 +173,7 @@ template <>
 TravelOperation RandomOperations::make(const TreeDocument& document, int)
 {
     if (onceIn(30))
-        return {onceIn(2) ? recipeLimits::kTravel : -recipeLimits::kTravel};
+        return {onceIn(2) ? TravelOperation::kFarthest : -TravelOperation::kFarthest};
     const int far = onceIn(10) ? 200 : 12;
     const int by = 1 + below(far);
     // What lies ahead calls to come back.
@@ -222,7 +201,8 @@ BendOperation RandomOperations::make(const TreeDocument& document, int)
     const float l = internode(document);
     BendOperation operation;
     operation.base = any(document);
-    InternodeId at = operation.base < document.tree().size() ? operation.base : 0;
+    const InternodeId base = operation.base.number() < document.tree().size() ? operation.base.number() : 0;
+    InternodeId at = base;
     const bool isAbsurd = onceIn(12);
     const int handles = onceIn(3) ? 1 + below(4) : 1;
     for (int i = 0; i < handles; ++i) {
@@ -249,8 +229,7 @@ BendOperation RandomOperations::make(const TreeDocument& document, int)
                 handle.target = Vec3::Constant(-kFar);
                 break;
             case 2:
-                handle.target = index.basePosition(
-                    document.tree(), operation.base < document.tree().size() ? operation.base : 0);
+                handle.target = index.basePosition(document.tree(), base);
                 break;
             case 3:
                 handle.target = 100.0F * l * m_random.direction();
@@ -280,7 +259,7 @@ SetWidthOperation RandomOperations::make(const TreeDocument& document, int)
     if (onceIn(4))
         operation.diameter = 0.0;
     else if (onceIn(8))
-        operation.diameter = onceIn(2) ? recipeLimits::kDiameter : 1e-9;
+        operation.diameter = onceIn(2) ? SetWidthOperation::kGreatestDiameter : 1e-9;
     return operation;
 }
 
@@ -337,41 +316,41 @@ LassoOperation RandomOperations::make(const TreeDocument& document, int)
     const double heading = m_random.uniform(0.0, 2.0 * std::numbers::pi);
     stroke.right = Vec3(static_cast<float>(std::cos(heading)), 0.0F, static_cast<float>(std::sin(heading)));
     stroke.points = loop(l * static_cast<float>(m_random.uniform(1.0, 5.0)));
-    operation.competitors = competitors(document);
+    operation.only = only(document);
     return operation;
+}
+
+std::span<const RandomOperations::Kind> RandomOperations::kinds()
+{
+    static constexpr Kind kKinds[] = {
+        kindOf<SetParametersOperation>(16, 4), kindOf<BrushStrokeOperation>(50, 0),
+        kindOf<GrowOperation>(18, 0),          kindOf<PruneOperation>(14, 50),
+        kindOf<TravelOperation>(18, 14),       kindOf<UndoOperation>(22, 25),
+        kindOf<RedoOperation>(14, 0),          kindOf<BendOperation>(18, 4),
+        kindOf<SetWidthOperation>(16, 4),      kindOf<LassoOperation>(2, 0),
+        kindOf<RegrowOperation>(1, 0),         kindOf<RemoveLassoOperation>(1, 1),
+    };
+    return kKinds;
 }
 
 RecipeOperation RandomOperations::next(const TreeDocument& document, int undoable)
 {
     const bool isCrowded = document.index().livingCount() > m_most;
-    std::array<int, kWeights.size()> weights{};
-    std::ranges::transform(kWeights, weights.begin(),
-                           [&](const Weights& both) { return isCrowded ? both.cuttingBack : both.growing; });
-    if (document.tree().lassoIndicesInForce().size() > 1) // they cost more than all the rest
-        weights[RecipeOperation(RemoveLassoOperation{}).index()] *= 10;
-    if (undoable <= 0)
-        weights[RecipeOperation(UndoOperation{}).index()] = 0;
+    std::vector<int> weights;
+    for (const Kind& kind : kinds()) {
+        int weight = isCrowded ? kind.cuttingBack : kind.growing;
+        // Lassos cost more than all the rest.
+        if (kind.name == RemoveLassoOperation::kName && document.tree().lassoIndicesInForce().size() > 1)
+            weight *= 10;
+        if (kind.name == UndoOperation::kName && undoable <= 0)
+            weight = 0;
+        weights.push_back(weight);
+    }
     int draw = below(std::accumulate(weights.begin(), weights.end(), 0));
     std::size_t kind = 0;
     while (draw >= weights[kind])
         draw -= weights[kind++];
-
-    RecipeOperation operation;
-    const auto fill = [&]<std::size_t Index>() {
-        if (Index == kind) {
-            using Operation = std::variant_alternative_t<Index, RecipeOperation>;
-            if constexpr (std::is_empty_v<Operation>)
-                operation = Operation{};
-            else
-                operation = make<Operation>(document, undoable);
-        }
-    };
-    [&]<std::size_t... Indices>(std::index_sequence<Indices...>)
-    {
-        (fill.template operator()<Indices>(), ...);
-    }
-    (std::make_index_sequence<kWeights.size()>{});
-    return operation;
+    return kinds()[kind].make(*this, document, undoable);
 }
 
 } // namespace espalier::test

@@ -3,7 +3,7 @@
 
 #include "model/base/Random.h"
 #include "model/document/TreeDocument.h"
-#include "model/io/recipe/Recipe.h"
+#include "tests/support/AllOperations.h"
 
 namespace espalier::test {
 
@@ -24,13 +24,33 @@ public:
     bool onceIn(int count) { return below(count) == 0; }
 
 private:
+    /// A kind of operation: how often it is done to a tree that may grow, and to one that has to be cut back.
+    struct Kind {
+        QLatin1StringView name;
+        int growing;
+        int cuttingBack;
+        RecipeOperation (*make)(RandomOperations&, const TreeDocument&, int undoable);
+    };
+    template <class Operation>
+    static constexpr Kind kindOf(int growing, int cuttingBack)
+    {
+        return {Operation::kName, growing, cuttingBack,
+                [](RandomOperations& random, const TreeDocument& document, int undoable) {
+                    if constexpr (std::is_empty_v<Operation>)
+                        return RecipeOperation(Operation{});
+                    else
+                        return RecipeOperation(random.make<Operation>(document, undoable));
+                }};
+    }
+    static std::span<const Kind> kinds();
+
     template <class Operation>
     Operation make(const TreeDocument& document, int undoable);
 
     InternodeId living(const TreeDocument& document);
     InternodeId any(const TreeDocument& document);
     InternodeId large(const TreeDocument& document);
-    Competitors competitors(const TreeDocument& document);
+    BudReference only(const TreeDocument& document);
     std::vector<Vec2> loop(float radius);
     float internode(const TreeDocument& document) const;
 

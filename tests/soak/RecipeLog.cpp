@@ -1,47 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/soak/RecipeLog.h"
 
+#include <QJsonDocument>
+
+#include <utility>
+
 namespace espalier::test {
 
 namespace {
 
-constexpr QByteArrayView kOperations("\"operations\": [");
-constexpr QByteArrayView kEnd("\n  ]\n}\n");
+constexpr QByteArrayView kOperations("\"operations\":[");
 
 } // namespace
 
 RecipeLog::RecipeLog(const QString& fileName, const Recipe& beginning)
-    : m_file(fileName), m_parameters(beginning.parameters)
+    : m_file(fileName), m_writing{beginning.parameters}
 {
     Recipe empty = beginning;
     empty.operations.clear();
-    const QByteArray text = writeRecipe(empty);
+    const QByteArray text = QJsonDocument::fromJson(writeRecipe(empty)).toJson(QJsonDocument::Compact);
+    const qsizetype end = text.indexOf(kOperations) + kOperations.size();
+    m_rest = text.mid(end);
     m_isGood = m_file.open(QIODevice::WriteOnly);
-    m_end = text.indexOf(kOperations) + kOperations.size();
-    write(text.left(m_end));
+    write(text.left(end));
 }
 
 bool RecipeLog::add(const RecipeOperation& operation)
 {
-    Recipe one;
-    one.parameters = m_parameters;
-    one.operations = {operation};
-    const QByteArray text = writeRecipe(one);
-    const qsizetype begin = text.indexOf(kOperations) + kOperations.size();
-    const QByteArray added = (m_isFirst ? "" : ",") + text.mid(begin, text.size() - begin - kEnd.size());
-    m_isFirst = false;
-    m_isGood = m_isGood && m_file.seek(m_end);
-    m_end += added.size();
-    write(added);
-    if (const auto* set = std::get_if<SetParametersOperation>(&operation))
-        m_parameters = set->parameters;
+    const QByteArray json = QJsonDocument(operation.write(m_writing)).toJson(QJsonDocument::Compact);
+    write((std::exchange(m_isFirst, false) ? "\n" : ",\n") + json);
     return m_isGood;
 }
 
 void RecipeLog::write(const QByteArray& text)
 {
-    const QByteArray whole = text + kEnd.toByteArray();
-    m_isGood = m_isGood && m_file.write(whole) == whole.size() && m_file.flush();
+    const QByteArray whole = text + m_rest;
+    m_isGood = m_isGood && m_file.seek(m_end) && m_file.write(whole) == whole.size() && m_file.flush();
+    m_end += text.size();
 }
 
 } // namespace espalier::test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/io/recipe/Recipe.h"
+#include "commands/recipe/Recipe.h"
 
 #include <QFile>
 
@@ -24,8 +24,9 @@ private:
     void write(const QByteArray& text);
 
     QFile m_file;
-    TreeParameters m_parameters; ///< Of the last operation that set some
-    qint64 m_end = 0;            ///< Of the operations
+    RecipeWriting m_writing;
+    QByteArray m_rest; ///< What follows the operations
+    qint64 m_end = 0;  ///< Of the operations
     bool m_isFirst = true;
     bool m_isGood = false;
 };

@@ -2,8 +2,8 @@
 #include "tests/soak/Soak.h"
 
 #include "commands/DocumentProject.h"
-#include "commands/RecipePlayer.h"
 #include "commands/TimeGesture.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "tests/soak/Hand.h"
 #include "tests/support/Documents.h"
 
@@ -14,11 +14,6 @@
 namespace espalier::test {
 
 namespace {
-
-/// By the alternatives of RecipeOperation.
-constexpr std::array<const char*, std::variant_size_v<RecipeOperation>> kNames{
-    "setParameters", "brushStroke", "grow",     "prune", "travel", "undo",
-    "redo",          "bend",        "setWidth", "lasso", "regrow", "removeLasso"};
 
 /// The whole document, history and future included.
 Result<QByteArray> packed(const TreeDocument& document)
@@ -51,11 +46,6 @@ QString lifeFault(const Tree& tree)
 }
 
 } // namespace
-
-QString nameOf(const RecipeOperation& operation)
-{
-    return QString::fromLatin1(kNames[operation.index()]);
-}
 
 Soak::Milestone::Milestone(const TreeDocument& document)
     : rows(document.tree().size()),
@@ -94,7 +84,7 @@ QString Soak::run()
         const int most = m_reloads == 0 && m_random.onceIn(20) ? 1000 : undoable();
         RecipeOperation operation = m_random.next(m_document, most);
         // After reading, the same.
-        if (std::holds_alternative<RedoOperation>(operation) && m_document.undoStack().count() == 0)
+        if (operation.as<RedoOperation>() && m_document.undoStack().count() == 0)
             continue;
         if (!m_log.add(operation))
             return QStringLiteral("%1 could not be written").arg(m_log.fileName());
@@ -102,7 +92,7 @@ QString Soak::run()
         m_milestones.emplace_back(m_document);
         if (const QString fault = lifeFault(m_document.tree()); !fault.isEmpty())
             return fault;
-        ++m_done[operation.index()];
+        ++m_done[operation.name()];
         m_mostLiving = std::max(m_mostLiving, m_document.index().livingCount());
         m_longestHistory =
             std::max(m_longestHistory, m_document.journal().size() + m_document.future().size());
@@ -197,7 +187,7 @@ QString Soak::replay()
         if (i >= m_milestones.size() || !(Milestone(replayed) == m_milestones[i])) {
             return QStringLiteral("the replay goes another way at operation %1, %2")
                 .arg(i)
-                .arg(nameOf(operations[i]));
+                .arg(operations[i].name());
         }
     }
     if (operations.size() != m_milestones.size())
@@ -221,8 +211,8 @@ QString Soak::replay()
 QString Soak::figures() const
 {
     QStringList done;
-    for (std::size_t i = 0; i < m_done.size(); ++i)
-        done += QStringLiteral("%1 %2").arg(QLatin1String(kNames[i])).arg(m_done[i]);
+    for (const QString& name : operationNames())
+        done += QStringLiteral("%1 %2").arg(name).arg(m_done.value(name));
     return QStringLiteral(
                "%1 operations (%2); read back %3 times, %4 of them in the past; %5 checks; at most %6 "
                "living internodes and %7 deltas of history; %8 rows in the end")

@@ -4,9 +4,8 @@
 #include "tests/soak/RandomOperations.h"
 #include "tests/soak/RecipeLog.h"
 
+#include <QHash>
 #include <QTemporaryDir>
-
-#include <array>
 
 namespace espalier::test {
 
@@ -66,15 +65,12 @@ private:
     RecipeLog m_log;
     int m_floor = 0; ///< Commands that are not undone
     std::vector<Milestone> m_milestones;
-    std::array<int, std::variant_size_v<RecipeOperation>> m_done{};
+    QHash<QString, int> m_done; ///< By the name of the operation
     int m_reloads = 0;
     int m_reloadsInThePast = 0;
     int m_checks = 0;
     std::uint32_t m_mostLiving = 0;
     std::size_t m_longestHistory = 0;
 };
-
-/// The name of each alternative of RecipeOperation, as recipes write it.
-QString nameOf(const RecipeOperation& operation);
 
 } // namespace espalier::test

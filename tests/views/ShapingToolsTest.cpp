@@ -146,7 +146,7 @@ void ShapingToolsTest::bendMouse_pullsTheBranchFromItsOwnBase()
     QVERIFY(isPositionedLikeBefore(before, kTop));
     QVERIFY(isPositionedLikeBefore(before, 4));
     QCOMPARE(m_document->undoStack().count(), 1);
-    QCOMPARE(m_document->journal().size(), before.journal + 1);
+    QCOMPARE(m_document->journal().size(), before.journal.size() + 1);
     QCOMPARE(indexFault(*m_document), QString());
     m_document->undoStack().undo();
     QVERIFY(DocumentState(*m_document) == before);
@@ -411,7 +411,7 @@ void ShapingToolsTest::widthEnds_setTheWidth()
     QVERIFY2(std::abs(diameter(id) - was - 2.0 * metres) < 1e-3,
              qPrintable(QStringLiteral("%1 for %2").arg(diameter(id)).arg(was + 2.0 * metres)));
     QCOMPARE(m_document->undoStack().count(), before.undoIndex + 1);
-    QCOMPARE(m_document->journal().size(), before.journal + 1);
+    QCOMPARE(m_document->journal().size(), before.journal.size() + 1);
     QVERIFY(diameter(1) > was);
     m_document->undoStack().undo();
     QVERIFY(DocumentState(*m_document) == before);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/RecipePlayer.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "views/tools/EnvelopeView.h"
 #include "views/tools/Tool.h"
 

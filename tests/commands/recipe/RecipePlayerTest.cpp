@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/RecipePlayer.h"
+#include "commands/recipe/RecipePlayer.h"
 
 #include "commands/BendGesture.h"
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
 #include "commands/WidthGesture.h"
+#include "tests/support/AllOperations.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
@@ -64,6 +65,14 @@ Recipe recipe(std::uint64_t seed)
     return recipe;
 }
 
+std::vector<InternodeId> numbersOf(const std::vector<InternodeReference>& internodes)
+{
+    std::vector<InternodeId> numbers;
+    for (const InternodeReference& internode : internodes)
+        numbers.push_back(internode.number());
+    return numbers;
+}
+
 void play(TreeDocument& document, const Recipe& recipe)
 {
     RecipePlayer player(document, recipe);
@@ -95,8 +104,11 @@ void RecipePlayerTest::threads_doNotChangeTheTree()
         Recipe many = recipe(seed);
         // Markers enough that the work is shared.
         for (RecipeOperation& operation : many.operations) {
-            if (auto* set = std::get_if<SetParametersOperation>(&operation))
-                set->parameters.growth.markersPerBud = 32;
+            if (const auto* set = operation.as<SetParametersOperation>()) {
+                SetParametersOperation changed = *set;
+                changed.parameters.growth.markersPerBud = 32;
+                operation = changed;
+            }
         }
         many.parameters.growth.markerDensity = 4.0;
         many.parameters.growth.markersPerBud = 32;
@@ -142,33 +154,33 @@ void RecipePlayerTest::hand_givesTheSameTreeAsTheRecipe()
         TreeDocument byHand;
         byHand.reset(played.seed, played.parameters);
         for (const RecipeOperation& operation : played.operations) {
-            if (const auto* stroke = std::get_if<BrushStrokeOperation>(&operation))
+            if (const auto* stroke = operation.as<BrushStrokeOperation>())
                 brush(byHand, stroke->samples);
-            else if (const auto* growth = std::get_if<GrowOperation>(&operation))
-                grow(byHand, growth->steps, growth->competitors);
-            else if (const auto* cut = std::get_if<PruneOperation>(&operation))
-                pruneBranches(byHand, cut->internodes);
-            else if (const auto* set = std::get_if<SetParametersOperation>(&operation))
+            else if (const auto* growth = operation.as<GrowOperation>())
+                grow(byHand, growth->steps, growth->only.resolve(byHand).competitors);
+            else if (const auto* cut = operation.as<PruneOperation>())
+                pruneBranches(byHand, numbersOf(cut->internodes));
+            else if (const auto* set = operation.as<SetParametersOperation>())
                 setParameters(byHand, set->parameters);
-            else if (const auto* undo = std::get_if<UndoOperation>(&operation)) {
+            else if (const auto* undo = operation.as<UndoOperation>()) {
                 for (int i = 0; i < undo->count; ++i)
                     byHand.undoStack().undo();
-            } else if (const auto* redo = std::get_if<RedoOperation>(&operation)) {
+            } else if (const auto* redo = operation.as<RedoOperation>()) {
                 for (int i = 0; i < redo->count; ++i)
                     byHand.undoStack().redo();
-            } else if (const auto* bend = std::get_if<BendOperation>(&operation)) {
+            } else if (const auto* bend = operation.as<BendOperation>()) {
                 std::vector<BranchBend::Handle> handles;
                 std::vector<Vec3> targets;
                 for (const BendOperation::Handle& handle : bend->handles) {
-                    handles.push_back({handle.internode, handle.along});
+                    handles.push_back({handle.internode.number(), handle.along});
                     targets.push_back(handle.target);
                 }
-                BendGesture gesture(byHand, bend->base, std::move(handles));
+                BendGesture gesture(byHand, bend->base.number(), std::move(handles));
                 while (!gesture.moveTo(targets)) {
                 }
                 gesture.finish();
-            } else if (const auto* width = std::get_if<SetWidthOperation>(&operation)) {
-                setWidth(byHand, width->internode, width->diameter);
+            } else if (const auto* width = operation.as<SetWidthOperation>()) {
+                setWidth(byHand, width->internode.number(), width->diameter);
             }
         }
         QVERIFY2(byHand.tree() == byRecipe.tree(), qPrintable(QStringLiteral("seed %1").arg(seed)));

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/BrushGesture.h"
-#include "commands/GrowGesture.h"
-#include "commands/LassoGesture.h"
-#include "model/io/recipe/Recipe.h"
+#include "commands/recipe/Recipe.h"
 
 #include <memory>
 #include <optional>
@@ -23,6 +20,9 @@ public:
     ~RecipePlayer();
 
     bool isDone() const;
+    /// What operations that are done did not find or could not do, with their places:
+    /// "operations[3]: prune: there is no internode 712".
+    const QStringList& warnings() const { return m_warnings; }
     /// Share of the operations that are done, 0...1.
     double progress() const;
     /// The one at hand, or the next; null when all is done.
@@ -36,26 +36,16 @@ public:
     /// Where the brush is, while a stroke is made.
     std::optional<BrushSample> brush() const;
     /// The stroke that is being made, or null.
-    const BrushGesture* stroke() const { return m_stroke.get(); }
+    const BrushGesture* stroke() const { return m_performance ? m_performance->stroke() : nullptr; }
     /// The envelope that is being filled, or null.
-    const LassoGesture* lasso() const { return m_lasso.get(); }
+    const LassoGesture* lasso() const { return m_performance ? m_performance->lasso() : nullptr; }
 
 private:
-    bool advanceStroke(const BrushStrokeOperation& operation, double seconds);
-    bool advanceGrowth(const GrowOperation& operation, double seconds);
-    template <class Begin>
-    bool advanceLasso(Begin&& begin, double seconds);
-
     TreeDocument& m_document;
     Recipe m_recipe;
     std::size_t m_next = 0;
-    std::unique_ptr<BrushGesture> m_stroke;
-    std::size_t m_nextSample = 0;
-    double m_strokeTime = 0.0;
-    std::unique_ptr<LassoGesture> m_lasso;
-    std::unique_ptr<GrowGesture> m_growth;
-    int m_growthSteps = 0;
-    double m_growthDue = 0.0;
+    std::unique_ptr<Performance> m_performance; ///< Of the operation at hand
+    QStringList m_warnings;
 };
 
 } // namespace espalier

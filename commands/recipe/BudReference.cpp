@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/BudReference.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+constexpr QLatin1StringView kOnlyKey("only");
+constexpr QLatin1StringView kInternodeKey("internode");
+constexpr QLatin1StringView kBudKey("bud");
+
+/// Whether the bud is there, or a living branch that it has grown into. @p node is alive.
+bool hasBud(const TreeDocument& document, InternodeId node, int slot)
+{
+    const Tree& tree = document.tree();
+    if ((tree.buds(node) & budBit(slot)) != 0)
+        return true;
+    const TreeIndex& index = document.index();
+    for (InternodeId child = index.firstChild(node); child != kNoInternode;
+         child = index.nextSibling(child)) {
+        if (tree.columns().slot[child] == slot)
+            return true;
+    }
+    return false;
+}
+
+} // namespace
+
+BudReference::Found BudReference::resolve(const TreeDocument& document) const
+{
+    if (!internode)
+        return {};
+    Found found{{internode->number(), slot}, {}};
+    const Result<InternodeId> node = internode->resolve(document);
+    if (!node) {
+        found.warning = node.error().message;
+    } else if (found.competitors.node = *node; !hasBud(document, *node, slot)) {
+        found.warning = Text::tr("internode %1 has no bud %2").arg(*node).arg(slot);
+    }
+    return found;
+}
+
+BudReference BudReference::read(JsonReader& parent)
+{
+    if (!parent.has(kOnlyKey))
+        return {};
+    JsonReader reader(parent.object(kOnlyKey), parent.placeOf(kOnlyKey));
+    BudReference bud;
+    bud.internode = InternodeReference::read(reader, kInternodeKey);
+    bud.slot = static_cast<int>(reader.integer(kBudKey, 0, kTerminalSlot, kTerminalSlot));
+    if (bud.slot >= kMaxLaterals && bud.slot != kTerminalSlot)
+        reader.fail(kBudKey, Text::tr("there is no such bud"));
+    if (const Result<void> end = reader.finish(); !end)
+        parent.fail(end.error());
+    return bud;
+}
+
+void BudReference::write(QJsonObject& json) const
+{
+    if (internode)
+        json[kOnlyKey] = QJsonObject{{kInternodeKey, internode->toJson()}, {kBudKey, slot}};
+}
+
+} // namespace espalier

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/PruneOperation.h"
+
+#include "commands/Prune.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+constexpr QLatin1StringView kInternodesKey("internodes");
+
+} // namespace
+
+PruneOperation PruneOperation::read(JsonReader& reader, RecipeReading&)
+{
+    const QJsonArray array = reader.array(kInternodesKey);
+    PruneOperation prune;
+    if (array.isEmpty() || array.size() > kMostCuts)
+        reader.fail(kInternodesKey, Text::tr("1 to %1 internodes are expected").arg(kMostCuts));
+    for (qsizetype i = 0; i < array.size(); ++i) {
+        const Result<InternodeReference> reference = InternodeReference::fromJson(array.at(i));
+        if (!reference) {
+            reader.fail(inputError(QStringLiteral("%1[%2]").arg(reader.placeOf(kInternodesKey)).arg(i),
+                                   reference.error().message));
+            break;
+        }
+        prune.internodes.push_back(*reference);
+    }
+    return prune;
+}
+
+QJsonObject PruneOperation::write(RecipeWriting&) const
+{
+    QJsonArray array;
+    for (const InternodeReference& internode : internodes)
+        array.append(internode.toJson());
+    return {{kInternodesKey, array}};
+}
+
+QString PruneOperation::perform(TreeDocument& document) const
+{
+    std::vector<InternodeId> cuts;
+    QStringList faults;
+    for (const InternodeReference& internode : internodes) {
+        const Result<InternodeId> id = internode.resolve(document);
+        if (!id)
+            faults.append(id.error().message);
+        else if (*id == 0)
+            faults.append(Text::tr("internode 0 is the seedling, which cannot be pruned"));
+        else
+            cuts.push_back(*id);
+    }
+    pruneBranches(document, cuts);
+    return joinedFaults(faults);
+}
+
+} // namespace espalier

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Vector.h"
+
+#include <QJsonArray>
+
+#include <cmath>
+#include <optional>
+
+namespace espalier {
+
+/// The double with the fewest digits that leads back to @p number when it is read as a float. Qt writes a
+/// double with the fewest digits that lead back to the double: 0.1F would be 0.10000000149011612.
+double shortestDouble(float number);
+
+/// The numbers of an array of exactly @p Count numbers, each within ±@p limit; nothing if it is another one.
+template <int Count>
+std::optional<Eigen::Matrix<float, Count, 1>> vectorFromJson(const QJsonArray& array, double limit)
+{
+    if (array.size() != Count)
+        return std::nullopt;
+    Eigen::Matrix<float, Count, 1> vector;
+    for (int i = 0; i < Count; ++i) {
+        if (!array.at(i).isDouble() || !(std::abs(array.at(i).toDouble()) <= limit))
+            return std::nullopt;
+        vector[i] = static_cast<float>(array.at(i).toDouble());
+    }
+    return vector;
+}
+
+/// An array that vectorFromJson() turns into the same vector, but for the sign of zeros.
+template <int Count>
+QJsonArray toJson(const Eigen::Matrix<float, Count, 1>& vector)
+{
+    QJsonArray array;
+    for (int i = 0; i < Count; ++i)
+        array.append(shortestDouble(vector[i]));
+    return array;
+}
+
+} // namespace espalier

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/RecipeReading.h"
+
+#include "commands/recipe/RecipeLimits.h"
+#include "model/io/ImageFile.h"
+#include "model/io/ParametersJson.h"
+#include "model/texture/OwnTextures.h"
+
+#include <QCoreApplication>
+#include <QDir>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+} // namespace
+
+Result<ImageAsset> RecipeReading::readImage(const QString& name) const
+{
+    if (m_folder.isEmpty())
+        return inputError(name, Text::tr("a recipe that is no file has no images"));
+    if (m_images.size() >= recipeLimits::kImages)
+        return inputError(name, Text::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
+    if (QDir::isAbsolutePath(name))
+        return inputError(name, Text::tr("a path relative to the recipe is expected"));
+    return readImageFile(QDir(m_folder).filePath(name), name);
+}
+
+const RecipeReading::Image& RecipeReading::image(const QString& name)
+{
+    const auto known = m_images.find(name);
+    if (known != m_images.end())
+        return *known;
+    Image image{readImage(name)};
+    if (image.asset)
+        image.aspect = ownLeafAspect(*image.asset).value_or(0.0);
+    return *m_images.insert(name, image);
+}
+
+Result<void> RecipeReading::readParameters(const QJsonObject& json, const QString& place)
+{
+    TreeParameters base = m_parameters;
+    const ImageOfName imageOfName = [this](const QString& name) { return image(name).asset; };
+    const QString leaf =
+        json.value(QLatin1String("leaves")).toObject().value(QLatin1String("image")).toString();
+    if (!leaf.isEmpty()) {
+        const Image& found = image(leaf);
+        if (found.asset && found.aspect == 0.0)
+            return inputError(place + QLatin1String(".leaves.image"), noLeafIn(*found.asset));
+        if (found.asset && !(base.leaves.image == *found.asset))
+            adoptImage(base.leaves, *found.asset, found.aspect);
+    }
+    Result<TreeParameters> parameters = fromJson(json, base, place, imageOfName);
+    if (!parameters)
+        return parameters.error();
+    m_parameters = std::move(*parameters);
+    normaliseDirectionWeights(m_parameters.growth);
+    return {};
+}
+
+bool RecipeReading::admitSamples(JsonReader& reader, QLatin1StringView key, qsizetype samples)
+{
+    m_samples += samples;
+    if (m_samples > recipeLimits::kSamples)
+        reader.fail(key, Text::tr("a recipe has at most %1 samples").arg(recipeLimits::kSamples));
+    return m_samples <= recipeLimits::kSamples;
+}
+
+} // namespace espalier

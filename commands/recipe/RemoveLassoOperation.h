@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "commands/recipe/RecipeOperation.h"
+
+namespace espalier {
+
+/// Takes the envelopes in force away; the tree stays.
+struct RemoveLassoOperation {
+    static constexpr QLatin1StringView kName{"removeLasso"};
+
+    static RemoveLassoOperation read(JsonReader&, RecipeReading&) { return {}; }
+    QJsonObject write(RecipeWriting&) const { return {}; }
+    QString perform(TreeDocument& document) const;
+    bool operator==(const RemoveLassoOperation&) const = default;
+};
+
+} // namespace espalier

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/SetParametersOperation.h"
+
+#include "commands/SetParameters.h"
+#include "model/io/ParametersJson.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+constexpr QLatin1StringView kParametersKey("parameters");
+
+} // namespace
+
+SetParametersOperation SetParametersOperation::read(JsonReader& reader, RecipeReading& reading)
+{
+    if (!reader.has(kParametersKey))
+        reader.fail(kParametersKey, Text::tr("it is missing"));
+    const Result<void> read =
+        reading.readParameters(reader.object(kParametersKey), reader.placeOf(kParametersKey));
+    if (!read)
+        reader.fail(read.error());
+    return {reading.parameters()};
+}
+
+QJsonObject SetParametersOperation::write(RecipeWriting& writing) const
+{
+    const QJsonObject changes = parametersToJson(parameters, writing.parameters);
+    writing.parameters = parameters;
+    return {{kParametersKey, changes}};
+}
+
+QString SetParametersOperation::perform(TreeDocument& document) const
+{
+    setParameters(document, parameters);
+    return {};
+}
+
+QJsonObject parametersToJson(const TreeParameters& parameters, const TreeParameters& base)
+{
+    QJsonObject json = toJson(parameters, base, &ImageAsset::name);
+    const QLatin1StringView key("leaves");
+    QJsonObject leaves = json.value(key).toObject();
+    if (!leaves.value(QLatin1StringView("image")).toString().isEmpty()) {
+        const QJsonObject all = toJson(parameters).value(key).toObject();
+        for (const char* name : {"aspect", "hue", "saturation", "brightness"})
+            leaves[QLatin1StringView(name)] = all[QLatin1StringView(name)];
+        json[key] = leaves;
+    }
+    return json;
+}
+
+} // namespace espalier

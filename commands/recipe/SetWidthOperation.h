@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "commands/recipe/InternodeReference.h"
+#include "commands/recipe/RecipeOperation.h"
+
+namespace espalier {
+
+/// Gives an internode a diameter, or takes it away.
+struct SetWidthOperation {
+    static constexpr QLatin1StringView kName{"setWidth"};
+    static constexpr double kGreatestDiameter = 100.0; ///< m
+
+    InternodeReference internode;
+    double diameter = 0.0; ///< m, 0...kGreatestDiameter; 0 takes away what was set there
+
+    static SetWidthOperation read(JsonReader& reader, RecipeReading& reading);
+    QJsonObject write(RecipeWriting& writing) const;
+    QString perform(TreeDocument& document) const;
+    bool operator==(const SetWidthOperation&) const = default;
+};
+
+} // namespace espalier

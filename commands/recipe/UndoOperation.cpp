@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/UndoOperation.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+constexpr QLatin1StringView kCountKey("count");
+
+} // namespace
+
+UndoOperation UndoOperation::read(JsonReader& reader, RecipeReading&)
+{
+    return {static_cast<int>(reader.integer(kCountKey, 1, kMostCount, 1))};
+}
+
+QJsonObject UndoOperation::write(RecipeWriting&) const
+{
+    return {{kCountKey, count}};
+}
+
+QString UndoOperation::perform(TreeDocument& document) const
+{
+    QUndoStack& stack = document.undoStack();
+    for (int done = 0; done < count; ++done) {
+        if (!stack.canUndo())
+            return Text::tr("there are %1 commands to undo only, not %2").arg(done).arg(count);
+        stack.undo();
+    }
+    return {};
+}
+
+} // namespace espalier

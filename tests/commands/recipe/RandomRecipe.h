@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Random.h"
+#include "model/io/ParametersJson.h"
+#include "tests/support/AllOperations.h"
+
+namespace espalier::test {
+
+/// Any recipe that parseRecipe may give.
+inline Recipe randomRecipe(std::uint64_t seed)
+{
+    Random random(seed, 0, 0, Purpose::Direction);
+    const auto randomParameters = [&] {
+        TreeParameters parameters;
+        visitParameters(parameters, [&](const ParameterInfo& info, auto& field) {
+            using Field = std::remove_reference_t<decltype(field)>;
+            const double value = random.uniform(info.minimum, info.maximum);
+            if constexpr (std::is_same_v<Field, double>)
+                field = info.quantity == Quantity::Angle ? radians(value) : value;
+            else
+                field = static_cast<Field>(static_cast<int>(std::lround(value)));
+        });
+        GrowthParameters& growth = parameters.growth;
+        growth.ellipseOffset =
+            std::clamp(growth.ellipseOffset, -0.9 * growth.ellipseVertical, growth.ellipseVertical / 2);
+        normaliseDirectionWeights(growth);
+        return parameters;
+    };
+    Recipe result;
+    result.name = QStringLiteral("Ginkgo “%1” \\ \n").arg(seed);
+    result.description = QStringLiteral("täglich \"gegossen\"");
+    result.seed = random.bits();
+    result.parameters = randomParameters();
+    result.camera.view = QStringLiteral("three-quarter");
+    for (int i = 0; i < 20; ++i) {
+        BrushStrokeOperation stroke;
+        for (double time = 0.0; time < 3.0; time += 0.01 + random.uniform()) {
+            stroke.samples.push_back(
+                {time, 100.0F * random.inBall(), static_cast<float>(random.uniform() * random.uniform())});
+        }
+        result.operations.emplace_back(stroke);
+        result.operations.emplace_back(SetParametersOperation{randomParameters()});
+        if (i % 3 == 0)
+            stroke.only = {static_cast<InternodeId>(random.bits() % 1000), i % kMaxLaterals};
+        result.operations.emplace_back(GrowOperation{i + 1, stroke.only});
+        result.operations.emplace_back(PruneOperation{{7U, static_cast<InternodeId>(random.bits() % 1000)}});
+        result.operations.emplace_back(TravelOperation{i - 50});
+        result.operations.emplace_back(UndoOperation{i + 2});
+        result.operations.emplace_back(RedoOperation{i + 3});
+        BendOperation bend{.base = static_cast<InternodeId>(i),
+                           .handles = {},
+                           .bending = random.uniform(0.01, 100.0),
+                           .stretching = random.uniform(0.01, 100.0)};
+        for (int handle = 0; handle <= i; ++handle) {
+            bend.handles.push_back(
+                {static_cast<InternodeId>(i + 7 * handle), random.uniform(), 10.0F * random.inBall()});
+        }
+        result.operations.emplace_back(bend);
+        result.operations.emplace_back(
+            SetWidthOperation{0xffff'fffe - static_cast<InternodeId>(i), random.uniform(0.0, 100.0)});
+        LassoOperation lasso;
+        lasso.only = stroke.only;
+        lasso.stroke.origin = 100.0F * random.inBall();
+        lasso.stroke.right = random.direction();
+        lasso.stroke.up = anyPerpendicular(lasso.stroke.right);
+        for (int j = 0; j < 3 + i; ++j)
+            lasso.stroke.points.push_back(10.0F * random.inBall().head<2>());
+        result.operations.emplace_back(lasso);
+        result.operations.emplace_back(RegrowOperation{});
+        result.operations.emplace_back(RemoveLassoOperation{});
+    }
+    return result;
+}
+
+} // namespace espalier::test

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/RecipePlayer.h"
+#include "tests/support/AllOperations.h"
+#include "tests/support/Growing.h"
+#include "tests/support/TestClasses.h"
+
+#include <QtTest>
+
+namespace espalier::test {
+
+/// Operations that find nothing to do in the tree, or not all that they name, say so with their place.
+class RecipeWarningsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whatIsNotThere_isNamed_data();
+    void whatIsNotThere_isNamed();
+    void whatCanBeDone_bringsNoWarning();
+    void everyKind_isTried();
+    void restOfTheOperation_isDone();
+    void manyFaults_areCounted();
+    void places_areThoseInTheRecipe();
+    void bendBeyondTheBranch_namesTheHandle();
+    void budThatHasGrown_isStillThere();
+};
+
+namespace {
+
+constexpr InternodeId kMissing = 700;
+
+/// Where something stands: an upright axis of internodes 0, 1, 2, … in a document with two undo steps.
+Recipe axisRecipe()
+{
+    Recipe recipe;
+    recipe.parameters.growth.shedding = 0.0;
+    BrushStrokeOperation stroke;
+    stroke.samples = {{0.0, Vec3::Zero(), 0.0F}, {1.5, Vec3(0.0F, 1.5F, 0.0F), 0.0F}};
+    recipe.operations = {stroke, SetWidthOperation{1U, 0.05}};
+    return recipe;
+}
+
+struct Case {
+    const char* name;
+    RecipeOperation operation;
+    QString warning; ///< After the place; empty if the operation can be done
+};
+
+BrushStrokeOperation strokeOf(BudReference only)
+{
+    return {{{0.0, Vec3(0.0F, 1.0F, 0.0F), 0.4F}, {1.0, Vec3(0.5F, 1.5F, 0.0F), 0.4F}}, only};
+}
+
+LassoOperation lassoOf(BudReference only)
+{
+    return {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{-0.5F, 1.0F}, {0.5F, 1.0F}, {0.0F, 2.0F}}}, only};
+}
+
+std::vector<Case> cases()
+{
+    const QString missing = QStringLiteral("there is no internode 700");
+    const QString none = QStringLiteral("there is no internode 4294967294");
+    const BudReference missingNode{kMissing, 0};
+    const BudReference missingBud{3U, 5};
+    const QString noBud = QStringLiteral("internode 3 has no bud 5");
+    const BendOperation bend{.base = 0, .handles = {{4, 1.0, Vec3(0.2F, 0.3F, 0.0F)}}};
+    BendOperation baseMissing = bend;
+    baseMissing.base = kMissing;
+    BendOperation handleMissing = bend;
+    handleMissing.handles[0].internode = kMissing;
+    BendOperation handleBelow = bend;
+    handleBelow.base = 6;
+    TreeParameters other;
+    other.growth.apicalDominance = 0.3;
+    return {
+        {"setParameters", SetParametersOperation{other}, {}},
+        {"setParameters that are in force", SetParametersOperation{axisRecipe().parameters}, {}},
+        {"brushStroke", strokeOf({}), {}},
+        {"brushStroke of a missing internode", strokeOf(missingNode), missing},
+        {"brushStroke of a missing bud", strokeOf(missingBud), noBud},
+        {"brushStroke that rests for no time", BrushStrokeOperation{{{0.0, Vec3::Zero(), 0.5F}}},
+         QStringLiteral("nothing grew")},
+        {"grow", GrowOperation{2}, {}},
+        {"grow of a missing internode", GrowOperation{2, missingNode}, missing},
+        {"grow of a missing bud", GrowOperation{2, missingBud}, noBud},
+        {"prune", PruneOperation{{5U}}, {}},
+        {"prune of what is not there", PruneOperation{{kMissing}}, missing},
+        {"prune of a number that no tree has",
+         PruneOperation{{InternodeId(InternodeReference::kGreatestNumber)}}, none},
+        {"prune of the seedling", PruneOperation{{0U}},
+         QStringLiteral("internode 0 is the seedling, which cannot be pruned")},
+        {"travel", TravelOperation{-1}, {}},
+        {"travel beyond the beginning", TravelOperation{-1'000'000},
+         QStringLiteral("the history goes back by ")},
+        {"travel beyond the end", TravelOperation{3},
+         QStringLiteral("the history goes on by 0 only, not by 3")},
+        {"undo", UndoOperation{2}, {}},
+        {"undo of more than there is", UndoOperation{7},
+         QStringLiteral("there are 2 commands to undo only, not 7")},
+        {"redo of more than there is", RedoOperation{1},
+         QStringLiteral("there are 0 commands to redo only, not 1")},
+        {"bend", bend, {}},
+        {"bend from what is not there", baseMissing, missing},
+        {"bend of what is not there", handleMissing, missing},
+        {"bend of what is not above the base", handleBelow,
+         QStringLiteral("internode 4 is not on the branch above internode 6")},
+        {"setWidth", SetWidthOperation{2U, 0.04}, {}},
+        {"setWidth that takes away", SetWidthOperation{1U, 0.0}, {}},
+        {"setWidth of what is not there", SetWidthOperation{kMissing, 0.04}, missing},
+        {"setWidth that takes nothing away", SetWidthOperation{2U, 0.0},
+         QStringLiteral("internode 2 has no width to take away")},
+        {"lasso", lassoOf({}), {}},
+        {"lasso that encloses nothing",
+         LassoOperation{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {0, 1}, {0, 1}}}},
+         QStringLiteral("The lasso encloses nothing")},
+        {"lasso of a missing bud", lassoOf(missingBud), noBud},
+        {"regrow without an envelope", RegrowOperation{}, QStringLiteral("There is no envelope to regrow.")},
+        {"removeLasso without an envelope", RemoveLassoOperation{}, QStringLiteral("there is no envelope")},
+    };
+}
+
+QStringList warningsOf(const Recipe& recipe)
+{
+    TreeDocument document;
+    RecipePlayer player(document, recipe);
+    player.playAll();
+    return player.warnings();
+}
+
+} // namespace
+
+void RecipeWarningsTest::whatIsNotThere_isNamed_data()
+{
+    QTest::addColumn<std::size_t>("number");
+    const std::vector<Case> all = cases();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        QTest::newRow(all[i].name) << i;
+}
+
+void RecipeWarningsTest::whatIsNotThere_isNamed()
+{
+    QFETCH(const std::size_t, number);
+    const Case tried = cases()[number];
+    Recipe recipe = axisRecipe();
+    recipe.operations.push_back(tried.operation);
+    const QStringList warnings = warningsOf(recipe);
+    if (tried.warning.isEmpty()) {
+        QCOMPARE(warnings, QStringList());
+        return;
+    }
+    QCOMPARE(warnings.size(), 1);
+    const QString expected =
+        QStringLiteral("operations[2]: %1: %2").arg(tried.operation.name(), tried.warning);
+    QVERIFY2(warnings.front().startsWith(expected), qPrintable(warnings.front()));
+}
+
+void RecipeWarningsTest::whatCanBeDone_bringsNoWarning()
+{
+    Recipe recipe = axisRecipe();
+    recipe.operations.insert(recipe.operations.end(),
+                             {TravelOperation{-1}, TravelOperation{1}, UndoOperation{1}, RedoOperation{1},
+                              lassoOf({}), RegrowOperation{}, RemoveLassoOperation{}});
+    QCOMPARE(warningsOf(recipe), QStringList());
+}
+
+void RecipeWarningsTest::everyKind_isTried()
+{
+    for (const QString& name : operationNames()) {
+        const std::vector<Case> all = cases();
+        QVERIFY2(std::ranges::any_of(all, [&](const Case& tried) { return name == tried.operation.name(); }),
+                 qPrintable(name));
+    }
+}
+
+void RecipeWarningsTest::restOfTheOperation_isDone()
+{
+    Recipe recipe = axisRecipe();
+    recipe.operations.emplace_back(PruneOperation{{kMissing, 9U}});
+    recipe.operations.emplace_back(PruneOperation{{9U}});
+    QCOMPARE(warningsOf(recipe),
+             (QStringList{QStringLiteral("operations[2]: prune: there is no internode 700"),
+                          QStringLiteral("operations[3]: prune: there is no internode 9")}));
+}
+
+void RecipeWarningsTest::manyFaults_areCounted()
+{
+    Recipe recipe = axisRecipe();
+    PruneOperation prune;
+    for (InternodeId id = kMissing; id < kMissing + 100; ++id)
+        prune.internodes.emplace_back(id);
+    recipe.operations.emplace_back(prune);
+    QCOMPARE(warningsOf(recipe), QStringList{QStringLiteral(
+                                     "operations[2]: prune: there is no internode 700; there is no internode "
+                                     "701; there is no internode 702; and 97 more")});
+}
+
+void RecipeWarningsTest::places_areThoseInTheRecipe()
+{
+    Recipe recipe = axisRecipe();
+    recipe.operations.insert(recipe.operations.begin(), RedoOperation{1});
+    recipe.operations.emplace_back(RemoveLassoOperation{});
+    QCOMPARE(warningsOf(recipe),
+             (QStringList{QStringLiteral("operations[0]: redo: there are 0 commands to redo only, not 1"),
+                          QStringLiteral("operations[3]: removeLasso: there is no envelope")}));
+}
+
+void RecipeWarningsTest::bendBeyondTheBranch_namesTheHandle()
+{
+    Recipe recipe = axisRecipe();
+    recipe.operations.emplace_back(
+        BendOperation{.base = 2, .handles = {{6, 1.0, Vec3(0.3F, 0.6F, 0.0F)}, {2, 0.5, Vec3::Zero()}}});
+    QCOMPARE(warningsOf(recipe),
+             QStringList{
+                 QStringLiteral("operations[2]: bend: internode 2 is not on the branch above internode 2")});
+}
+
+void RecipeWarningsTest::budThatHasGrown_isStillThere()
+{
+    Recipe recipe = axisRecipe();
+    recipe.operations.emplace_back(GrowOperation{2, {3U, 0}});
+    recipe.operations.emplace_back(GrowOperation{2, {3U, 0}});
+    TreeDocument document;
+    RecipePlayer player(document, recipe);
+    player.playAll();
+    QCOMPARE(player.warnings(), QStringList());
+    QCOMPARE(document.tree().buds(3) & budBit(0), 0);
+}
+
+const TestClass<RecipeWarningsTest> recipeWarningsTest;
+
+} // namespace espalier::test
+
+#include "RecipeWarningsTest.moc"
