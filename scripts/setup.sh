@@ -7,10 +7,13 @@ set -euo pipefail
 readonly build=(
     g++ cmake ninja-build ccache
     qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools
-    libassimp-dev libeigen3-dev libmeshoptimizer-dev libopenmesh-dev libtbb-dev libzip-dev
+    libassimp-dev libeigen3-dev libmeshoptimizer-dev libopenmesh-dev libtbb-dev libzip-dev zlib1g-dev
 )
 readonly display=(xvfb xauth libgl1-mesa-dri)
-readonly test=("${display[@]}" blender python3 python3-numpy clang-format)
+test=("${display[@]}" blender python3 python3-numpy clang-format)
+# Other packages of Node.js than Debian's bring npm along and conflict with Debian's.
+command -v npm >/dev/null || test+=(nodejs npm)
+readonly test
 readonly bench=(libbenchmark-dev)
 
 fail() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/CommandLine.h"
 
+#include "model/io/export/ExportFormat.h"
+
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -51,12 +53,10 @@ struct Option {
 constexpr Option kOptions[] = {
     {"-o", " replay export ",
      [](CommandLine& line, const QString& value) -> Result<void> {
-         static const QStringList known{QStringLiteral("espalier"), QStringLiteral("obj"),
-                                        QStringLiteral("fbx"), QStringLiteral("glb"), QStringLiteral("csv")};
-         if (!known.contains(QFileInfo(value).suffix().toLower()))
-             return usage(tr("%1: the suffix of an output says its format, and is one of .espalier .obj .fbx "
-                             ".glb .csv")
-                              .arg(value));
+         if (QFileInfo(value).suffix().toLower() != QLatin1String("espalier") && !exportFormatOf(value)) {
+             return usage(tr("%1: the suffix of an output says its format, and is one of .espalier .%2")
+                              .arg(value, exportSuffixes().join(QLatin1String(" ."))));
+         }
          line.outputs.append(value);
          return {};
      }},
@@ -205,6 +205,15 @@ Result<void> checkComplete(const CommandLine& line)
     return {};
 }
 
+/// A line for each export format: "    .glb  Binary glTF".
+QString formatList()
+{
+    QString lines;
+    for (const ExportFormat* format : exportFormats())
+        lines += QStringLiteral("    .%1  %2\n").arg(format->suffix(), format->name());
+    return lines;
+}
+
 } // namespace
 
 bool CommandLine::needsDisplay() const
@@ -286,10 +295,11 @@ QString commandLineHelp()
               "\n"
               "espalier --help, --version\n"
               "\n"
-              "OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and\n"
-              "textures) or .csv (skeleton).\n"
+              "OUT ends in .espalier (project) or in the ending of a format:\n"
+              "%1"
               "Ends with 0 when done, 2 when the command line is wrong, 3 when an input is\n"
-              "unreadable or wrong, 4 when an output could not be written.\n");
+              "unreadable or wrong, 4 when an output could not be written.\n")
+        .arg(formatList());
 }
 
 } // namespace espalier

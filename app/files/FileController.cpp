@@ -24,20 +24,6 @@ const QString kRecipeSuffix = QStringLiteral("json");
 /// ms; saving that takes longer is shown while it lasts.
 constexpr int kSlowSaving = 400;
 
-/// What a person calls an export format; the suffix for those without a name of their own.
-QString formatName(const QString& suffix)
-{
-    if (suffix == QStringLiteral("glb"))
-        return FileController::tr("Binary glTF");
-    if (suffix == QStringLiteral("fbx"))
-        return FileController::tr("FBX");
-    if (suffix == QStringLiteral("obj"))
-        return FileController::tr("Wavefront OBJ");
-    if (suffix == QStringLiteral("csv"))
-        return FileController::tr("Skeleton as a table");
-    return suffix;
-}
-
 QString suffixOf(const QString& fileName)
 {
     return QFileInfo(fileName).suffix().toLower();
@@ -219,8 +205,8 @@ void FileController::exportTree()
                                                 : m_file.fileName();
     const QStringList suffixes = exportSuffixes();
     QStringList filters;
-    for (const QString& suffix : suffixes)
-        filters.append(QStringLiteral("%1 (*.%2)").arg(formatName(suffix), suffix));
+    for (const ExportFormat* format : exportFormats())
+        filters.append(QStringLiteral("%1 (*.%2)").arg(format->name(), format->suffix()));
     QFileDialog dialog(&m_window, tr("Export"), QFileInfo(start).path());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters(filters);

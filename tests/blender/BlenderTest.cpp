@@ -182,7 +182,7 @@ void BlenderTest::blender_readsAndRendersEveryFormat()
                                {QStringLiteral("meshes"), describe(exported)},
                                {QStringLiteral("camera"), describe(*request.camera)}};
     QCOMPARE(expected[QLatin1String("meshes")].toObject().keys(),
-             (QStringList{QStringLiteral("Wild_Apple_LOD0_Bark"), QStringLiteral("Wild_Apple_LOD0_Leaves")}));
+             (QStringList{QStringLiteral("Wild_Apple_Bark_LOD0"), QStringLiteral("Wild_Apple_Leaves_LOD0")}));
     QFile file(folder.filePath(QStringLiteral("expected.json")));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(QJsonDocument(expected).toJson());

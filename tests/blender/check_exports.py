@@ -25,6 +25,8 @@ folder = sys.argv[sys.argv.index("--") + 1]
 with open(os.path.join(folder, "expected.json"), encoding="utf-8") as file:
     expected = json.load(file)
 faults = []
+# By mesh: the roughness and the specular that each format leads to.
+glosses = {}
 
 
 def check(good, what):
@@ -127,6 +129,21 @@ def check_roughness(where, socket, suffix):
         check(source == "Green", f"{where}: the roughness comes from {source}")
 
 
+def value_of(socket, channel):
+    """The value of a shader's socket: its number, or the mean of its texture."""
+    image = image_behind(socket)
+    return socket.default_value if image is None else float(channel_means(image)[channel])
+
+
+def check_same_gloss():
+    """All formats show a surface equally rough and equally specular."""
+    for name, by_format in glosses.items():
+        for what in ("roughness", "specular"):
+            values = {suffix: gloss[what] for suffix, gloss in by_format.items()}
+            print(f"{name}: {what} {values}")
+            check(max(values.values()) - min(values.values()) < 0.01, f"{name}: {what} differs: {values}")
+
+
 def check_metal(where, socket):
     if not socket.is_linked:
         check(socket.default_value == 0.0, f"{where}: it is of metal")
@@ -136,7 +153,7 @@ def check_metal(where, socket):
 
 
 def check_material(where, mesh_object, suffix):
-    kind = "Leaves" if mesh_object.name.endswith("_Leaves") else "Bark"
+    kind = "Leaves" if mesh_object.name.endswith("_Leaves_LOD0") else "Bark"
     materials = [s.material for s in mesh_object.material_slots]
     check(len(materials) == 1, f"{where}: {len(materials)} materials")
     if not materials:
@@ -148,7 +165,11 @@ def check_material(where, mesh_object, suffix):
     check_image(f"{where}: base colour", image_behind(shader.inputs["Base Color"]))
     check_image(f"{where}: normal", image_behind(shader.inputs["Normal"]))
     check_metal(where, shader.inputs["Metallic"])
-    # Blender 3.4 does not read the roughness of OBJ's materials.
+    glosses.setdefault(mesh_object.name, {})[suffix] = {
+        "roughness": value_of(shader.inputs["Roughness"], 1),
+        "specular": value_of(shader.inputs["Specular"], 1),
+    }
+    # Of an OBJ's roughness, Blender 3.4 reads the number and not the texture.
     if suffix != "obj":
         check_roughness(where, shader.inputs["Roughness"], suffix)
     alpha = shader.inputs["Alpha"]
@@ -156,6 +177,13 @@ def check_material(where, mesh_object, suffix):
         check_image(f"{where}: alpha", image_behind(alpha))
         check(alpha.is_linked and alpha.links[0].from_socket.name in ("Alpha", "Value", "Result"),
               f"{where}: alpha comes from {alpha.links[0].from_socket.name if alpha.is_linked else 'nowhere'}")
+        mask = image_behind(alpha)
+        if suffix != "glb" and mask is not None:
+            pixels = numpy.empty(len(mask.pixels), dtype=numpy.float32)
+            mask.pixels.foreach_get(pixels)
+            pixels = pixels.reshape(-1, 4)
+            check(mask.name.startswith("tree") and "_mask" in mask.name, f"{where}: alpha comes from {mask.name}")
+            check(abs(pixels - pixels[:, 3:]).max() < 0.01, f"{where}: the channels of {mask.name} differ")
         if suffix == "glb":
             check(material.blend_method == "CLIP" and abs(material.alpha_threshold - 0.5) < 0.01,
                   f"{where}: {material.blend_method} at {material.alpha_threshold} is no mask at 0.5")
@@ -217,10 +245,11 @@ for suffix in expected["suffixes"]:
         check_bounds(where, mesh_object, wanted)
         check_normals(where, mesh_object)
         check_material(where, mesh_object, suffix)
-        if name.endswith("_Bark"):
+        if name.endswith("_Bark_LOD0"):
             check_closed(where, mesh_object)
     if suffix != "obj":
         render(suffix)
 
+check_same_gloss()
 if not faults:
     print("EXPORTS ARE GOOD")

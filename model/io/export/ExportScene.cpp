@@ -4,6 +4,7 @@
 #include "model/base/Parallel.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
+#include "model/mesh/UvWrap.h"
 #include "model/texture/OwnTextures.h"
 
 #include <QBuffer>
@@ -11,6 +12,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace espalier {
 
@@ -151,18 +153,53 @@ ExportMaterial namedMaterial(const QString& name, const QString& textures, bool 
             {textures, {}},
             {textures + QLatin1String("_normal"), {}},
             {textures + QLatin1String("_roughness"), {}},
+            {textures + QLatin1String("_mask"), {}},
             isLeaf};
+}
+
+/// Whole mesh names end in the level of detail.
+QString meshName(const QString& material, int level)
+{
+    return QStringLiteral("%1_LOD%2").arg(material).arg(level);
+}
+
+/// The alpha of an image (Format_RGBA8888) in all four channels.
+QImage maskOf(const QImage& colour)
+{
+    QImage mask = colour;
+    for (int y = 0; y < mask.height(); ++y) {
+        uchar* pixel = mask.scanLine(y);
+        for (int x = 0; x < mask.width(); ++x, pixel += 4)
+            std::memset(pixel, pixel[3], 4);
+    }
+    return mask;
+}
+
+/// Mean of a grey image, 0...1.
+double meanOf(const QImage& grey)
+{
+    double sum = 0.0;
+    for (int y = 0; y < grey.height(); ++y) {
+        const uchar* const line = grey.constScanLine(y);
+        sum += std::accumulate(line, line + grey.width(), 0.0);
+    }
+    return sum / (255.0 * grey.width() * grey.height());
 }
 
 /// Packs the images of a material, side by side.
 void pack(ExportMaterial& material, const SurfaceTextures& textures)
 {
-    const std::array<const QImage*, 3> images{&textures.colour, &textures.normal, &textures.roughness};
-    const std::array<ExportTexture*, 3> targets{&material.colour, &material.normal, &material.roughness};
+    const QImage mask = material.isLeaf ? maskOf(textures.colour) : QImage();
+    const std::array<const QImage*, 4> images{&textures.colour, &textures.normal, &textures.roughness, &mask};
+    const std::array<ExportTexture*, 4> targets{&material.colour, &material.normal, &material.roughness,
+                                                &material.mask};
     parallelFor(images.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            targets[i]->png = toPng(*images[i]);
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!images[i]->isNull())
+                targets[i]->png = toPng(*images[i]);
+        }
     });
+    material.meanRoughness = meanOf(textures.roughness);
 }
 
 /// The textures of all leaves: a tile for each hue.
@@ -186,6 +223,45 @@ void moveIntoTiles(TriangleMesh& mesh, const LeafTiles& tiles, std::size_t verti
     }
 }
 
+void addBark(ExportScene& scene, const Tree& tree, const TreeIndex& index, const Widths& widths,
+             const ExportOptions& options)
+{
+    ExportMaterial material =
+        namedMaterial(scene.name + QLatin1String("_Bark"), QStringLiteral("bark"), false);
+    pack(material, barkTextures(tree.parameters().bark, options.textureSize));
+    scene.meshes.push_back({meshName(material.name, 0),
+                            withSmallV(meshBranches(tree, index, widths, {.detail = options.detail})),
+                            scene.materials.size()});
+    scene.materials.push_back(std::move(material));
+}
+
+/// Adds nothing if the tree shows no leaves.
+void addLeaves(ExportScene& scene, const Tree& tree, const TreeIndex& index, const ExportOptions& options)
+{
+    const MeshBuffer<LeafInstance> leaves = placeLeaves(tree, index);
+    const LeafTiles tiles = chooseTiles(leaves);
+    if (tiles.tileOf.empty())
+        return;
+    TriangleMesh mesh = expandLeaves(leaves);
+    moveIntoTiles(mesh, tiles, leafCard(static_cast<LeafShape>(leaves.front().shape)).vertices.size());
+    ExportMaterial material =
+        namedMaterial(scene.name + QLatin1String("_Leaves"), QStringLiteral("leaf"), true);
+    pack(material, leafTiles(tree.parameters().leaves, options.textureSize / 2, tiles.tiles));
+    scene.meshes.push_back({meshName(material.name, 0), std::move(mesh), scene.materials.size()});
+    scene.materials.push_back(std::move(material));
+}
+
+void addSkeleton(ExportScene& scene, const Tree& tree, const TreeIndex& index, const Widths& widths)
+{
+    scene.skeleton.reserve(index.livingCount());
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id)) {
+            scene.skeleton.push_back({id, tree.parent(id), index.basePosition(tree, id),
+                                      index.nodePosition(id), widths.radius(index, id)});
+        }
+    }
+}
+
 } // namespace
 
 QString safeExportName(const QString& name)
@@ -197,32 +273,18 @@ QString safeExportName(const QString& name)
 }
 
 ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QString& name,
-                             const ExportOptions& options)
+                             const ExportOptions& options, const ExportParts& parts)
 {
-    const TreeParameters& parameters = tree.parameters();
-    ExportScene scene{safeExportName(name), {}, {}};
-    scene.meshes.reserve(2);
-    scene.materials.reserve(2);
-
+    ExportScene scene;
+    scene.name = safeExportName(name);
     const Widths widths(tree, index);
-    scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Bark"),
-                            meshBranches(tree, index, widths, {.detail = options.detail}), 0});
-    scene.materials.push_back(
-        namedMaterial(scene.name + QLatin1String("_Bark"), QStringLiteral("bark"), false));
-    pack(scene.materials.back(), barkTextures(parameters.bark, options.textureSize));
-
-    const MeshBuffer<LeafInstance> leaves =
-        options.leaves ? placeLeaves(tree, index) : MeshBuffer<LeafInstance>();
-    const LeafTiles tiles = chooseTiles(leaves);
-    if (!tiles.tileOf.empty()) {
-        const auto shape = static_cast<LeafShape>(leaves.front().shape);
-        TriangleMesh mesh = expandLeaves(leaves);
-        moveIntoTiles(mesh, tiles, leafCard(shape).vertices.size());
-        scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Leaves"), std::move(mesh), 1});
-        scene.materials.push_back(
-            namedMaterial(scene.name + QLatin1String("_Leaves"), QStringLiteral("leaf"), true));
-        pack(scene.materials.back(), leafTiles(parameters.leaves, options.textureSize / 2, tiles.tiles));
+    if (parts.surface) {
+        addBark(scene, tree, index, widths, options);
+        if (options.leaves)
+            addLeaves(scene, tree, index, options);
     }
+    if (parts.skeleton)
+        addSkeleton(scene, tree, index, widths);
     return scene;
 }
 

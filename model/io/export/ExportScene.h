@@ -32,7 +32,12 @@ struct ExportMaterial {
     ExportTexture colour;
     ExportTexture normal;
     ExportTexture roughness; ///< Grey: 0 a mirror, 255 chalk
-    bool isLeaf = false;     ///< Cut out by the colour's alpha, seen from both sides
+    /// Leaves only: the colour's alpha in all four channels, for formats that name a mask beside the colour.
+    /// Readers differ in the channel that they take.
+    ExportTexture mask;
+    bool isLeaf = false; ///< Cut out by the colour's alpha, seen from both sides
+    /// Mean of the roughness texture, 0...1, for materials whose roughness is one number.
+    double meanRoughness = 1.0;
 };
 
 struct ExportMesh {
@@ -41,8 +46,25 @@ struct ExportMesh {
     std::size_t material = 0;
 };
 
-/// A tree as meshes and materials, as every format gets it: meshes <Tree>_LOD0_Bark and <Tree>_LOD0_Leaves,
-/// materials <Tree>_Bark and <Tree>_Leaves.
+/// One living internode as a straight bone.
+struct ExportBone {
+    InternodeId id = 0;
+    InternodeId parent = kNoInternode;
+    Vec3 base = Vec3::Zero(); ///< m, Y up
+    Vec3 tip = Vec3::Zero();
+    float radius = 0.0F; ///< m
+};
+
+/// Parts of a scene.
+struct ExportParts {
+    bool surface = false; ///< Meshes and materials
+    bool skeleton = false;
+};
+
+/// A tree as every format gets it: meshes <Tree>_Bark_LOD0 and <Tree>_Leaves_LOD0, materials <Tree>_Bark and
+/// <Tree>_Leaves. Game engines recognise levels of detail by names that end in _LOD and the level's number.
+///
+/// Bark's v is small: within a few units of 0, so that half floats keep it (see withSmallV()).
 ///
 /// A leaf's own hue is in the texture: that of the leaves is a row of tiles of up to eight hues, and a leaf's
 /// coordinates lie in the tile that is nearest to its own. Vertex colours would be dropped or ignored by half
@@ -51,12 +73,13 @@ struct ExportScene {
     QString name;
     std::vector<ExportMesh> meshes;
     std::vector<ExportMaterial> materials;
+    std::vector<ExportBone> skeleton; ///< By ascending id
 };
 
 /// @p name as it may stand in any file: letters, digits, "-" and "_"; "Tree" if nothing is left.
 QString safeExportName(const QString& name);
 
 ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QString& name,
-                             const ExportOptions& options = {});
+                             const ExportOptions& options = {}, const ExportParts& parts = {.surface = true});
 
 } // namespace espalier

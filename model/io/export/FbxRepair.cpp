@@ -2,159 +2,110 @@
 #include "model/io/export/FbxRepair.h"
 
 #include "model/io/JsonReader.h"
+#include "model/io/export/FbxNodes.h"
 
 #include <QCoreApplication>
-#include <QtEndian>
+#include <QFileInfo>
+#include <QHash>
 
-#include <cstring>
+#include <algorithm>
 
 namespace espalier {
 
 namespace {
 
-constexpr char kMagic[] = "Kaydara FBX Binary  "; // and its final zero
-constexpr qsizetype kVersionOffset = 23;
-constexpr qsizetype kHeader = 27;
-constexpr std::uint32_t kWideVersion = 7500;
-/// Files of this kind are five deep.
-constexpr int kDeepest = 64;
-/// What ends a file: an identification, zeros up to a multiple of 16 (at least one), then this many bytes
-/// with the version.
-constexpr qsizetype kFooterId = 16;
-constexpr qsizetype kFooterEnd = 144;
+/// Between the name and the class of an object.
+const QByteArray kSeparator("\0\1", 2);
+/// Properties of an object: its id, its name and class, its kind.
+constexpr std::size_t kObjectProperties = 3;
 
-/// Where a node's parts are in the file.
-struct Node {
-    qsizetype body = 0; ///< Where its nested nodes begin
-    qsizetype end = 0;  ///< Where it ends; 0 for the record that ends a list
-};
-
-class Repair {
-public:
-    Repair(QByteArrayView content, bool wide) : m_in(content), m_field(wide ? 8 : 4), m_null(3 * m_field + 1)
-    {
-    }
-
-    /// Whether the file was sound.
-    bool run();
-    QByteArray takeResult() { return std::move(m_out); }
-
-private:
-    qsizetype number(qsizetype offset) const;
-    void setNumber(qsizetype offset, qsizetype value);
-    bool readNode(qsizetype offset, qsizetype limit, Node& node) const;
-    bool copyNode(qsizetype offset, const Node& node, int depth);
-    void copyFooter(qsizetype offset);
-
-    QByteArrayView m_in;
-    QByteArray m_out;
-    qsizetype m_field; ///< Bytes of an offset or a count
-    qsizetype m_null;  ///< Bytes of a record of zeros: that of a node without a name
-};
-
-qsizetype Repair::number(qsizetype offset) const
+QByteArray textOf(const FbxNode& node, std::size_t property)
 {
-    if (m_field == 4)
-        return qFromLittleEndian<std::uint32_t>(m_in.data() + offset);
-    // A number too large for an offset must not become a negative one.
-    return static_cast<qsizetype>(std::min<std::uint64_t>(
-        qFromLittleEndian<std::uint64_t>(m_in.data() + offset), std::numeric_limits<qsizetype>::max()));
+    return property < node.properties.size() ? fbxText(node.properties[property]).value_or(QByteArray())
+                                             : QByteArray();
 }
 
-void Repair::setNumber(qsizetype offset, qsizetype value)
+/// Gives an object the name if it has none.
+void setName(FbxNode& object, const QByteArray& name)
 {
-    if (m_field == 4)
-        qToLittleEndian(static_cast<std::uint32_t>(value), m_out.data() + offset);
-    else
-        qToLittleEndian(static_cast<std::uint64_t>(value), m_out.data() + offset);
+    const QByteArray kind = textOf(object, 1);
+    if (object.properties.size() == kObjectProperties && kind.startsWith(kSeparator))
+        object.properties[1] = fbxString(name + kind);
 }
 
-bool Repair::readNode(qsizetype offset, qsizetype limit, Node& node) const
+/// Names a texture or an image after its file.
+void nameAfterFile(FbxNode& object)
 {
-    if (limit - offset < m_null)
-        return false;
-    node.end = number(offset);
-    if (node.end == 0)
-        return true;
-    const qsizetype propertyBytes = number(offset + 2 * m_field);
-    const qsizetype properties = offset + m_null + static_cast<uchar>(m_in[offset + 3 * m_field]);
-    if (node.end > limit || properties > node.end || propertyBytes > node.end - properties)
-        return false;
-    node.body = properties + propertyBytes;
-    return true;
-}
-
-bool Repair::copyNode(qsizetype offset, const Node& node, int depth)
-{
-    const qsizetype begin = m_out.size();
-    m_out.append(m_in.sliced(offset, node.body - offset));
-    if (node.body < node.end) {
-        if (depth == kDeepest)
-            return false;
-        for (qsizetype place = node.body; place < node.end;) {
-            Node child;
-            if (!readNode(place, node.end, child))
-                return false;
-            if (child.end == 0) {
-                if (node.end - place != m_null)
-                    return false;
-                break;
-            }
-            if (!copyNode(place, child, depth + 1))
-                return false;
-            place = child.end;
-        }
-        m_out.append(m_null, '\0');
-    }
-    setNumber(begin, m_out.size());
-    return true;
-}
-
-void Repair::copyFooter(qsizetype offset)
-{
-    const QByteArrayView footer = m_in.sliced(offset);
-    const qsizetype padding = footer.size() - kFooterId - kFooterEnd;
-    if (padding < 1 || padding > 16) {
-        m_out.append(footer);
+    const FbxNode* const file = object.child("RelativeFilename");
+    if (file == nullptr)
         return;
-    }
-    m_out.append(footer.first(kFooterId));
-    m_out.append(16 - m_out.size() % 16, '\0');
-    m_out.append(footer.last(kFooterEnd));
+    const QByteArray name = QFileInfo(QString::fromUtf8(textOf(*file, 0))).completeBaseName().toUtf8();
+    setName(object, name);
+    if (FbxNode* const again = object.child("TextureName"); again && again->properties.size() == 1)
+        again->properties[0] = fbxString(textOf(object, 1));
 }
 
-bool Repair::run()
+void nameGeometries(std::vector<FbxNode>& objects, const FbxNode* connections)
 {
-    m_out.reserve(m_in.size() + m_in.size() / 16);
-    m_out.append(m_in.first(kHeader));
-    qsizetype place = kHeader;
-    for (;;) {
-        Node node;
-        if (!readNode(place, m_in.size(), node))
-            return false;
-        if (node.end == 0)
-            break;
-        if (!copyNode(place, node, 0))
-            return false;
-        place = node.end;
+    QHash<QByteArray, QByteArray> nameOfModel;
+    for (const FbxNode& object : objects) {
+        if (object.name == "Model" && object.properties.size() == kObjectProperties) {
+            const QByteArray name = textOf(object, 1);
+            nameOfModel[object.properties[0]] = name.first(std::max<qsizetype>(0, name.indexOf(kSeparator)));
+        }
     }
-    m_out.append(m_null, '\0');
-    copyFooter(place + m_null);
-    return m_field == 8 || m_out.size() <= std::numeric_limits<std::uint32_t>::max();
+    QHash<QByteArray, QByteArray> modelOfGeometry;
+    if (connections != nullptr) {
+        for (const FbxNode& connection : connections->children) {
+            // "OO" connects an object to another; its ids follow.
+            if (textOf(connection, 0) == "OO" && connection.properties.size() == 3 &&
+                nameOfModel.contains(connection.properties[2]))
+                modelOfGeometry[connection.properties[1]] = connection.properties[2];
+        }
+    }
+    for (FbxNode& object : objects) {
+        if (object.name == "Geometry" && object.properties.size() == kObjectProperties)
+            setName(object, nameOfModel.value(modelOfGeometry.value(object.properties[0])));
+    }
+}
+
+void renameSpecularFactor(FbxNode& material)
+{
+    FbxNode* const properties = material.child("Properties70");
+    if (properties == nullptr)
+        return;
+    for (FbxNode& property : properties->children) {
+        if (textOf(property, 0) == "ShininessFactor")
+            property.properties[0] = fbxString("SpecularFactor");
+    }
 }
 
 } // namespace
 
 Result<QByteArray> repairFbx(QByteArrayView content)
 {
-    const QByteArrayView magic(kMagic, sizeof kMagic);
-    if (content.size() >= kHeader && content.first(magic.size()) == magic) {
-        const auto version = qFromLittleEndian<std::uint32_t>(content.data() + kVersionOffset);
-        Repair repair(content, version >= kWideVersion);
-        if (repair.run())
-            return repair.takeResult();
+    const auto broken = [] {
+        return inputError({}, QCoreApplication::translate("FbxRepair", "this is no sound binary FBX file"));
+    };
+    std::optional<FbxDocument> document = readFbx(content);
+    if (!document)
+        return broken();
+    const auto node = [&](QByteArrayView name) {
+        const auto found = std::ranges::find(document->nodes, name, &FbxNode::name);
+        return found == document->nodes.end() ? nullptr : &*found;
+    };
+    if (FbxNode* const objects = node("Objects")) {
+        for (FbxNode& object : objects->children) {
+            if (object.name == "Texture" || object.name == "Video")
+                nameAfterFile(object);
+            else if (object.name == "Material")
+                renameSpecularFactor(object);
+        }
+        nameGeometries(objects->children, node("Connections"));
     }
-    return inputError({}, QCoreApplication::translate("FbxRepair", "this is no sound binary FBX file"));
+    if (std::optional<QByteArray> repaired = writeFbx(*document))
+        return *std::move(repaired);
+    return broken();
 }
 
 } // namespace espalier

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/export/ExportFiles.h"
+
+#include "model/io/JsonReader.h"
+#include "model/io/export/ExportScene.h"
+#include "model/io/export/FileMark.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Exporter)
+};
+
+/// Stems that are tried before an export gives up.
+constexpr int kMostStems = 10'000;
+/// Bytes in UTF-8 of a stem, so that the name with its number and ending stays within a file system's 255.
+constexpr qsizetype kStemBytes = 200;
+
+QString shortened(QString stem)
+{
+    while (stem.toUtf8().size() > kStemBytes)
+        stem.chop(stem.back().isLowSurrogate() ? 2 : 1);
+    return stem;
+}
+
+} // namespace
+
+ExportFiles::ExportFiles(const QString& mainFile)
+    : m_main(mainFile), m_stem(shortened(safeExportName(m_main.completeBaseName())))
+{
+}
+
+Result<void> ExportFiles::chooseNames(const QStringList& endings)
+{
+    const QStringList existing = namesInFolder();
+    const QString first = m_stem;
+    for (int number = 2; number <= kMostStems; ++number) {
+        if (std::ranges::all_of(endings, [&](const QString& e) { return isFree(name(e), existing); }))
+            return {};
+        m_stem = QStringLiteral("%1_%2").arg(first).arg(number);
+    }
+    return Error{Error::Kind::Output,
+                 inputError(mainName(), Text::tr("there are too many files of similar names in its folder; "
+                                                 "choose another name or another folder"))
+                     .message};
+}
+
+bool ExportFiles::isFree(const QString& name, const QStringList& existing) const
+{
+    const auto isSame = [&](const QString& other) { return other.compare(name, Qt::CaseInsensitive) == 0; };
+    if (name.compare(mainName(), Qt::CaseInsensitive) == 0)
+        return false;
+    for (const QString& other : existing) {
+        if (!isSame(other))
+            continue;
+        // Folders, devices and files that cannot be read are not ours.
+        const QFileInfo info(m_main.dir().filePath(other));
+        QFile file(info.filePath());
+        if (other != name || !info.isFile() || !file.open(QIODevice::ReadOnly) ||
+            !isMarked(file.readAll(), mainName()))
+            return false;
+    }
+    return true;
+}
+
+QStringList ExportFiles::namesInFolder() const
+{
+    return m_main.dir().entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot,
+                                  QDir::Unsorted);
+}
+
+Result<void> ExportFiles::addCompanion(const QString& ending, const QByteArray& content)
+{
+    const QByteArray bytes = marked(content, mainName());
+    return add(name(ending), [&](QIODevice& file) { return file.write(bytes) == bytes.size(); });
+}
+
+Result<void> ExportFiles::addMain(const QByteArray& content)
+{
+    return addMain([&](QIODevice& file) { return file.write(content) == content.size(); });
+}
+
+Result<void> ExportFiles::commit()
+{
+    // Another program may have made files since the names were chosen.
+    const QStringList existing = namesInFolder();
+    for (const Entry& entry : m_entries) {
+        const QString name = QFileInfo(entry.file->fileName()).fileName();
+        if (entry.isCompanion && !isFree(name, existing)) {
+            return Error{Error::Kind::Output,
+                         inputError(name, Text::tr("another program made this file during the export; export "
+                                                   "again, and another name will be chosen"))
+                             .message};
+        }
+    }
+    std::ranges::stable_partition(m_entries, &Entry::isCompanion);
+    for (const Entry& entry : m_entries) {
+        if (!entry.file->commit())
+            return failure(*entry.file);
+    }
+    return {};
+}
+
+Error ExportFiles::failure(const QSaveFile& file)
+{
+    const QString name = QFileInfo(file.fileName()).fileName();
+    return {Error::Kind::Output, inputError(name, file.errorString()).message};
+}
+
+} // namespace espalier

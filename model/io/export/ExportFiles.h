@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Error.h"
+
+#include <QByteArray>
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QStringList>
+
+#include <memory>
+#include <vector>
+
+namespace espalier {
+
+/// The files of one export: the main file, which the user named, and companions beside it (textures,
+/// materials), whose names are chosen here. All appear together on commit(); without it nothing on the disk
+/// changes.
+///
+/// The main file is replaced. A companion replaces a file only if that file is exactly what an earlier export
+/// to the same main file wrote (see FileMark.h). Where another file has the name, all companions get another
+/// stem: oak_bark.png, oak_2_bark.png, oak_3_bark.png.
+class ExportFiles {
+public:
+    explicit ExportFiles(const QString& mainFile);
+
+    /// Chooses the stem of the companions so that none of the names stem + ending belongs to another file;
+    /// to be called once, with all endings ("_bark.png", ".mtl"), before name(). Names that differ only in
+    /// the case of letters count as equal, since they are on some disks.
+    Result<void> chooseNames(const QStringList& endings);
+    /// File name of a companion. Without spaces, which some readers of OBJ files do not take.
+    QString name(const QString& ending) const { return m_stem + ending; }
+
+    /// Adds a companion, marked as the main file's; PNG, or a text whose comments begin with #.
+    Result<void> addCompanion(const QString& ending, const QByteArray& content);
+    /// Adds the main file. @p write gets a QIODevice& and returns whether the device took everything.
+    template <class Write>
+    Result<void> addMain(Write&& write)
+    {
+        return add(m_main.fileName(), std::forward<Write>(write));
+    }
+    Result<void> addMain(const QByteArray& content);
+
+    /// Name of the main file, without its folder.
+    QString mainName() const { return m_main.fileName(); }
+
+    /// Puts all files in their places, the companions before the main file, which refers to them.
+    Result<void> commit();
+
+private:
+    struct Entry {
+        std::unique_ptr<QSaveFile> file;
+        bool isCompanion = false;
+    };
+
+    template <class Write>
+    Result<void> add(const QString& name, Write&& write)
+    {
+        auto file = std::make_unique<QSaveFile>(m_main.dir().filePath(name));
+        if (!file->open(QIODevice::WriteOnly) || !write(static_cast<QIODevice&>(*file)))
+            return failure(*file);
+        m_entries.push_back({std::move(file), name != m_main.fileName()});
+        return {};
+    }
+    /// Whether a companion of this name would destroy nothing. @p existing are the names in the folder.
+    bool isFree(const QString& name, const QStringList& existing) const;
+    QStringList namesInFolder() const;
+    static Error failure(const QSaveFile& file);
+
+    QFileInfo m_main;
+    QString m_stem;
+    std::vector<Entry> m_entries;
+};
+
+} // namespace espalier

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/io/export/ExportFormat.h"
+
+namespace espalier {
+
+/// Binary FBX with the textures beside it, written by Assimp; repairFbx() corrects what Assimp gets wrong.
+class FbxFormat final : public ExportFormat {
+public:
+    QString suffix() const override { return QStringLiteral("fbx"); }
+    QString name() const override;
+    ExportParts parts() const override { return {.surface = true}; }
+    Result<void> write(const ExportScene& scene, ExportFiles& files) const override;
+};
+
+} // namespace espalier

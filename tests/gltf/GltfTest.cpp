@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/RecipePlayer.h"
+#include "commands/SetParameters.h"
+#include "model/io/export/Exporter.h"
+#include "model/texture/OwnTextures.h"
+#include "tests/support/OwnImages.h"
+
+#include <QDir>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace espalier;
+
+/// Exports to GLB, checked by the Khronos glTF validator.
+class GltfTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void sample_isValid_data();
+    void sample_isValid();
+    void imagesOfOnesOwn_areValid();
+    void brokenFile_isFound();
+
+private:
+    /// What the validator prints about a file.
+    QByteArray validate(const QString& fileName) const;
+
+    QString m_node;
+};
+
+namespace {
+
+constexpr ExportOptions kSmall{.textureSize = 128};
+const QByteArray kValid = "GLTF IS VALID\n";
+
+} // namespace
+
+void GltfTest::initTestCase()
+{
+    m_node = QStandardPaths::findExecutable(QStringLiteral("node"));
+    QVERIFY2(!m_node.isEmpty(), "nodejs is missing; scripts/setup.sh test installs it");
+    QVERIFY2(QDir(QStringLiteral(NODE_FOLDER "/node_modules/gltf-validator")).exists(),
+             "gltf-validator is missing; scripts/node-packages.sh installs it, as ctest does");
+}
+
+QByteArray GltfTest::validate(const QString& fileName) const
+{
+    QProcess process;
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(m_node, {QStringLiteral(SOURCE_DIR "/tests/gltf/validate.js"), QStringLiteral(NODE_FOLDER),
+                           fileName});
+    if (!process.waitForFinished(120'000))
+        return "the validator did not end";
+    return process.readAll();
+}
+
+void GltfTest::sample_isValid_data()
+{
+    QTest::addColumn<QString>("recipe");
+    const QDir folder(QStringLiteral(SOURCE_DIR "/resources/recipes"));
+    const QStringList names = folder.entryList({QStringLiteral("*.json")});
+    QVERIFY(names.size() >= 16);
+    for (const QString& name : names)
+        QTest::newRow(qPrintable(name)) << folder.filePath(name);
+}
+
+void GltfTest::sample_isValid()
+{
+    QFETCH(const QString, recipe);
+    TreeDocument document;
+    RecipePlayer(document, *readRecipe(recipe)).playAll();
+    const ExportScene scene =
+        buildExportScene(document.tree(), document.index(), QStringLiteral("Tree"), kSmall);
+    const QTemporaryDir folder;
+    const QString fileName = folder.filePath(QStringLiteral("tree.glb"));
+    ExportFiles files(fileName);
+    QVERIFY(exportFormatOf(fileName)->write(scene, files));
+    QVERIFY(files.commit());
+    const QByteArray output = validate(fileName);
+    QVERIFY2(output == kValid, output.constData());
+
+    float greatest = 0.0F;
+    for (const MeshVertex& vertex : scene.meshes[0].mesh.vertices)
+        greatest = std::max(greatest, std::abs(vertex.uv[1]));
+    qInfo("%zu vertices of bark, v up to %.2f", scene.meshes[0].mesh.vertices.size(), double(greatest));
+}
+
+void GltfTest::imagesOfOnesOwn_areValid()
+{
+    TreeDocument document;
+    const Recipe recipe = *readRecipe(QStringLiteral(SOURCE_DIR "/resources/recipes/linden.json"));
+    RecipePlayer(document, recipe).playAll();
+    TreeParameters parameters = recipe.parameters;
+    adoptImage(parameters.leaves,
+               ImageAsset(test::pngOf(test::drawnLeaf(Qt::transparent)), QStringLiteral("leaf.png")), 0.5);
+    parameters.bark.image = ImageAsset(test::pngOf(test::repeatingBark(100, 90)), QStringLiteral("bark.png"));
+    setParameters(document, parameters);
+    const QTemporaryDir folder;
+    const QString fileName = folder.filePath(QStringLiteral("tree.glb"));
+    QVERIFY(exportTree(document.tree(), document.index(), QStringLiteral("Bäume"), fileName, kSmall));
+    const QByteArray output = validate(fileName);
+    QVERIFY2(output == kValid, output.constData());
+}
+
+void GltfTest::brokenFile_isFound()
+{
+    TreeDocument document;
+    const QTemporaryDir folder;
+    const QString fileName = folder.filePath(QStringLiteral("tree.glb"));
+    QVERIFY(exportTree(document.tree(), document.index(), QStringLiteral("Tree"), fileName, kSmall));
+    QFile file(fileName);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    QByteArray content = file.readAll();
+    QVERIFY(content.contains("\"TANGENT\":2"));
+    content.replace("\"TANGENT\":2", "\"TANGENT\":3");
+    file.seek(0);
+    file.write(content);
+    file.close();
+    const QByteArray output = validate(fileName);
+    QVERIFY2(output.contains("error") && output.contains("TANGENT") && !output.contains(kValid),
+             output.constData());
+}
+
+QTEST_GUILESS_MAIN(GltfTest)
+
+#include "GltfTest.moc"
