@@ -13,9 +13,9 @@ namespace {
 
 constexpr VertexIndex kNone = std::numeric_limits<VertexIndex>::max();
 
-/// A vertex of the result: which vertex it was, and how many periods were subtracted from its v.
+/// A vertex of the result: which vertex it was, and what was subtracted from its v.
 struct Copy {
-    std::int32_t periods = 0;
+    std::int32_t shift = 0;
     VertexIndex index = kNone;
 };
 
@@ -27,26 +27,26 @@ public:
         m_vertices.reserve(source.vertices.size() + source.vertices.size() / 8);
     }
 
-    VertexIndex indexOf(VertexIndex vertex, std::int32_t periods)
+    VertexIndex indexOf(VertexIndex vertex, std::int32_t shift)
     {
         Copy& first = m_first[vertex];
         if (first.index == kNone)
-            first = {periods, append(vertex, periods)};
-        if (first.periods == periods)
+            first = {shift, append(vertex, shift)};
+        if (first.shift == shift)
             return first.index;
-        const std::uint64_t key = std::uint64_t{vertex} << 32U | static_cast<std::uint32_t>(periods);
+        const std::uint64_t key = std::uint64_t{vertex} << 32U | static_cast<std::uint32_t>(shift);
         const auto [place, isNew] = m_others.try_emplace(key, kNone);
         if (isNew)
-            place->second = append(vertex, periods);
+            place->second = append(vertex, shift);
         return place->second;
     }
     MeshBuffer<MeshVertex> takeVertices() { return std::move(m_vertices); }
 
 private:
-    VertexIndex append(VertexIndex vertex, std::int32_t periods)
+    VertexIndex append(VertexIndex vertex, std::int32_t shift)
     {
         m_vertices.push_back(m_source.vertices[vertex]);
-        m_vertices.back().uv[1] -= kWrapPeriod * static_cast<float>(periods);
+        m_vertices.back().uv[1] -= static_cast<float>(shift);
         return static_cast<VertexIndex>(m_vertices.size() - 1);
     }
 
@@ -56,6 +56,18 @@ private:
     MeshBuffer<MeshVertex> m_vertices;
 };
 
+/// What to subtract from a triangle's v, if it may be what was subtracted from the triangle before.
+std::int32_t shiftFor(float least, float greatest, std::int32_t before)
+{
+    const auto moved = static_cast<float>(before);
+    if (least - moved >= -kGreatestV && greatest - moved <= kGreatestV)
+        return before;
+    // As low as possible, since the triangles above follow.
+    const float lowest = std::floor(least + kGreatestV);
+    const float middle = std::round((least + greatest) / 2.0F);
+    return static_cast<std::int32_t>(greatest - lowest <= kGreatestV ? lowest : middle);
+}
+
 } // namespace
 
 TriangleMesh withSmallV(const TriangleMesh& mesh)
@@ -64,11 +76,12 @@ TriangleMesh withSmallV(const TriangleMesh& mesh)
     result.indices.resize(mesh.indices.size());
     Copies copies(mesh);
     const auto v = [&](std::size_t corner) { return mesh.vertices[mesh.indices[corner]].uv[1]; };
+    std::int32_t shift = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const float least = std::min({v(i), v(i + 1), v(i + 2)});
-        const auto periods = static_cast<std::int32_t>(std::floor(least / kWrapPeriod + 0.5F));
+        const auto [least, greatest] = std::minmax({v(i), v(i + 1), v(i + 2)});
+        shift = shiftFor(least, greatest, shift);
         for (std::size_t corner = i; corner < i + 3; ++corner)
-            result.indices[corner] = copies.indexOf(mesh.indices[corner], periods);
+            result.indices[corner] = copies.indexOf(mesh.indices[corner], shift);
     }
     result.vertices = copies.takeVertices();
     return result;

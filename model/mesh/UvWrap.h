@@ -5,14 +5,17 @@
 
 namespace espalier {
 
-/// v of wrapped texture coordinates begins within half of this around 0, in repeats of the texture.
-inline constexpr float kWrapPeriod = 4.0F;
+/// Greatest v of wrapped texture coordinates, in repeats of the texture, for triangles that are not higher
+/// than twice as much. Half floats have steps of 1/128 there.
+inline constexpr float kGreatestV = 8.0F;
 
-/// Returns the mesh with a whole number subtracted from v of each triangle, so that its least v is at least
-/// -kWrapPeriod / 2 and less than kWrapPeriod / 2. A texture that repeats looks the same, and half floats
-/// keep the coordinates: on a long axis v would rise to a hundred and more. Vertices are in the order in
-/// which triangles first name them; one whose triangles get different numbers is doubled, and one that no
-/// triangle names is left out.
+/// Returns the mesh with a whole number subtracted from v of each triangle, so that v stays within
+/// -kGreatestV...kGreatestV; a triangle that is too high for that is centred on 0. A texture that repeats
+/// looks the same, and half floats keep the coordinates: on a long axis v would rise to a hundred and more.
+///
+/// The number stays the same from triangle to triangle while it can, so few vertices are doubled: those
+/// between two triangles of different numbers. Vertices are in the order in which triangles first name them;
+/// one that no triangle names is left out.
 TriangleMesh withSmallV(const TriangleMesh& mesh);
 
 } // namespace espalier

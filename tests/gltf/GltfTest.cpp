@@ -2,6 +2,7 @@
 #include "commands/RecipePlayer.h"
 #include "commands/SetParameters.h"
 #include "model/io/export/Exporter.h"
+#include "model/mesh/UvWrap.h"
 #include "model/texture/OwnTextures.h"
 #include "tests/support/OwnImages.h"
 
@@ -83,9 +84,16 @@ void GltfTest::sample_isValid()
     QVERIFY2(output == kValid, output.constData());
 
     float greatest = 0.0F;
-    for (const MeshVertex& vertex : scene.meshes[0].mesh.vertices)
-        greatest = std::max(greatest, std::abs(vertex.uv[1]));
-    qInfo("%zu vertices of bark, v up to %.2f", scene.meshes[0].mesh.vertices.size(), double(greatest));
+    float highest = 0.0F; // of a triangle
+    const TriangleMesh& bark = scene.meshes[0].mesh;
+    for (std::size_t i = 0; i < bark.indices.size(); i += 3) {
+        const auto v = [&](std::size_t corner) { return bark.vertices[bark.indices[i + corner]].uv[1]; };
+        const auto [lower, upper] = std::minmax({v(0), v(1), v(2)});
+        greatest = std::max({greatest, -lower, upper});
+        highest = std::max(highest, upper - lower);
+    }
+    qInfo("%zu vertices of bark, v up to %.2f", bark.vertices.size(), double(greatest));
+    QVERIFY(greatest <= std::max(kGreatestV, highest / 2.0F + 0.5F));
 }
 
 void GltfTest::imagesOfOnesOwn_areValid()
@@ -101,8 +109,10 @@ void GltfTest::imagesOfOnesOwn_areValid()
     const QTemporaryDir folder;
     const QString fileName = folder.filePath(QStringLiteral("tree.glb"));
     QVERIFY(exportTree(document.tree(), document.index(), QStringLiteral("Bäume"), fileName, kSmall));
-    const QByteArray output = validate(fileName);
-    QVERIFY2(output == kValid, output.constData());
+    // An image of the user's own keeps its size, which need not be a power of two; the validator mentions
+    // that, and nothing else.
+    for (const QByteArray& line : validate(fileName).trimmed().split('\n'))
+        QVERIFY2(line == kValid.trimmed() || line.contains("information IMAGE_NPOT_DIMENSIONS"), line);
 }
 
 void GltfTest::brokenFile_isFound()

@@ -9,6 +9,7 @@
 #include <QSaveFile>
 #include <QStringList>
 
+#include <concepts>
 #include <memory>
 #include <vector>
 
@@ -35,7 +36,7 @@ public:
     /// Adds a companion, marked as the main file's; PNG, or a text whose comments begin with #.
     Result<void> addCompanion(const QString& ending, const QByteArray& content);
     /// Adds the main file. @p write gets a QIODevice& and returns whether the device took everything.
-    template <class Write>
+    template <std::invocable<QIODevice&> Write>
     Result<void> addMain(Write&& write)
     {
         return add(m_main.fileName(), std::forward<Write>(write));

@@ -10,6 +10,7 @@
 #include <QBuffer>
 #include <QImageWriter>
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -48,7 +49,9 @@ LeafTiles chooseTiles(std::span<const LeafInstance> leaves)
         }
     }
     const float spread = std::max(0.0F, greatest - least);
-    const auto count = std::clamp(static_cast<std::size_t>(spread / kTileHue), std::size_t{1}, kMostTiles);
+    // A power of two, so that the row of tiles has a width that every renderer takes.
+    const auto count =
+        std::bit_ceil(std::clamp(static_cast<std::size_t>(spread / kTileHue), std::size_t{1}, kMostTiles));
     LeafTiles result{std::vector<LeafTile>(count), {}};
     result.tileOf.reserve(leaves.size());
     for (const LeafInstance& leaf : leaves) {

@@ -64,11 +64,11 @@ struct ExportParts {
 /// A tree as every format gets it: meshes <Tree>_Bark_LOD0 and <Tree>_Leaves_LOD0, materials <Tree>_Bark and
 /// <Tree>_Leaves. Game engines recognise levels of detail by names that end in _LOD and the level's number.
 ///
-/// Bark's v is small: within a few units of 0, so that half floats keep it (see withSmallV()).
+/// Bark's v stays near 0, so that half floats keep it (see withSmallV()).
 ///
-/// A leaf's own hue is in the texture: that of the leaves is a row of tiles of up to eight hues, and a leaf's
-/// coordinates lie in the tile that is nearest to its own. Vertex colours would be dropped or ignored by half
-/// of the programs that read the files.
+/// A leaf's own hue is in the texture: that of the leaves is a row of one, two, four or eight tiles of
+/// different hues, and a leaf's coordinates lie in the tile that is nearest to its own. Vertex colours would
+/// be dropped or ignored by half of the programs that read the files.
 struct ExportScene {
     QString name;
     std::vector<ExportMesh> meshes;

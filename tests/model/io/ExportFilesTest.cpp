@@ -46,9 +46,10 @@ Contents contentsOf(const QTemporaryDir& folder)
 TreeBuilder treeOf(BarkKind bark, LeafShape leaf)
 {
     TreeParameters parameters;
+    parameters.growth.lateralsPerNode = 2;
     parameters.bark.kind = bark;
     parameters.leaves.shape = leaf;
-    return randomTree(30, 3, parameters);
+    return randomTree(20, 3, parameters);
 }
 
 Result<void> exportTo(const QTemporaryDir& folder, const QString& name, const TreeBuilder& builder)
@@ -213,7 +214,7 @@ void ExportFilesTest::fileThatAppearsMeanwhile_stays()
     ExportFiles files(folder.filePath(QStringLiteral("oak.obj")));
     QVERIFY(files.chooseNames({QStringLiteral("_bark.png")}));
     QVERIFY(files.addCompanion(QStringLiteral("_bark.png"), pngOf(repeatingBark(32, 32))));
-    QVERIFY(files.addMain("model"));
+    QVERIFY(files.addMain(QByteArray("model")));
     QVERIFY(putBytes(folder.filePath(QStringLiteral("oak_bark.png")), "theirs"));
     const Result<void> committed = files.commit();
     QVERIFY(!committed);

@@ -447,7 +447,7 @@ void ExporterTest::fbx_namesItsTexturesImagesAndGeometries()
     QByteArrayList names;
     for (const FbxNode* object : objectsOf(fbx.document, "Video"))
         names.append(nameOf(*object));
-    names.sort();
+    std::ranges::sort(names);
     QCOMPARE(names, (QByteArrayList{"oak_bark", "oak_bark_normal", "oak_bark_roughness", "oak_leaf",
                                     "oak_leaf_mask", "oak_leaf_normal", "oak_leaf_roughness"}));
     const std::vector<const FbxNode*> textures = objectsOf(fbx.document, "Texture");
@@ -527,7 +527,7 @@ void ExporterTest::barkOfALongAxis_keepsItsCoordinatesAsHalfFloats()
     float worst = 0.0F;
     for (const MeshVertex& vertex : scene.meshes[0].mesh.vertices)
         worst = std::max(worst, std::abs(vertex.uv[1] - static_cast<float>(qfloat16(vertex.uv[1]))));
-    // A texel of a texture of 512; before coordinates were wrapped, 16 of them.
+    // Half a step of the numbers below 8.
     QVERIFY2(worst <= 1.0F / 512.0F, qPrintable(QString::number(worst)));
 }
 
