@@ -178,7 +178,8 @@ def check_material(where, mesh_object, suffix):
         check(alpha.is_linked and alpha.links[0].from_socket.name in ("Alpha", "Value", "Result"),
               f"{where}: alpha comes from {alpha.links[0].from_socket.name if alpha.is_linked else 'nowhere'}")
         mask = image_behind(alpha)
-        if suffix != "glb" and mask is not None:
+        # Of an FBX, Blender takes the alpha of the colour where that has one, whatever TransparentColor names.
+        if suffix == "obj" and mask is not None:
             pixels = numpy.empty(len(mask.pixels), dtype=numpy.float32)
             mask.pixels.foreach_get(pixels)
             pixels = pixels.reshape(-1, 4)
