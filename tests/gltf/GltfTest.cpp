@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/RecipePlayer.h"
 #include "commands/SetParameters.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "model/io/export/Exporter.h"
 #include "model/mesh/UvWrap.h"
 #include "model/texture/OwnTextures.h"
