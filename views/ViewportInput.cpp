@@ -167,7 +167,7 @@ auto Viewport::withPickScene(Pick&& pick) const
         return std::min(branchRadius(id), greatest);
     };
     return pick(
-        PickScene{m_document.tree(), m_document.index(), m_document.growthIndex().space(), radius, greatest, m_camera});
+        PickScene{m_document.tree(), m_document.index(), m_document.pickIndex(), radius, greatest, m_camera});
 }
 
 double Viewport::reachOf(PointerDevice device) const
