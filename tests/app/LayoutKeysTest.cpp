@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panels/library/LibraryPanel.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
