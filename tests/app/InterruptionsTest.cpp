@@ -163,7 +163,7 @@ void InterruptionsTest::interruption_endsTheGestureAsOneUndoStep()
     // A lasso begins to fill when its stroke ends, unless its tool is put away.
     QTRY_VERIFY(!viewport().isGestureActive());
     if (tool == ActionId::Lasso && m_window->isHandBusy())
-        QTRY_VERIFY(!m_window->isHandBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!m_window->isHandBusy(), 20000);
     QCOMPARE(document.undoStack().count(), 1);
     QVERIFY(test::visibleDifference(before, document) != QString());
     message.close();
