@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/MainWindow.h"
 
-#include "app/HelpController.h"
 #include "app/Language.h"
-#include "app/TreeCounts.h"
+#include "model/mesh/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
 #include "panels/GrowPopOut.h"
@@ -94,7 +93,7 @@ MainWindow::MainWindow(QWidget* parent)
     m_actions[ActionId::Brush]->trigger();
     updateTitle();
     updateEnabled();
-    m_help = std::make_unique<HelpController>(*this, m_settings);
+    makeHelp(false);
     m_workspace->viewport().setFocus();
     if (!restoreGeometry(m_settings.windowGeometry()))
         resize(sizeHint().boundedTo(screen()->availableSize()));
@@ -109,20 +108,32 @@ MainWindow::~MainWindow()
 
 void MainWindow::connectFiles()
 {
-    // A stroke is finished first; a recipe that is playing may be left, but nothing half-played is kept.
-    const auto on = [this](ActionId id, bool alsoDuringRecipe, void (FileController::*what)()) {
-        connect(m_actions[id], &QAction::triggered, this, [this, alsoDuringRecipe, what] {
-            if (!isHandBusy() && (alsoDuringRecipe || !m_recipeRunner.isRunning()))
+    // A stroke under the hand ends first. A recipe that is playing may be left, but nothing half-played is
+    // kept.
+    const auto leave = [this](ActionId id, void (FileController::*what)()) {
+        connect(m_actions[id], &QAction::triggered, this, [this, what] {
+            m_workspace->viewport().finishGesture();
+            if (!isHandBusy())
                 (m_files.get()->*what)();
         });
     };
-    on(ActionId::New, true, &FileController::startNew);
-    on(ActionId::Open, true, &FileController::open);
-    on(ActionId::Save, false, &FileController::save);
-    on(ActionId::SaveAs, false, &FileController::saveAs);
-    on(ActionId::Export, false, &FileController::exportTree);
+    leave(ActionId::New, &FileController::startNew);
+    leave(ActionId::Open, &FileController::open);
+    const auto keep = [this](ActionId id, void (FileController::*what)()) {
+        connect(m_actions[id], &QAction::triggered, this, [this, what] {
+            if (m_recipeRunner.isRunning())
+                return;
+            finishHand();
+            (m_files.get()->*what)();
+        });
+    };
+    keep(ActionId::Save, &FileController::save);
+    keep(ActionId::SaveAs, &FileController::saveAs);
+    keep(ActionId::Export, &FileController::exportTree);
     connect(m_actions[ActionId::Settings], &QAction::triggered, this, [this] { showSettings(); });
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
+    connect(m_files.get(), &FileController::aboutToAsk, this,
+            [this] { m_workspace->viewport().finishGesture(); });
     connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
     connect(m_files.get(), &FileController::recipeOpened, this,
             [this](const Recipe& recipe) { playRecipe(recipe, RecipeRunner::Pace::Hurried); });
@@ -197,11 +208,7 @@ void MainWindow::connectLibrary()
     QAction* action = m_actions[ActionId::Library];
     connect(action, &QAction::toggled, this, [this](bool shown) {
         if (shown) {
-            // What a hand has begun ends here, and is kept.
-            m_growRunner.end();
-            m_lassoRunner.end();
-            m_timeRunner.release();
-            m_workspace->viewport().cancelGesture();
+            finishHand();
             m_library->refresh();
         }
         m_workspace->showLibrary(shown);
@@ -273,24 +280,28 @@ void MainWindow::followDocument()
             m_document.undoStack().setUndoLimit(m_preferences.undoSteps);
     });
     QUndoStack& stack = m_document.undoStack();
-    connect(m_actions[ActionId::Undo], &QAction::triggered, this, [this] {
-        // What grows is taken back before what was done.
-        for (GrowthRunner* runner :
-             {static_cast<GrowthRunner*>(&m_growRunner), static_cast<GrowthRunner*>(&m_lassoRunner)}) {
-            if (runner->isRunning() && !m_workspace->viewport().isGestureActive()) {
-                runner->cancel();
-                return;
-            }
-        }
-        if (!isBusy())
-            m_document.undo();
-    });
+    connect(m_actions[ActionId::Undo], &QAction::triggered, this, &MainWindow::undo);
     connect(m_actions[ActionId::Redo], &QAction::triggered, this, [this] {
         if (!isBusy())
             m_document.redo();
     });
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateEnabled);
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateTip);
+}
+
+/// What is under way becomes an undo step first, so that redo brings it back.
+void MainWindow::undo()
+{
+    if (m_recipeRunner.isRunning())
+        return;
+    QUndoStack& stack = m_document.undoStack();
+    const auto last = [&stack] { return stack.index() > 0 ? stack.command(stack.index() - 1) : nullptr; };
+    const bool wasBusy = isHandBusy();
+    const QUndoCommand* before = last();
+    finishHand();
+    // A gesture that has changed nothing yet is all that there was to undo.
+    if (!wasBusy || last() != before)
+        m_document.undo();
 }
 
 void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
@@ -353,9 +364,24 @@ bool MainWindow::isHandBusy() const
            m_timeRunner.isRunning() || m_lassoRunner.isRunning();
 }
 
+bool MainWindow::mayLeave()
+{
+    m_workspace->viewport().finishGesture();
+    return !isHandBusy() && m_files->mayLeave();
+}
+
 bool MainWindow::isBusy() const
 {
     return isHandBusy() || m_recipeRunner.isRunning();
+}
+
+void MainWindow::finishHand()
+{
+    // A lasso's stroke begins to fill when it ends.
+    m_workspace->viewport().finishGesture();
+    m_growRunner.end();
+    m_lassoRunner.end();
+    m_timeRunner.release();
 }
 
 void MainWindow::cancelAll()
@@ -391,7 +417,7 @@ void MainWindow::updateEnabled()
 {
     // Undo and redo are not shown disabled while a stroke is made: that would flicker.
     const QUndoStack& stack = m_document.undoStack();
-    m_actions[ActionId::Undo]->setEnabled(stack.canUndo());
+    m_actions[ActionId::Undo]->setEnabled(stack.canUndo() || isHandBusy());
     m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
     const bool isIdle = !m_recipeRunner.isRunning();
     for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::Export})
@@ -475,7 +501,8 @@ void MainWindow::takeTool()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    cancelAll();
+    m_recipeRunner.stop();
+    finishHand();
     if (!m_files->mayLeave()) {
         event->ignore();
         return;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/HelpController.h"
+#include "app/LatinKeyFilter.h"
 #include "app/LookController.h"
 #include "app/Workspace.h"
 #include "app/files/FileController.h"
@@ -17,11 +19,10 @@
 
 namespace espalier {
 
-class HelpController;
 class SettingsSheet;
 
 /// The program's window: puts the parts together and tells them of each other.
-class MainWindow : public QMainWindow {
+class MainWindow : public QMainWindow, public RecipeStage {
     Q_OBJECT
 
 public:
@@ -40,10 +41,9 @@ public:
     /// Whether a gesture or growth is changing the document now.
     bool isHandBusy() const;
     /// The same, or a recipe.
-    bool isBusy() const;
-
-    /// Ends what is under way, and lets a recipe grow another tree before the person's eyes.
-    void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace);
+    bool isBusy() const override;
+    bool mayLeave() override;
+    void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace) override;
 
     QSize sizeHint() const override { return {1440, 900}; }
 
@@ -61,6 +61,7 @@ private:
     void makeInterface();
     void connectPopOuts();
     void connectViewport();
+    void makeHelp(bool isSample);
     /// Makes them anew, in the language and the units in force now, around the same document: everything is
     /// where it was.
     void remakeInterface();
@@ -75,8 +76,11 @@ private:
     /// Those that the workspace keeps.
     void suitHand();
     void followDocument();
-    /// Ends whatever is under way.
+    /// Ends what a hand has under way, and growth, and keeps what they came to.
+    void finishHand();
+    /// Takes back what is under way.
     void cancelAll();
+    void undo();
     void updateEnabled();
     void updateTitle();
     void updateTip();
@@ -98,6 +102,7 @@ private:
     TimeRunner m_timeRunner;
     RecipeRunner m_recipeRunner;
     Actions m_actions;
+    LatinKeyFilter m_latinKeys;
     QElapsedTimer m_followClock;
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that makes what a person sees, and makes it anew in another language.
-#include "app/HelpController.h"
 #include "app/MainWindow.h"
 #include "app/Tour.h"
 #include "panels/BrushPanel.h"
@@ -57,9 +56,21 @@ void MainWindow::makeInterface()
     connectViewport();
 }
 
+void MainWindow::makeHelp(bool isSample)
+{
+    m_help = std::make_unique<HelpController>(HelpController::Parts{.workspace = *m_workspace,
+                                                                    .actions = m_actions,
+                                                                    .document = m_document,
+                                                                    .viewSettings = m_viewSettings,
+                                                                    .recipeRunner = m_recipeRunner,
+                                                                    .stage = *this,
+                                                                    .settings = m_settings},
+                                              isSample);
+}
+
 void MainWindow::remakeInterface()
 {
-    m_workspace->viewport().cancelGesture();
+    m_workspace->viewport().finishGesture();
     auto* sheet = findChild<SettingsSheet*>();
     const std::optional<QPoint> sheetPlace = sheet ? std::optional(sheet->pos()) : std::nullopt;
     const QString control = sheet && sheet->focusWidget() ? sheet->focusWidget()->objectName() : QString();
@@ -79,7 +90,7 @@ void MainWindow::remakeInterface()
     unsetLocale();
     m_actions.setTexts();
     makeInterface();
-    m_help = std::make_unique<HelpController>(*this, m_settings, isSample);
+    makeHelp(isSample);
 
     if (m_recipeRunner.isRunning()) {
         Viewport& viewport = m_workspace->viewport();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/Workspace.h"
 
-#include "app/TreeCounts.h"
 #include "app/files/Library.h"
 #include "app/files/Settings.h"
+#include "model/mesh/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPanel.h"

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that includes point down the layers only, that they are found from the root, and that the algorithms stay
-free of QObject and of widgets.
+"""Checks that includes point down the layers only, that they are found from the root, that the algorithms stay free
+of QObject and of widgets, and that nothing includes itself by way of others: neither units (a header and its source)
+nor folders.
 
 Usage: check-includes.py [--self-test]
 """
@@ -13,7 +14,7 @@ from pathlib import Path
 
 BELOW_ROOMS = {"model/base", "model/tree"}
 ROOMS = {"model/growth", "model/shape", "model/envelope", "model/sketch", "model/strands", "model/mesh",
-         "model/texture"}
+         "model/picking", "model/texture"}
 MODEL = BELOW_ROOMS | ROOMS | {"model/settings", "model/document", "model/io"}
 
 # What each place may include besides itself.
@@ -97,18 +98,67 @@ def check_file(root, path):
                 yield number, f"{place} may not include {target}: {name}"
 
 
+def own_includes(root, path):
+    """Yields (line number, path relative to the root) for each file of ours that a source file includes."""
+    for number, line in enumerate(without_comments((root / path).read_text(encoding="utf-8")).split("\n"), 1):
+        match = INCLUDE.match(line)
+        if match and match.group(1) and (root / match.group(1)).is_file():
+            yield number, Path(match.group(1))
+
+
+def include_graphs(root, paths):
+    """What includes what, between units and between folders: {from: {to: "file:line" of one include}}."""
+    units = {}
+    folders = {}
+    for path in paths:
+        for number, target in own_includes(root, path):
+            where = f"{path}:{number}"
+            for graph, one, other in ((units, path.with_suffix(""), target.with_suffix("")),
+                                      (folders, path.parent, target.parent)):
+                if one != other:
+                    graph.setdefault(one, {}).setdefault(other, where)
+    return units, folders
+
+
+def way_back(graph, start):
+    """The shortest circle through start, as the list of what is on it, or None."""
+    ways = [[start]]
+    seen = set()
+    for way in ways:
+        for target in graph.get(way[-1], {}):
+            if target == start:
+                return way + [start]
+            if target not in seen:
+                seen.add(target)
+                ways.append(way + [target])
+    return None
+
+
+def circles(graph, what):
+    """Yields a complaint for each circle; what is on one that was named already is passed over."""
+    named = set()
+    for start in sorted(graph):
+        way = way_back(graph, start)
+        if way is None or named & set(way):
+            continue
+        named |= set(way)
+        steps = ", ".join(f"{one} by {graph[one][other]}" for one, other in zip(way, way[1:]))
+        yield f"{what} include each other in a circle: {' -> '.join(map(str, way))} ({steps})"
+
+
 def check(root):
     """All complaints about the sources below root, as lines of text."""
-    complaints = []
-    for folder in TOP_FOLDERS:
-        for path in sorted((root / folder).rglob("*")):
-            if path.suffix in (".h", ".cpp") and path.is_file():
-                relative = path.relative_to(root)
-                complaints += [f"{relative}:{line}: {what}" for line, what in check_file(root, relative)]
+    paths = [path.relative_to(root) for folder in TOP_FOLDERS for path in sorted((root / folder).rglob("*"))
+             if path.suffix in (".h", ".cpp") and path.is_file()]
+    complaints = [f"{path}:{line}: {what}" for path in paths for line, what in check_file(root, path)]
+    units, folders = include_graphs(root, paths)
+    # A circle of units in several folders is one of folders as well: once is enough.
+    complaints += list(circles(units, "units")) or circles(folders, "folders")
     return complaints
 
 
-# Files that exist in every case of the self-test, and cases: (path, text, part of the one complaint or None).
+# Files that exist in every case of the self-test, and cases: (path, text, part of the one complaint or None), where
+# the path may be a dictionary of several files in place of one with its text.
 SELF_TEST_HEADERS = [f"{place}/A.h" for place in MAY_INCLUDE]
 SELF_TEST_CASES = [
     ("app/B.cpp", '#include "views/A.h"\n#include "panels/A.h"\n', None),
@@ -125,6 +175,7 @@ SELF_TEST_CASES = [
     ("model/document/B.cpp", '#include "commands/A.h"\n', "model/document may not include commands"),
     ("model/document/B.cpp", '#include "model/io/A.h"\n', "model/document may not include model/io"),
     ("model/growth/B.cpp", '#include "model/mesh/A.h"\n', "model/growth may not include model/mesh"),
+    ("model/picking/B.cpp", '#include "model/growth/A.h"\n', "model/picking may not include model/growth"),
     ("model/strands/B.cpp", '#include "model/document/A.h"\n', "model/strands may not include model/document"),
     ("model/tree/B.cpp", '#include "model/growth/A.h"\n', "model/tree may not include model/growth"),
     ("model/base/B.cpp", '#include "model/tree/A.h"\n', "model/base may not include model/tree"),
@@ -139,6 +190,22 @@ SELF_TEST_CASES = [
     ("model/base/B.h", "#include <QWidget>\n", "knows no widget"),
     ("model/document/B.h", "#include <QtWidgets/QDialog>\n", "knows no widget"),
     ("model/elsewhere/B.h", "\n", "belongs to no layer"),
+    # A source belongs to its header; a second source of a class includes the header, and nothing includes that.
+    ({"app/B.h": "\n", "app/B.cpp": '#include "app/B.h"\n', "app/BToo.cpp": '#include "app/B.h"\n'}, "", None),
+    ({"app/B.h": '#include "app/C.h"\n', "app/C.h": '#include "app/D.h"\n', "app/D.h": ""}, "", None),
+    ({"app/B.h": '#include "app/C.h"\n', "app/C.h": '#include "app/B.h"\n'}, "",
+     "units include each other in a circle: app/B -> app/C -> app/B"),
+    ({"app/B.h": "", "app/B.cpp": '#include "app/C.h"\n', "app/C.h": "", "app/C.cpp": '#include "app/B.h"\n'}, "",
+     "units include each other in a circle: app/B -> app/C -> app/B"),
+    ({"app/B.h": '#include "app/C.h"\n', "app/C.h": '#include "app/D.h"\n', "app/D.h": '#include "app/B.h"\n'}, "",
+     "app/B -> app/C -> app/D -> app/B"),
+    ({"app/B.h": '#include "app/files/B.h"\n', "app/files/B.h": "", "app/files/C.h": '#include "app/C.h"\n',
+      "app/C.h": ""}, "", "folders include each other in a circle: app -> app/files -> app"),
+    ({"views/x/B.h": '#include "views/y/B.h"\n', "views/y/B.h": "", "views/y/C.h": '#include "views/z/B.h"\n',
+      "views/z/B.h": "", "views/z/C.h": '#include "views/x/D.h"\n', "views/x/D.h": ""}, "",
+     "views/x -> views/y -> views/z -> views/x"),
+    ({"views/B.h": '#include "views/x/B.h"\n', "views/x/B.h": "", "views/x/C.h": '#include "views/y/B.h"\n',
+      "views/y/B.h": ""}, "", None),
 ]
 
 
@@ -148,7 +215,8 @@ def self_test():
     for path, text, expected in SELF_TEST_CASES:
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder)
-            for name, content in [(header, "") for header in SELF_TEST_HEADERS] + [(path, text)]:
+            written = path if isinstance(path, dict) else {path: text}
+            for name, content in [(header, "") for header in SELF_TEST_HEADERS] + list(written.items()):
                 (root / name).parent.mkdir(parents=True, exist_ok=True)
                 (root / name).write_text(content, encoding="utf-8")
             found = check(root)

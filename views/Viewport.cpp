@@ -180,7 +180,7 @@ void Viewport::followSettings()
 
 void Viewport::setTool(std::unique_ptr<Tool> tool)
 {
-    cancelGesture();
+    finishGesture();
     m_tool->leave();
     m_tool = std::move(tool);
     m_hand = m_tool.get();
@@ -203,6 +203,11 @@ bool Viewport::keyForTool(int key)
 void Viewport::setGrowing(bool growing)
 {
     m_isGrowing = growing;
+}
+
+void Viewport::finishGesture()
+{
+    m_gestures.finish();
 }
 
 void Viewport::cancelGesture()

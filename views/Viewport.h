@@ -60,8 +60,8 @@ public:
 
     /// What a tool for this viewport is made with.
     ToolContext& toolContext() { return *this; }
-    /// Cancels the gesture of the tool before. At first there is a BrushTool. A pen's eraser end prunes,
-    /// whatever the tool.
+    /// Ends the gesture of the tool before as it stands. At first there is a BrushTool. A pen's eraser end
+    /// prunes, whatever the tool.
     void setTool(std::unique_ptr<Tool> tool);
     const Tool& tool() const { return *m_tool; }
     /// Where the ball is that moves the sun, px; it is in hand while the pointer is on it.
@@ -70,9 +70,13 @@ public:
     /// Something goes on that changes the tree again and again: it is not drawn at its best until that ends.
     void setGrowing(bool growing);
 
-    /// While a tool's gesture is under way, the document must not be changed from elsewhere: cancel it
-    /// before.
+    /// While a tool's gesture is under way, the document must not be changed from elsewhere: end it before.
+    /// A gesture ends by itself where its pointer is lost: another window is in front, a dialog or menu
+    /// opens, the keyboard leaves the tree, the system takes the touch away.
     bool isGestureActive() const { return m_hand->isActive(); }
+    /// Ends a tool's gesture as it stands, as one undo step.
+    void finishGesture();
+    /// Takes it back; ends a gesture that moves the camera, too.
     void cancelGesture();
     /// A key for the tool, between gestures; whether it meant something to it.
     bool keyForTool(int key);
@@ -100,6 +104,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void timerEvent(QTimerEvent* event) override;
@@ -118,6 +123,7 @@ private:
     void toolBegins(const PointerSample& sample) override;
     void toolMoves(const PointerSample& sample) override;
     void toolEnds(const PointerSample& sample) override;
+    void toolIsFinished() override;
     void toolIsCancelled() override;
     void toolHovers(const PointerSample& sample) override;
     bool toolTakesFinger(const PointerSample& sample) override { return m_hand->takesFinger(sample); }

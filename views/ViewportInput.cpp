@@ -26,19 +26,23 @@ bool Viewport::event(QEvent* event)
     case QEvent::TouchUpdate:
     case QEvent::TouchEnd:
     case QEvent::TouchCancel:
-        if (event->type() == QEvent::TouchBegin)
+    case QEvent::TabletPress:
+        // A mouse's press brings the focus by itself.
+        if (event->type() == QEvent::TouchBegin || event->type() == QEvent::TabletPress)
             setFocus(Qt::MouseFocusReason);
         [[fallthrough]];
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
-    case QEvent::TabletPress:
     case QEvent::TabletMove:
     case QEvent::TabletRelease:
         m_gestures.read(m_pointers.read(*event));
         event->accept();
         return true;
+    case QEvent::WindowDeactivate:
+        finishGesture();
+        break;
     case QEvent::ShortcutOverride: {
         // Keys that are held to move the camera, and Escape during a gesture, are not for shortcuts.
         const auto* key = static_cast<QKeyEvent*>(event);
@@ -60,6 +64,9 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::TabletEnterProximity || event->type() == QEvent::TabletLeaveProximity)
         m_gestures.setPenInReach(event->type() == QEvent::TabletEnterProximity, m_pointers.now());
+    // A modal dialog gets what the pointer does from now on.
+    if (event->type() == QEvent::WindowBlocked && watched == window())
+        finishGesture();
     return QOpenGLWidget::eventFilter(watched, event);
 }
 
@@ -118,10 +125,19 @@ void Viewport::keyReleaseEvent(QKeyEvent* event)
 
 void Viewport::focusOutEvent(QFocusEvent* event)
 {
-    // Their release will be told to somebody else.
+    // Another widget gets the release of keys that are held.
     m_keys.clear();
     m_gestures.setPanKey(false);
+    // The other hand may use a control while this one draws: that alone does not end a stroke.
+    if (event->reason() != Qt::MouseFocusReason)
+        finishGesture();
     QOpenGLWidget::focusOutEvent(event);
+}
+
+void Viewport::hideEvent(QHideEvent* event)
+{
+    finishGesture();
+    QOpenGLWidget::hideEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent* event)
@@ -150,8 +166,8 @@ auto Viewport::withPickScene(Pick&& pick) const
     const std::function<float(InternodeId)> radius = [&](InternodeId id) {
         return std::min(branchRadius(id), greatest);
     };
-    return pick(PickScene{m_document.tree(), m_document.index(), m_document.growthIndex().space(), radius,
-                          greatest, m_camera});
+    return pick(
+        PickScene{m_document.tree(), m_document.index(), m_document.pickIndex(), radius, greatest, m_camera});
 }
 
 double Viewport::reachOf(PointerDevice device) const
@@ -200,6 +216,12 @@ void Viewport::toolMoves(const PointerSample& sample)
 void Viewport::toolEnds(const PointerSample& sample)
 {
     m_hand->end(sample);
+    Q_EMIT gestureActiveChanged(false);
+}
+
+void Viewport::toolIsFinished()
+{
+    m_hand->finish();
     Q_EMIT gestureActiveChanged(false);
 }
 

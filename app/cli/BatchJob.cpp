@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/BatchJob.h"
 
-#include "app/TreeCounts.h"
 #include "app/files/Outputs.h"
 #include "commands/DocumentProject.h"
 #include "commands/recipe/Recipe.h"
@@ -9,6 +8,7 @@
 #include "model/io/ParametersJson.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
+#include "model/mesh/TreeCounts.h"
 #include "views/render/OffscreenRenderer.h"
 
 #include <QCoreApplication>

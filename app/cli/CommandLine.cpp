@@ -3,12 +3,13 @@
 
 #include "model/io/export/ExportFormat.h"
 
+#include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
 
-#include <array>
-#include <span>
+#include <algorithm>
+#include <vector>
 
 namespace espalier {
 
@@ -48,10 +49,17 @@ struct Option {
     const char* verbs; ///< Those that know it, between blanks
     Result<void> (*take)(CommandLine&, const QString& value);
     bool isFlag = false; ///< Without a value
+
+    /// As it is written, with its dashes.
+    QString shown() const { return dashed(QString::fromLatin1(name)); }
+    static QString dashed(const QString& name)
+    {
+        return (name.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + name;
+    }
 };
 
 constexpr Option kOptions[] = {
-    {"-o", " replay export ",
+    {"o", " replay export ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          if (QFileInfo(value).suffix().toLower() != QLatin1String("espalier") && !exportFormatOf(value)) {
              return usage(tr("%1: the suffix of an output says its format, and is one of .espalier .%2")
@@ -60,12 +68,12 @@ constexpr Option kOptions[] = {
          line.outputs.append(value);
          return {};
      }},
-    {"--png", " replay render ",
+    {"png", " replay render ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          line.picture = value;
          return {};
      }},
-    {"--size", " replay render ",
+    {"size", " replay render ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          const Result<QSize> size = parseSize(value);
          if (!size)
@@ -73,7 +81,7 @@ constexpr Option kOptions[] = {
          line.size = *size;
          return {};
      }},
-    {"--camera", " replay render ",
+    {"camera", " replay render ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          static const QStringList known{QStringLiteral("front"), QStringLiteral("side"),
                                         QStringLiteral("top"), QStringLiteral("three-quarter")};
@@ -82,30 +90,30 @@ constexpr Option kOptions[] = {
          line.camera = value;
          return {};
      }},
-    {"--transparent", " replay render ",
+    {"transparent", " replay render ",
      [](CommandLine& line, const QString&) -> Result<void> {
          line.transparent = true;
          return {};
      },
      true},
-    {"--ground-shadow", " replay render ",
+    {"ground-shadow", " replay render ",
      [](CommandLine& line, const QString&) -> Result<void> {
          line.groundShadow = true;
          return {};
      },
      true},
-    {"--stats", " replay ",
+    {"stats", " replay ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          line.stats = value;
          return {};
      }},
-    {"--strict", " replay ",
+    {"strict", " replay ",
      [](CommandLine& line, const QString&) -> Result<void> {
          line.strict = true;
          return {};
      },
      true},
-    {"--threads", " replay ",
+    {"threads", " replay ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          bool isNumber = false;
          line.threads = value.toInt(&isNumber);
@@ -114,7 +122,7 @@ constexpr Option kOptions[] = {
                  tr("--threads wants a number from 1 to %1, not \"%2\"").arg(kMaxThreads).arg(value));
          return {};
      }},
-    {"--seed", " replay ",
+    {"seed", " replay ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          bool isNumber = false;
          line.seed = value.toULongLong(&isNumber);
@@ -125,51 +133,45 @@ constexpr Option kOptions[] = {
      }},
 };
 
-const Option* findOption(const QString& name, const QString& verb)
+/// Reads what follows a verb.
+Result<void> parseArguments(CommandLine& line, const QString& verb, const QStringList& arguments)
 {
     const QByteArray spaced = ' ' + verb.toLatin1() + ' ';
+    std::vector<const Option*> known;
+    QCommandLineParser parser;
     for (const Option& option : kOptions) {
-        if (name == QLatin1String(option.name) && QByteArray(option.verbs).contains(spaced))
-            return &option;
+        if (!QByteArray(option.verbs).contains(spaced))
+            continue;
+        known.push_back(&option);
+        const QString value = option.isFlag ? QString() : QStringLiteral("value");
+        parser.addOption({QString::fromLatin1(option.name), QString(), value});
     }
-    return nullptr;
-}
-
-/// Reads what follows a verb.
-Result<void> parseArguments(CommandLine& line, const QString& verb, std::span<const QString> arguments)
-{
-    bool onlyFiles = false;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        const QString& argument = arguments[i];
-        if (onlyFiles || !argument.startsWith(QLatin1Char('-')) || argument.size() < 2) {
-            line.inputs.append(argument);
-            continue;
+    // The parser takes what comes first for the program's name.
+    if (!parser.parse(QStringList{verb} + arguments)) {
+        if (const QStringList unknown = parser.unknownOptionNames(); !unknown.isEmpty())
+            return usage(tr("%1 knows no option %2").arg(verb, Option::dashed(unknown.constFirst())));
+        for (const Option* option : known) {
+            const QString withValue = option->shown() + QLatin1Char('=');
+            if (option->isFlag && std::ranges::any_of(arguments, [&](const QString& argument) {
+                    return argument.startsWith(withValue);
+                }))
+                return usage(tr("%1 wants no value").arg(option->shown()));
         }
-        if (argument == QStringLiteral("--")) {
-            onlyFiles = true;
-            continue;
-        }
-        const auto equals =
-            argument.startsWith(QStringLiteral("--")) ? argument.indexOf(QLatin1Char('=')) : -1;
-        const QString name = equals < 0 ? argument : argument.left(equals);
-        const Option* option = findOption(name, verb);
-        if (!option)
-            return usage(tr("%1 knows no option %2").arg(verb, name));
-        if (option->isFlag) {
-            if (equals >= 0)
-                return usage(tr("%1 wants no value").arg(name));
-            if (const Result<void> taken = option->take(line, {}); !taken)
+        // Only the last argument has none after it.
+        return usage(tr("%1 wants a value after it").arg(arguments.constLast()));
+    }
+    for (const Option* option : known) {
+        const QString name = QString::fromLatin1(option->name);
+        const QStringList values =
+            option->isFlag && parser.isSet(name) ? QStringList{{}} : parser.values(name);
+        for (const QString& value : values) {
+            if (value.isEmpty() && !option->isFlag)
+                return usage(tr("%1 wants a value after it").arg(option->shown()));
+            if (const Result<void> taken = option->take(line, value); !taken)
                 return taken.error();
-            continue;
         }
-        if (equals < 0 && i + 1 == arguments.size())
-            return usage(tr("%1 wants a value after it").arg(name));
-        const QString value = equals < 0 ? arguments[++i] : argument.mid(equals + 1);
-        if (value.isEmpty())
-            return usage(tr("%1 wants a value after it").arg(name));
-        if (const Result<void> taken = option->take(line, value); !taken)
-            return taken.error();
     }
+    line.inputs = parser.positionalArguments();
     return {};
 }
 
@@ -224,11 +226,10 @@ bool CommandLine::needsDisplay() const
 Result<CommandLine> parseCommandLine(const QStringList& arguments)
 {
     CommandLine line;
-    const std::span<const QString> all(arguments.data(), static_cast<std::size_t>(arguments.size()));
-    if (all.empty())
+    if (arguments.isEmpty())
         return line;
 
-    const QString& first = all.front();
+    const QString& first = arguments.constFirst();
     if (first == QStringLiteral("--help") || first == QStringLiteral("-h")) {
         line.verb = Verb::Help;
         return line;
@@ -238,7 +239,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments)
         return line;
     }
     QString name = QStringLiteral("espalier");
-    std::size_t rest = 1;
+    qsizetype rest = 1;
     if (first == QStringLiteral("replay"))
         line.verb = Verb::Replay;
     else if (first == QStringLiteral("export"))
@@ -254,7 +255,7 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments)
     if (rest == 1 && line.verb != Verb::Demo)
         name = first;
 
-    if (const Result<void> parsed = parseArguments(line, name, all.subspan(rest)); !parsed)
+    if (const Result<void> parsed = parseArguments(line, name, arguments.mid(rest)); !parsed)
         return parsed.error();
     if (const Result<void> complete = checkComplete(line); !complete)
         return complete.error();

@@ -282,6 +282,7 @@ void FileController::rememberFolder(const QString& fileName)
 
 bool FileController::mayLeave()
 {
+    Q_EMIT aboutToAsk();
     m_file.waitForSaving();
     if (!m_file.isModified())
         return true;

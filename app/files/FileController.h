@@ -62,6 +62,8 @@ public:
     static bool canOpen(const QString& fileName);
 
 Q_SIGNALS:
+    /// The user is asked about unsaved changes now, so what is under the hand must be one of them.
+    void aboutToAsk();
     /// Another tree will take the place of this one now.
     void aboutToReplace();
     void recipeOpened(const espalier::Recipe& recipe);

@@ -21,6 +21,7 @@ public:
     bool isRunning() const override { return GrowthRunner::isRunning(); }
     void begin() override;
     void release() override { GrowthRunner::release(); }
+    void end() override { GrowthRunner::end(); }
     void cancel() override { GrowthRunner::cancel(); }
     /// Grows up to @p steps as fast as it goes, then ends by itself; while it runs already, as an undo step
     /// of its own after that.

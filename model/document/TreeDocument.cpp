@@ -33,6 +33,7 @@ void TreeDocument::reset(Tree tree, Journal journal, std::size_t ahead)
     }
     m_index.rebuild(m_tree);
     m_growthIndex.rebuild(m_tree, m_index);
+    m_pickIndex.clear();
     tell({TreeChange::Kind::Reset, nullptr});
 }
 
@@ -71,6 +72,7 @@ void TreeDocument::apply(std::shared_ptr<TreeDelta> delta)
     delta->rows.reset(); // they are the tree's now
     m_index.update(m_tree, *delta);
     m_growthIndex.follow(m_tree, m_index, *delta);
+    m_pickIndex.follow(m_tree, m_index, *delta);
     m_journal.push_back(std::move(delta));
     tell({TreeChange::Kind::Applied, m_journal.back().get()});
 }
@@ -83,6 +85,7 @@ void TreeDocument::revertLast()
     m_tree.revert(*delta);
     m_index.update(m_tree, *delta);
     m_growthIndex.follow(m_tree, m_index, *delta);
+    m_pickIndex.follow(m_tree, m_index, *delta);
     tell({TreeChange::Kind::Reverted, delta.get()});
 }
 
@@ -132,7 +135,7 @@ std::size_t TreeDocument::bytes() const
         for (const auto& delta : *part)
             journal += delta->bytes() + sizeof(delta);
     }
-    return m_tree.bytes() + m_index.bytes() + m_growthIndex.bytes() + journal;
+    return m_tree.bytes() + m_index.bytes() + m_growthIndex.bytes() + m_pickIndex.bytes() + journal;
 }
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 
 #include "model/growth/Competition.h"
 #include "model/growth/GrowthIndex.h"
+#include "model/picking/PickIndex.h"
 #include "model/tree/Tree.h"
 #include "model/tree/TreeDelta.h"
 #include "model/tree/TreeIndex.h"
@@ -52,6 +53,12 @@ public:
     bool prepareGrowthIndex(std::size_t nodes) const
     {
         return m_growthIndex.settleSome(m_tree, m_index, nodes);
+    }
+    /// Where the living nodes are; brought up to date like growthIndex().
+    const PickIndex& pickIndex() const
+    {
+        m_pickIndex.settle(m_tree, m_index);
+        return m_pickIndex;
     }
     const TreeParameters& parameters() const { return m_tree.parameters(); }
     /// All that was done up to the moment shown, first to last.
@@ -126,6 +133,7 @@ private:
     Competitors m_competitors;
     int m_parameterHolds = 0;
     QUndoStack m_undoStack;
+    mutable PickIndex m_pickIndex;
 };
 
 } // namespace espalier

@@ -3,7 +3,6 @@
 
 #include "panels/ParameterValue.h"
 #include "panels/Theme.h"
-#include "panels/architecture/DiagramHandle.h"
 
 #include <QHelpEvent>
 #include <QMouseEvent>
@@ -40,7 +39,7 @@ Diagram::~Diagram() = default;
 void Diagram::addHandle(std::vector<const char*> keys, const QString& name)
 {
     const QString own = name.isEmpty() ? parameterTr(parameterText(keys.front())->label) : name;
-    m_handles.push_back(new DiagramHandle(*this, handleCount(), std::move(keys), own));
+    m_handles.push_back(new DiagramHandle(*this, *this, handleCount(), std::move(keys), own));
 }
 
 QPointF Diagram::handlePlace(int number) const
@@ -102,6 +101,24 @@ QString Diagram::bubbleText(int number) const
 void Diagram::reset(int number)
 {
     m_editor.reset(handle(number).keys(), handle(number).accessibleName());
+}
+
+void Diagram::setValueOf(const DiagramHandle& handle, const char* key, double value)
+{
+    m_editor.nudge(&handle, key, value, handle.accessibleName());
+}
+
+void Diagram::moveHandle(const DiagramHandle& handle, const QPointF& direction, ParameterScale::Stride stride)
+{
+    TreeParameters parameters = m_editor.shown();
+    this->stride(handle.number(), direction, stride, parameters);
+    m_editor.nudge(&handle, parameters, handle.accessibleName());
+}
+
+void Diagram::resetHandle(const DiagramHandle& handle)
+{
+    m_editor.begin();
+    reset(handle.number());
 }
 
 void Diagram::letGo()

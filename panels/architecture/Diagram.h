@@ -3,6 +3,7 @@
 
 #include "panels/ParameterEditor.h"
 #include "panels/ParameterScale.h"
+#include "panels/architecture/DiagramHandle.h"
 
 #include <QPainterPath>
 #include <QWidget>
@@ -12,13 +13,11 @@
 
 namespace espalier {
 
-class DiagramHandle;
-
 /// A drawing of a piece of the growth model's mathematics, with handles that a person drags: mouse, finger or
 /// keys (see DiagramHandle). What a drag comes to is one undo step, put in force when the handle is let go;
 /// Escape takes it back, a double click on a handle brings its default back, one beside the handles those of
 /// all. A press takes the handle nearest to it within 22 pixels.
-class Diagram : public QWidget {
+class Diagram : public QWidget, private DiagramHandle::Owner {
     Q_OBJECT
 
 public:
@@ -64,7 +63,7 @@ protected:
     /// The parameters that the drawing is made to fit: while a handle is dragged those at the press, so that
     /// it stays under the finger.
     const GrowthParameters& fitted() const { return m_atPress ? m_atPress->growth : shown(); }
-    bool isDragging() const { return m_dragged >= 0; }
+    bool isDragging() const override { return m_dragged >= 0; }
 
     bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -77,15 +76,20 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
 
 private:
-    friend class DiagramHandle;
+    // What handles ask for
+    double valueOf(const char* key) const override { return m_editor.value(key); }
+    void setValueOf(const DiagramHandle& handle, const char* key, double value) override;
+    void moveHandle(const DiagramHandle& handle, const QPointF& direction,
+                    ParameterScale::Stride stride) override;
+    void resetHandle(const DiagramHandle& handle) override;
+    /// Takes the drag that goes on back.
+    void drop() override;
 
     int handleAt(const QPointF& point) const;
     void follow();
     void reset(int number);
     /// Ends the drag that goes on, wherever it has led.
     void letGo();
-    /// Takes the drag that goes on back.
-    void drop();
     void drawHandle(QPainter& painter, int number) const;
     void drawBubble(QPainter& painter, int number) const;
 

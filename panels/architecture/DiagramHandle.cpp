@@ -2,7 +2,6 @@
 #include "panels/architecture/DiagramHandle.h"
 
 #include "panels/AccessibleParameter.h"
-#include "panels/architecture/Diagram.h"
 
 #include <QAccessible>
 #include <QKeyEvent>
@@ -23,8 +22,9 @@ QAccessibleInterface* makeAccessible(const QString&, QObject* object)
 
 } // namespace
 
-DiagramHandle::DiagramHandle(Diagram& diagram, int number, std::vector<const char*> keys, const QString& name)
-    : QWidget(&diagram), m_diagram(diagram), m_number(number), m_keys(std::move(keys))
+DiagramHandle::DiagramHandle(QWidget& parent, Owner& owner, int number, std::vector<const char*> keys,
+                             const QString& name)
+    : QWidget(&parent), m_owner(owner), m_number(number), m_keys(std::move(keys))
 {
     [[maybe_unused]] static const bool isKnown = [] {
         QAccessible::installFactory(makeAccessible);
@@ -49,19 +49,19 @@ DiagramHandle::DiagramHandle(Diagram& diagram, int number, std::vector<const cha
 
 double DiagramHandle::value() const
 {
-    return m_diagram.m_editor.value(m_keys.front());
+    return m_owner.valueOf(m_keys.front());
 }
 
 void DiagramHandle::setValue(double value)
 {
-    m_diagram.m_editor.nudge(this, m_keys.front(), scale().rounded(value), accessibleName());
+    m_owner.setValueOf(*this, m_keys.front(), scale().rounded(value));
 }
 
 QString DiagramHandle::valueText() const
 {
     QStringList parts;
     for (const ParameterScale& scale : m_scales) {
-        const QString shown = scale.shown(m_diagram.m_editor.value(scale.info().key));
+        const QString shown = scale.shown(m_owner.valueOf(scale.info().key));
         parts.append(m_scales.size() == 1
                          ? shown
                          : QStringLiteral("%1 %2").arg(parameterTr(scale.text().label), shown));
@@ -83,7 +83,7 @@ bool DiagramHandle::event(QEvent* event)
     // These keys belong to the handle that has the focus, whatever they mean to the tree.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        const bool isEscape = key->key() == Qt::Key_Escape && m_diagram.isDragging();
+        const bool isEscape = key->key() == Qt::Key_Escape && m_owner.isDragging();
         const bool isPlain = !(key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
         if (isEscape ||
             (isPlain && (key->key() == Qt::Key_Delete || scale().keyed(value(), key->key(), {})))) {
@@ -96,13 +96,12 @@ bool DiagramHandle::event(QEvent* event)
 
 void DiagramHandle::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape && m_diagram.isDragging()) {
-        m_diagram.drop();
+    if (event->key() == Qt::Key_Escape && m_owner.isDragging()) {
+        m_owner.drop();
         return;
     }
     if (event->key() == Qt::Key_Delete) {
-        m_diagram.m_editor.begin();
-        m_diagram.reset(m_number);
+        m_owner.resetHandle(*this);
         return;
     }
     QPointF direction;
@@ -128,21 +127,19 @@ void DiagramHandle::keyPressEvent(QKeyEvent* event)
     }
     const auto stride = event->modifiers() & Qt::ShiftModifier ? ParameterScale::Stride::Fine
                                                                : ParameterScale::Stride::Normal;
-    TreeParameters parameters = m_diagram.m_editor.shown();
-    m_diagram.stride(m_number, direction, stride, parameters);
-    m_diagram.m_editor.nudge(this, parameters, accessibleName());
+    m_owner.moveHandle(*this, direction, stride);
 }
 
 void DiagramHandle::focusInEvent(QFocusEvent* event)
 {
     QWidget::focusInEvent(event);
-    m_diagram.update();
+    parentWidget()->update();
 }
 
 void DiagramHandle::focusOutEvent(QFocusEvent* event)
 {
     QWidget::focusOutEvent(event);
-    m_diagram.update();
+    parentWidget()->update();
 }
 
 } // namespace espalier

@@ -9,8 +9,6 @@
 
 namespace espalier {
 
-class Diagram;
-
 /// What the keyboard and assistive tools meet of a diagram's handle: Tab goes from one to the next, arrows
 /// move it the way they point (finely with Shift), + and - change its value, the page keys coarsely, Home and
 /// End lead to the limits, Delete brings the default back. The diagram draws it, and takes the pointer's
@@ -19,7 +17,30 @@ class DiagramHandle : public QWidget {
     Q_OBJECT
 
 public:
-    DiagramHandle(Diagram& diagram, int number, std::vector<const char*> keys, const QString& name);
+    /// What a handle asks of its diagram.
+    class Owner {
+    public:
+        virtual ~Owner() = default;
+        /// Of the parameter, in the surface unit.
+        virtual double valueOf(const char* key) const = 0;
+        /// Sets a parameter by a key of @p handle.
+        virtual void setValueOf(const DiagramHandle& handle, const char* key, double value) = 0;
+        /// Moves the handle as an arrow key that points along @p direction (a unit vector, y down) says.
+        virtual void moveHandle(const DiagramHandle& handle, const QPointF& direction,
+                                ParameterScale::Stride stride) = 0;
+        /// Brings the defaults of the handle's parameters back.
+        virtual void resetHandle(const DiagramHandle& handle) = 0;
+        /// Whether a pointer drags a handle.
+        virtual bool isDragging() const = 0;
+        /// Takes that drag back.
+        virtual void drop() = 0;
+    };
+
+    /// @p owner draws it, and outlives it, as does @p parent.
+    DiagramHandle(QWidget& parent, Owner& owner, int number, std::vector<const char*> keys,
+                  const QString& name);
+
+    int number() const { return m_number; }
 
     const std::vector<const char*>& keys() const { return m_keys; }
     /// Of its first parameter.
@@ -40,7 +61,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    Diagram& m_diagram;
+    Owner& m_owner;
     int m_number;
     std::vector<const char*> m_keys;
     std::vector<ParameterScale> m_scales;

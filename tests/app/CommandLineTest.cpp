@@ -93,7 +93,7 @@ void CommandLineTest::wrongLines_saySo_data()
         QTest::newRow(words) << QString::fromLatin1(words) << QString::fromLatin1(mentions);
     };
     add("replay", "recipe");
-    add("replay a.json -o", "-o");
+    add("replay a.json -o", "-o wants a value");
     add("replay a.json -o t.blend", "t.blend");
     add("replay a.json -o t", "suffix");
     add("replay a.json --size 0x10", "0x10");
@@ -104,7 +104,11 @@ void CommandLineTest::wrongLines_saySo_data()
     add("replay a.json --threads two", "two");
     add("replay a.json --seed -1", "-1");
     add("replay a.json --frobnicate", "--frobnicate");
-    add("replay a.json --png=", "--png");
+    add("replay a.json --png=", "--png wants a value");
+    add("replay a.json --png", "--png wants a value");
+    add("replay a.json -x", "replay knows no option -x");
+    add("replay a.json --stats s.json --help", "replay knows no option --help");
+    add("--demo --seed 3", "espalier knows no option --seed");
     add("export", "project");
     add("export a.espalier b.espalier", "one project");
     add("export a.espalier --stats s.json", "--stats");

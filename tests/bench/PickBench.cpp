@@ -54,8 +54,7 @@ void pointAll(benchmark::State& state, Pick&& pick)
     const std::function<float(InternodeId)> radius = [&](InternodeId id) { return radii[id]; };
     const auto view = static_cast<View>(state.range(2));
     const Camera camera = cameraFor(document, view);
-    const VoxelSpace& space = document.growthIndex().space();
-    const PickScene scene{document.tree(), document.index(), space, radius, radii[0], camera};
+    const PickScene scene{document.tree(), document.index(), document.pickIndex(), radius, radii[0], camera};
     const double reach =
         pickReach(kDevices.at(static_cast<std::size_t>(state.range(1))), kPixelsPerMillimetre);
 

@@ -2,7 +2,7 @@
 // Makes the pictures of the help: trees before and after, from the recipes of the pages, and parts of the
 // real window with a tool at work, by real events. scripts/pictures.sh calls it.
 #include "app/MainWindow.h"
-#include "app/TreeCounts.h"
+#include "model/mesh/TreeCounts.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Theme.h"
 #include "views/Viewport.h"

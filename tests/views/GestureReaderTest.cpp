@@ -54,6 +54,7 @@ protected:
     void toolBegins(const PointerSample& sample) override { note("begin", sample); }
     void toolMoves(const PointerSample& sample) override { note("move", sample); }
     void toolEnds(const PointerSample& sample) override { note("end", sample); }
+    void toolIsFinished() override { log << "finish"; }
     void toolIsCancelled() override { log << "cancel"; }
     bool toolTakesFinger(const PointerSample& sample) override { return sample.position.y() < fingersAbove; }
     void toolHovers(const PointerSample& sample) override { note("hover", sample); }
@@ -84,7 +85,8 @@ private Q_SLOTS:
     void fingersThatLinger_doNothing();
     void fingersThatTheToolTakes_areItsOwn();
     void fingersThatComeAtOnce_areTheToolsIfItTakesAll();
-    void cancelledTouch_cancelsTheTool();
+    void cancelledTouch_endsTheStroke_data();
+    void cancelledTouch_endsTheStroke();
     void mouseLeft_isTheTool();
     void mouseButtons_orbitAndPan_data();
     void mouseButtons_orbitAndPan();
@@ -94,9 +96,15 @@ private Q_SLOTS:
     void spaceBar_makesTheLeftButtonPan();
     void hover_isToldToTheTool();
     void cancel_waitsForTheRelease();
+    void finish_keepsTheStrokeAndWaitsForTheRelease();
+    void finish_leavesTheCameraInTheHand();
+    void lostRelease_doesNotBlockTheNextPress_data();
+    void lostRelease_doesNotBlockTheNextPress();
+    void penThatLeaves_endsItsStroke();
     void pen_tellsPressureAndTilt();
     void palm_isIgnoredWhileThePenIsDown();
     void palm_thatCameFirstIsTakenBack();
+    void pen_endsTheStrokeOfAFinger();
     void penInReach_keepsFingersOut();
     void time_neverRunsBack();
     void stripFinger_rotatesWhileAnotherDraws();
@@ -268,14 +276,29 @@ void GestureReaderTest::fingersThatComeAtOnce_areTheToolsIfItTakesAll()
     QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {100, 110}).release(1, {200, 210});
 }
 
-void GestureReaderTest::cancelledTouch_cancelsTheTool()
+void GestureReaderTest::cancelledTouch_endsTheStroke_data()
 {
+    QTest::addColumn<bool>("namesThePoint");
+    // What Qt makes of the system's word has no points.
+    QTest::newRow("without points") << false;
+    QTest::newRow("with its point") << true;
+}
+
+void GestureReaderTest::cancelledTouch_endsTheStroke()
+{
+    QFETCH(bool, namesThePoint);
+    QList<QEventPoint> points;
+    if (namesThePoint)
+        points.append(QEventPoint(0, QEventPoint::State::Released, {100, 100}, {100, 100}));
     QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100});
-    QTouchEvent event(QEvent::TouchCancel, m_device.get(), Qt::NoModifier,
-                      {QEventPoint(0, QEventPoint::State::Released, {100, 100}, {100, 100})});
+    QTouchEvent event(QEvent::TouchCancel, m_device.get(), Qt::NoModifier, points);
     QCoreApplication::sendEvent(m_pad.get(), &event);
-    QCOMPARE(m_pad->log, (QStringList{"begin", "cancel"}));
+    QCOMPARE(m_pad->log, (QStringList{"begin", "finish"}));
     QVERIFY(!m_pad->gestures.isBusy());
+    // The next finger is the tool again.
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(1, {120, 100});
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(1, {120, 100});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "finish", "begin", "end"}));
 }
 
 void GestureReaderTest::mouseLeft_isTheTool()
@@ -397,6 +420,66 @@ void GestureReaderTest::cancel_waitsForTheRelease()
     QVERIFY(!m_pad->gestures.isBusy());
 }
 
+void GestureReaderTest::finish_keepsTheStrokeAndWaitsForTheRelease()
+{
+    QTest::mousePress(m_pad.get(), Qt::LeftButton, {}, {50, 60});
+    m_pad->gestures.finish();
+    m_pad->gestures.finish();
+    QVERIFY(m_pad->log.endsWith("finish"));
+    QCOMPARE(m_pad->log.count("finish"), 1);
+    m_pad->log.clear();
+    QTest::mouseRelease(m_pad.get(), Qt::LeftButton, {}, {55, 61});
+    QCOMPARE(m_pad->log, QStringList());
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::finish_leavesTheCameraInTheHand()
+{
+    QTest::mousePress(m_pad.get(), Qt::RightButton, {}, {50, 60});
+    m_pad->gestures.finish();
+    QTest::mouseRelease(m_pad.get(), Qt::RightButton, {}, {90, 75});
+    QCOMPARE(m_pad->orbited, QPointF(40, 15));
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
+void GestureReaderTest::lostRelease_doesNotBlockTheNextPress_data()
+{
+    QTest::addColumn<QString>("next");
+    for (const char* next : {"mouse", "pen", "finger"})
+        QTest::newRow(next) << QString::fromLatin1(next);
+}
+
+void GestureReaderTest::lostRelease_doesNotBlockTheNextPress()
+{
+    QFETCH(QString, next);
+    QTest::mousePress(m_pad.get(), Qt::LeftButton, {}, {50, 60});
+    // A dialog has got the release.
+    m_pad->gestures.finish();
+    m_pad->log.clear();
+    if (next == "mouse") {
+        QMouseEvent press(QEvent::MouseButtonPress, {80, 80}, m_pad->mapToGlobal(QPointF(80, 80)),
+                          Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_pad.get(), &press);
+    } else if (next == "pen") {
+        sendPen(QEvent::TabletPress, {80, 80}, 0.5, Qt::LeftButton);
+    } else {
+        QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {80, 80});
+    }
+    QCOMPARE(m_pad->log, QStringList{"begin"});
+    if (next == "finger")
+        QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {80, 80});
+    QTest::mouseRelease(m_pad.get(), Qt::LeftButton, {}, {80, 80});
+}
+
+void GestureReaderTest::penThatLeaves_endsItsStroke()
+{
+    sendPen(QEvent::TabletPress, {40, 50}, 0.5, Qt::LeftButton);
+    sendPen(QEvent::TabletMove, {60, 50}, 0.5, Qt::LeftButton);
+    m_pad->gestures.setPenInReach(false, m_pad->pointers.now());
+    QCOMPARE(m_pad->log, (QStringList{"begin", "move", "finish"}));
+    QVERIFY(!m_pad->gestures.isBusy());
+}
+
 void GestureReaderTest::pen_tellsPressureAndTilt()
 {
     sendPen(QEvent::TabletPress, {40, 50}, 0.25, Qt::LeftButton);
@@ -431,6 +514,17 @@ void GestureReaderTest::palm_thatCameFirstIsTakenBack()
     QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {220, 200});
     sendPen(QEvent::TabletRelease, {40, 50}, 0.0, Qt::NoButton);
     QCOMPARE(m_pad->log, (QStringList{"begin", "cancel", "begin", "end"}));
+}
+
+void GestureReaderTest::pen_endsTheStrokeOfAFinger()
+{
+    QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {200, 200});
+    QTest::qWait(static_cast<int>(1000.0 * GestureReader::kPalmTime) + 50);
+    QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {240, 200});
+    sendPen(QEvent::TabletMove, {40, 50}, 0.0, Qt::NoButton);
+    QCOMPARE(m_pad->log, (QStringList{"begin", "move", "finish", "hover"}));
+    QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {240, 200});
+    QCOMPARE(m_pad->log, (QStringList{"begin", "move", "finish", "hover"}));
 }
 
 void GestureReaderTest::penInReach_keepsFingersOut()

@@ -59,6 +59,11 @@ void GestureReader::setPenInReach(bool inReach, double time)
     } else {
         m_penSeen = -1e9;
         m_penDown = false;
+        // Its release is not told any more.
+        if (m_device == PointerDevice::Pen && m_mode != Mode::Idle) {
+            finish();
+            m_mode = Mode::Idle;
+        }
     }
 }
 
@@ -68,6 +73,15 @@ void GestureReader::cancel()
         return;
     leaveTool();
     m_mode = Mode::Spent;
+}
+
+void GestureReader::finish()
+{
+    if (m_mode != Mode::Tool)
+        return;
+    m_mode = Mode::Spent;
+    m_toolFingers.clear();
+    m_target.toolIsFinished();
 }
 
 GestureReader::Mode GestureReader::modeOfButton(const PointerSample& sample) const
@@ -100,6 +114,10 @@ GestureReader::Mode GestureReader::modeOfButton(const PointerSample& sample) con
 
 void GestureReader::readPointer(const PointerSample& sample)
 {
+    // A gesture that was ended waits for a release, which may have gone to another window.
+    const bool isAnew = sample.device != m_device || sample.button == m_button;
+    if (m_mode == Mode::Spent && sample.phase == PointerPhase::Press && isAnew && m_fingers.empty())
+        m_mode = Mode::Idle;
     if (m_mode == Mode::Idle) {
         if (sample.phase == PointerPhase::Hover)
             m_target.toolHovers(sample);
@@ -112,8 +130,10 @@ void GestureReader::readPointer(const PointerSample& sample)
         m_mayBeClick = m_button == Qt::LeftButton && m_mode == Mode::Orbit;
         if (m_mode == Mode::Tool && m_strip.contains(sample.position))
             m_mode = Mode::Strip;
-        if (m_mode == Mode::Tool)
+        if (m_mode == Mode::Tool) {
+            m_begun = sample.time;
             m_target.toolBegins(sample);
+        }
         return;
     }
     if (sample.device != m_device)
@@ -124,7 +144,7 @@ void GestureReader::readPointer(const PointerSample& sample)
     m_position = sample.position;
     if (m_mode == Mode::Tool) {
         if (sample.phase == PointerPhase::Cancel)
-            m_target.toolIsCancelled();
+            m_target.toolIsFinished();
         else if (ends)
             m_target.toolEnds(sample);
         else
@@ -153,11 +173,18 @@ void GestureReader::readFingers(std::span<const PointerSample> samples)
     const bool taken = std::any_of(samples.begin(), samples.end(),
                                    [](const PointerSample& s) { return s.phase == PointerPhase::Cancel; });
     const bool changed = updateFingers(samples);
-    if (m_mode != Mode::Idle && m_device != PointerDevice::Finger)
+    if (taken)
+        m_fingers.clear();
+    const bool isOthers = m_mode != Mode::Idle && m_device != PointerDevice::Finger;
+    // A gesture of a mouse or pen that was ended may wait for a release that never comes.
+    if (isOthers && !(m_mode == Mode::Spent && changed && fingerCount() == m_fingers.size()))
         return;
+    if (isOthers)
+        m_mode = Mode::Idle;
     m_device = PointerDevice::Finger;
     if (taken) {
-        leaveTool();
+        // The system wants the fingers for itself: a gesture of its own, or a palm that it has seen.
+        finish();
         m_mode = Mode::Idle;
     } else if (changed) {
         changeFingers(samples);
@@ -182,7 +209,8 @@ bool GestureReader::updateFingers(std::span<const PointerSample> samples)
                 m_target.orbitBy({sample.position.x() - finger->position.x(), 0.0});
             finger->position = sample.position;
         } else {
-            const bool otherDevice = m_mode != Mode::Idle && m_device != PointerDevice::Finger;
+            const bool otherDevice =
+                m_mode != Mode::Idle && m_mode != Mode::Spent && m_device != PointerDevice::Finger;
             m_fingers.push_back({sample.id, sample.position, otherDevice || isPenNear(sample.time),
                                  m_strip.contains(sample.position)});
             changed = true;
@@ -202,6 +230,8 @@ bool GestureReader::giveToTool(std::span<const PointerSample> samples)
         if (sample == nullptr || !(isAlone || m_target.toolTakesFinger(*sample)))
             return false;
         m_mode = Mode::Tool;
+        if (m_toolFingers.empty())
+            m_begun = sample->time;
         m_toolFingers.push_back(finger.id);
         m_target.toolBegins(*sample);
     }
@@ -295,14 +325,16 @@ std::size_t GestureReader::fingerCount() const
         std::count_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return f.counts(); }));
 }
 
-/// The hand that holds the pen may have come down before the pen was seen: what it did is taken back.
+/// The hand that holds the pen may have come down before the pen was seen: what it did is taken back, unless
+/// it has worked for longer than that.
 void GestureReader::penIsNear(double time)
 {
     m_penSeen = time;
     for (Finger& finger : m_fingers)
         finger.isPalm = true;
     if (m_device == PointerDevice::Finger && m_mode != Mode::Idle) {
-        leaveTool();
+        leaveToolToPen(time);
+        m_toolFingers.clear();
         m_mode = Mode::Idle;
     }
 }
@@ -316,6 +348,15 @@ void GestureReader::leaveTool()
 {
     if (m_mode == Mode::Tool)
         m_target.toolIsCancelled();
+}
+
+/// Takes a finger's gesture back if it may be that of a palm; else ends it as it stands.
+void GestureReader::leaveToolToPen(double time)
+{
+    if (m_mode == Mode::Tool && time - m_begun > kPalmTime)
+        m_target.toolIsFinished();
+    else
+        leaveTool();
 }
 
 } // namespace espalier

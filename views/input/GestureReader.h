@@ -19,6 +19,8 @@ public:
     virtual void toolBegins(const PointerSample& sample) = 0;
     virtual void toolMoves(const PointerSample& sample) = 0;
     virtual void toolEnds(const PointerSample& sample) = 0;
+    /// The pointer was taken away before it was lifted: what the tool has done so far stays.
+    virtual void toolIsFinished() = 0;
     virtual void toolIsCancelled() = 0;
     virtual void toolHovers(const PointerSample& sample) = 0;
     /// Whether the tool works with one more finger: see Tool::takesFinger.
@@ -37,9 +39,13 @@ public:
 /// button is the tool; two fingers pan and pinch, three rotate. Other buttons of the mouse move the camera as
 /// MouseScheme says, and the left one pans while the space bar is held. A finger
 /// that is joined by a second one has not been meant for the tool: its gesture is cancelled, unless the tool
-/// takes the second, too. While a pen is near or down, touch is a palm and counts for nothing.
+/// takes the second, too. A second finger is what Escape is on a keyboard. While a pen is near or down, touch
+/// is a palm and counts for nothing.
 class GestureReader {
 public:
+    /// A palm comes down at most this long before the pen that it holds is seen, s.
+    static constexpr double kPalmTime = 1.0;
+
     explicit GestureReader(GestureTarget& target) : m_target(target) {}
 
     /// Reads samples that belong together: all that one event says.
@@ -51,10 +57,14 @@ public:
     /// The rotation strip, px: whatever begins there turns the view about the vertical, while another finger
     /// works with the tool.
     void setStrip(const QRectF& strip) { m_strip = strip; }
-    /// A pen came into or left the tablet's reach; while it moves or touches, the reader knows by itself.
+    /// A pen came into or left the tablet's reach; while it moves or touches, the reader knows by itself. A
+    /// gesture of a pen that leaves ends as it stands.
     void setPenInReach(bool inReach, double time);
     /// Gives up the gesture under way; what is still held counts for nothing until it is lifted.
     void cancel();
+    /// Ends the tool's gesture under way as it stands; what is still held counts for nothing until it is
+    /// lifted. Gestures that move the camera go on.
+    void finish();
 
     bool isBusy() const { return m_mode != Mode::Idle; }
 
@@ -93,6 +103,7 @@ private:
     std::size_t fingerCount() const;
     void measureFingers();
     void leaveTool();
+    void leaveToolToPen(double time);
 
     GestureTarget& m_target;
     Mode m_mode = Mode::Idle;
@@ -100,6 +111,7 @@ private:
     Qt::MouseButton m_button = Qt::NoButton;       ///< That began it
     QPointF m_position;
     QPointF m_pressedAt;
+    double m_begun = 0.0;      ///< When the tool's gesture began, s
     bool m_mayBeClick = false; ///< Alt and the left button are held, and the pointer has not moved
     QRectF m_strip;
     bool m_panKey = false;

@@ -120,6 +120,15 @@ void PointerReader::readTouch(const QTouchEvent& event)
         sample.modifiers = event.modifiers();
         m_samples.push_back(sample);
     }
+    // Where the system takes the touch away, it names no points.
+    if (cancelled && m_samples.empty()) {
+        PointerSample all;
+        all.id = PointerSample::kAllFingers;
+        all.device = PointerDevice::Finger;
+        all.phase = PointerPhase::Cancel;
+        all.time = time;
+        m_samples.push_back(all);
+    }
 }
 
 void PointerReader::readTablet(const QTabletEvent& event)

@@ -18,6 +18,9 @@ enum class PointerPhase {
 
 /// What one finger, pen or mouse did at a moment: the one form that input takes here, whatever it came from.
 struct PointerSample {
+    /// The id of a sample that is about every finger on the screen.
+    static constexpr int kAllFingers = -1;
+
     int id = 0; ///< Tells the fingers of one hand apart
     PointerDevice device = PointerDevice::Mouse;
     PointerPhase phase = PointerPhase::Hover;

@@ -3,7 +3,7 @@
 
 #include "views/camera/Camera.h"
 #include "views/render/GlResources.h"
-#include "views/tools/Overlay.h"
+#include "views/render/Overlay.h"
 
 #include <memory>
 

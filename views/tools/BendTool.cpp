@@ -210,13 +210,18 @@ void BendTool::end(const PointerSample& sample)
     if (!m_isDown)
         return;
     move(sample);
+    if (!m_gesture)
+        tap(m_hands.empty() ? std::nullopt : std::optional(m_hands.front().pin));
+    finish();
+}
+
+void BendTool::finish()
+{
     if (m_gesture) {
         m_isSettled = false;
         for (int call = 0; call < kLastCalls && !m_isSettled; ++call)
             pull();
         m_gesture->finish();
-    } else {
-        tap(m_hands.empty() ? std::nullopt : std::optional(m_hands.front().pin));
     }
     stop();
 }

@@ -24,6 +24,7 @@ public:
     void begin(const PointerSample& sample) override;
     void move(const PointerSample& sample) override;
     void end(const PointerSample& sample) override;
+    void finish() override;
     void cancel() override;
     void hover(const PointerSample& sample) override;
     void leave() override;

@@ -112,28 +112,28 @@ std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& sc
     Picker picker(scene, screen, reach);
     const QList<float>& lengths = scene.tree.columns().length;
     const float beyond = scene.index.greatestLength() + scene.greatestRadius;
-    struct Brick {
+    struct Cell {
         float depth;
-        VoxelSpace::Residents residents;
+        PickIndex::Nodes nodes;
     };
-    std::vector<Brick> bricks;
-    scene.space.forEachBrick([&](const Vec3& centre, float radius, VoxelSpace::Residents residents) {
+    std::vector<Cell> cells;
+    scene.nodes.forEachCell([&](const Vec3& centre, float radius, PickIndex::Nodes nodes) {
         if (picker.mayReach(centre, radius + beyond))
-            bricks.push_back({picker.leastDepth(centre, radius + beyond), residents});
+            cells.push_back({picker.leastDepth(centre, radius + beyond), nodes});
     });
     // From front to back: what is under the pointer itself hides all that is behind it.
-    std::ranges::stable_sort(bricks, {}, &Brick::depth);
-    for (const Brick& brick : bricks) {
-        if (picker.isSettledBefore(brick.depth))
+    std::ranges::stable_sort(cells, {}, &Cell::depth);
+    for (const Cell& cell : cells) {
+        if (picker.isSettledBefore(cell.depth))
             break;
-        for (const Resident& resident : brick.residents) {
-            const Vec3 position(resident.x, resident.y, resident.z);
-            const float length = lengths[resident.id];
+        for (const PickIndex::Node& node : cell.nodes) {
+            const Vec3 position = node.position();
+            const float length = lengths[node.id];
             const float most = length + scene.greatestRadius;
             if (!picker.mayReach(position, most) || picker.isSettledBefore(picker.leastDepth(position, most)))
                 continue;
-            if (picker.mayReach(position, length + scene.radius(resident.id)))
-                picker.consider(resident.id);
+            if (picker.mayReach(position, length + scene.radius(node.id)))
+                picker.consider(node.id);
         }
     }
     return picker.best();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/growth/VoxelSpace.h"
+#include "model/picking/PickIndex.h"
 #include "model/tree/TreeIndex.h"
 #include "views/camera/Camera.h"
 #include "views/input/PointerSample.h"
@@ -23,14 +23,14 @@ struct PickedBranch {
 struct PickScene {
     const Tree& tree;
     const TreeIndex& index;
-    const VoxelSpace& space;                         ///< The tree's living nodes
+    const PickIndex& nodes;                          ///< Settled
     const std::function<float(InternodeId)>& radius; ///< Of the bark, m; never more than @p greatestRadius
     float greatestRadius;
     const Camera& camera;
 };
 
 /// The living internode whose bark appears nearest to @p screen, at most @p reach px away; of those as near
-/// as makes no difference, the one in front. Looks into the voxels that lie on the way alone.
+/// as makes no difference, the one in front. Looks into the cells that lie on the way alone.
 std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& screen, double reach);
 
 /// How near a pointer must come to what it picks: 8 mm for a finger, less for a pen or a mouse; px.

@@ -132,6 +132,14 @@ void BrushTool::end(const PointerSample& sample)
     stop();
 }
 
+void BrushTool::finish()
+{
+    if (m_gesture)
+        m_gesture->finish();
+    if (isActive())
+        stop();
+}
+
 void BrushTool::cancel()
 {
     if (!isActive())

@@ -73,18 +73,17 @@ std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, d
                 static_cast<float>(std::min(reach, (found.front().rank + 1.0) * kNoDifference)) / pixels;
     };
     const float beyond = kOffset * scene.index.greatestLength() + scene.greatestRadius;
-    scene.space.forEachBrick([&](const Vec3& centre, float radius, VoxelSpace::Residents residents) {
+    scene.nodes.forEachCell([&](const Vec3& centre, float radius, PickIndex::Nodes nodes) {
         if (!mayReach(centre, radius + beyond))
             return;
-        for (const Resident& resident : residents) {
-            const Vec3 node(resident.x, resident.y, resident.z);
-            if (!mayReach(node, beyond))
+        for (const PickIndex::Node& node : nodes) {
+            if (!mayReach(node.position(), beyond))
                 continue;
-            const float bark = scene.radius(resident.id);
-            if (!mayReach(node, kOffset * scene.tree.length(resident.id) + bark))
+            const float bark = scene.radius(node.id);
+            if (!mayReach(node.position(), kOffset * scene.tree.length(node.id) + bark))
                 continue;
-            for (unsigned rest = scene.tree.buds(resident.id); rest != 0; rest &= rest - 1)
-                take({resident.id, std::countr_zero(rest)}, bark);
+            for (unsigned rest = scene.tree.buds(node.id); rest != 0; rest &= rest - 1)
+                take({node.id, std::countr_zero(rest)}, bark);
         }
     });
     std::ranges::sort_heap(found, std::less());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/tree/LassoStroke.h"
-#include "views/tools/Overlay.h"
+#include "views/render/Overlay.h"
 
 #include <memory>
 #include <span>

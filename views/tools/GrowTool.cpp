@@ -17,6 +17,12 @@ void GrowTool::end(const PointerSample&)
         m_growth.release();
 }
 
+void GrowTool::finish()
+{
+    if (std::exchange(m_holds, false))
+        m_growth.end();
+}
+
 void GrowTool::cancel()
 {
     if (std::exchange(m_holds, false))

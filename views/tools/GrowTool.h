@@ -12,10 +12,12 @@ class HeldGrowth {
 public:
     virtual ~HeldGrowth() = default;
     virtual bool isRunning() const = 0;
-    /// Lets the tree grow until release() or cancel().
+    /// Lets the tree grow until release(), end() or cancel().
     virtual void begin() = 0;
     /// Ends growth as soon as there is a step, and keeps it.
     virtual void release() = 0;
+    /// Ends growth at once, and keeps what has grown.
+    virtual void end() = 0;
     /// Ends growth at once and takes back what has grown.
     virtual void cancel() = 0;
 };
@@ -31,6 +33,7 @@ public:
     void begin(const PointerSample& sample) override;
     void move(const PointerSample&) override {}
     void end(const PointerSample& sample) override;
+    void finish() override;
     void cancel() override;
 
     bool isActive() const override { return m_holds; }

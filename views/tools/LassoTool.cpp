@@ -5,6 +5,7 @@
 #include "views/tools/ToolColours.h"
 
 #include <array>
+#include <utility>
 
 namespace espalier {
 
@@ -45,7 +46,13 @@ void LassoTool::end(const PointerSample& sample)
     if (!m_isActive)
         return;
     add(sample.position);
-    m_isActive = false;
+    finish();
+}
+
+void LassoTool::finish()
+{
+    if (!std::exchange(m_isActive, false))
+        return;
     m_preview.clear();
     Eigen::AlignedBox2f box;
     for (const Vec2& point : m_stroke.points)

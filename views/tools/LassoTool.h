@@ -35,6 +35,7 @@ public:
     void begin(const PointerSample& sample) override;
     void move(const PointerSample& sample) override;
     void end(const PointerSample& sample) override;
+    void finish() override;
     void cancel() override;
     void tick(double now) override;
 

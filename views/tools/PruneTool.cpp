@@ -71,6 +71,19 @@ void PruneTool::end(const PointerSample& sample)
     if (!m_isActive)
         return;
     move(sample);
+    cut();
+}
+
+void PruneTool::finish()
+{
+    if (m_isStroke)
+        cut();
+    else
+        cancel();
+}
+
+void PruneTool::cut()
+{
     const std::vector<InternodeId> cuts = std::exchange(m_cuts, {});
     cancel();
     pruneBranches(context().document(), cuts);

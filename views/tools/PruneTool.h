@@ -20,6 +20,7 @@ public:
     void begin(const PointerSample& sample) override;
     void move(const PointerSample& sample) override;
     void end(const PointerSample& sample) override;
+    void finish() override;
     void cancel() override;
     void hover(const PointerSample& sample) override;
     void leave() override;
@@ -32,6 +33,7 @@ private:
     void aim(const PointerSample& sample);
     void cutAcross(const QPointF& from, const QPointF& to);
     void show(std::vector<InternodeId> cuts);
+    void cut();
 
     bool m_isActive = false;
     bool m_isStroke = false; ///< The pointer has moved too far for a tap

@@ -25,6 +25,7 @@ public:
     void begin(const PointerSample&) override {}
     void move(const PointerSample&) override {}
     void end(const PointerSample&) override {}
+    void finish() override {}
     void cancel() override {}
     bool isActive() const override { return false; }
     void paint(Overlay& overlay) const override;

@@ -39,6 +39,11 @@ void SelectBudTool::end(const PointerSample& sample)
         leave();
 }
 
+void SelectBudTool::finish()
+{
+    cancel();
+}
+
 void SelectBudTool::cancel()
 {
     m_isActive = false;

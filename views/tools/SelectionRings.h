@@ -2,7 +2,7 @@
 #pragma once
 
 #include "views/camera/Camera.h"
-#include "views/tools/Overlay.h"
+#include "views/render/Overlay.h"
 
 namespace espalier {
 

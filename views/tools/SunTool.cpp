@@ -97,6 +97,11 @@ void SunTool::move(const PointerSample& sample)
 void SunTool::end(const PointerSample& sample)
 {
     move(sample);
+    finish();
+}
+
+void SunTool::finish()
+{
     m_grip.reset();
     context().requestRepaint();
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "views/input/PointerSample.h"
-#include "views/tools/Overlay.h"
+#include "views/render/Overlay.h"
 #include "views/tools/ToolContext.h"
 
 #include <QCursor>
@@ -11,8 +11,8 @@
 namespace espalier {
 
 /// Turns what a hand does into commands. Gestures are read before: a tool gets begin, any number of move
-/// and tick, and then either end or cancel; hover and leave come between gestures. The camera may move at
-/// any time, during a gesture as well.
+/// and tick, and then one of end, finish and cancel; hover and leave come between gestures. The camera may
+/// move at any time, during a gesture as well.
 class Tool {
 public:
     explicit Tool(ToolContext& context) : m_context(context) {}
@@ -25,7 +25,10 @@ public:
     virtual void move(const PointerSample& sample) = 0;
     /// Makes what was done one undo step.
     virtual void end(const PointerSample& sample) = 0;
-    /// Leaves the document as it was before the gesture.
+    /// Ends the gesture before the pointer is lifted, because something interrupts it: what was done up to
+    /// the last sample is one undo step. A press that only its release would make a tap does nothing.
+    virtual void finish() = 0;
+    /// Leaves the document as it was before the gesture. Only the user asks for it.
     virtual void cancel() = 0;
     virtual void hover(const PointerSample& sample) { Q_UNUSED(sample) }
     /// The pointer is over the view no longer.

@@ -178,6 +178,13 @@ void WidthTool::end(const PointerSample& sample)
     stop();
 }
 
+void WidthTool::finish()
+{
+    if (m_gesture)
+        m_gesture->finish();
+    stop();
+}
+
 void WidthTool::cancel()
 {
     if (m_gesture)

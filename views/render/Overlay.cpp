@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "views/tools/Overlay.h"
+#include "views/render/Overlay.h"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/TreeCounts.h"
+#include "model/mesh/TreeCounts.h"
 
 #include "model/mesh/LeafPlacer.h"
 
