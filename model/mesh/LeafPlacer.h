@@ -45,6 +45,9 @@ double shiftedLeafHue(double hue, double amount);
 /// of the twig: that which is level across it, where it leans; one of the axis's own, where it stands. Random
 /// spread is a function of the tree's seed and the internode alone, and its amount that of
 /// GrowthParameters::irregularity: at 0 the arrangement is exact.
+///
+/// No leaf reaches below the ground, y = 0: it turns upward as far as it must, and where that does not help
+/// (it stands below the ground) it is hidden.
 class LeafPlacer {
 public:
     explicit LeafPlacer(const Tree& tree, const TreeIndex& index);
@@ -61,10 +64,10 @@ public:
     /// Writes the leaves of one internode that bears into a span of leavesPerInternode().
     void place(InternodeId id, std::span<LeafInstance> leaves) const { place(id, nodesBelow(id), leaves); }
 
-    /// Leaves of the tube (see Tubes.h) that begins with the living internode @p base: how many, and they
-    /// themselves in a span of that size.
-    std::uint32_t count(InternodeId base) const;
-    void placeTube(InternodeId base, std::span<LeafInstance> leaves) const;
+    /// Leaves of living internodes, such as those of a piece of wood: how many, and they themselves in a span
+    /// of that size. It is quicker where each internode follows its parent.
+    std::uint32_t count(std::span<const InternodeId> internodes) const;
+    void place(std::span<const InternodeId> internodes, std::span<LeafInstance> leaves) const;
 
 private:
     /// Where a leaf stands on its internode.
@@ -75,6 +78,7 @@ private:
     };
 
     void place(InternodeId id, std::uint32_t below, std::span<LeafInstance> leaves) const;
+    void keepAboveGround(LeafInstance& leaf, const Eigen::Matrix3f& frame) const;
     std::uint32_t nodesBelow(InternodeId id) const;
     Vec3 side(InternodeId id, const Vec3& axis) const;
     Stand stand(std::uint32_t i, std::uint32_t below, const Eigen::Matrix3f& frame, const Vec3& side) const;
@@ -92,7 +96,7 @@ private:
     std::array<Vec2, 8> m_azimuths;
 };
 
-/// All leaves of a tree, tube by tube as BranchMesh has them; in parallel, with the same result on one thread
+/// All leaves of a tree, tube by tube (see Tubes.h); in parallel, with the same result on one thread
 /// or many.
 MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index);
 

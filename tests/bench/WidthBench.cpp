@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mesh/MeshPool.h"
 #include "model/shape/Widths.h"
 #include "tests/support/TreeBuilder.h"
+#include "views/render/MeshPool.h"
 
 #include <benchmark/benchmark.h>
 

@@ -35,6 +35,12 @@ struct LeafTiles {
     std::vector<std::uint8_t> tileOf; ///< A row a leaf that is shown
 };
 
+/// How finely wood is meshed, m. The number of a branch's sides goes with the inverse root of it.
+double exportTolerance(const ExportOptions& options)
+{
+    return WoodMeshOptions{}.tolerance / (options.detail * options.detail);
+}
+
 LeafTiles chooseTiles(std::span<const LeafInstance> leaves)
 {
     float least = std::numeric_limits<float>::infinity();
@@ -206,7 +212,7 @@ ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QSt
 
     const Widths widths(tree, index);
     scene.meshes.push_back({scene.name + QLatin1String("_LOD0_Bark"),
-                            meshBranches(tree, index, widths, {.detail = options.detail}), 0});
+                            meshBranches(tree, index, widths, {.tolerance = exportTolerance(options)}), 0});
     scene.materials.push_back(
         namedMaterial(scene.name + QLatin1String("_Bark"), QStringLiteral("bark"), false));
     pack(scene.materials.back(), barkTextures(parameters.bark, options.textureSize));
