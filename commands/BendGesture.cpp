@@ -107,7 +107,7 @@ void BendGesture::show()
 void BendGesture::apply(const std::vector<FrameChange>& changes)
 {
     m_edit.takeBack();
-    TreeDelta delta = TreeDelta::startingAt(m_edit.document().tree());
+    TreeDelta delta = deltaStartingAt(m_edit.document().tree());
     for (const FrameChange& change : changes)
         delta.addFrame(change.id, change.before, change.after, change.lengthBefore, change.lengthAfter);
     m_edit.apply(std::move(delta));

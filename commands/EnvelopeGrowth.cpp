@@ -111,7 +111,7 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
             return delta;
     }
     m_markers.clear();
-    return TreeDelta::startingAt(tree);
+    return deltaStartingAt(tree);
 }
 
 bool EnvelopeGrowth::isInside(const Tree& tree, const TreeIndex& index) const

@@ -52,8 +52,8 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
 
     const auto bringIn = [&kept](Edit& edit) {
         const Tree& tree = edit.document().tree();
-        TreeDelta delta = TreeDelta::startingAt(tree);
-        delta.lassos.push_back({delta.keepLasso(tree, kept), true});
+        TreeDelta delta = deltaStartingAt(tree);
+        delta.lassos.push_back({keepLasso(delta, tree, kept), true});
         edit.apply(std::move(delta));
     };
     return std::unique_ptr<LassoGesture>(
@@ -74,8 +74,8 @@ LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
     const auto goBack = [&, parameters = document.parameters()](Edit& edit) {
         edit.replaceFrom(firstFilling(document));
         const Tree& tree = document.tree();
-        TreeDelta delta = TreeDelta::startingAt(tree);
-        delta.parametersAfter = delta.keepParameters(tree, parameters);
+        TreeDelta delta = deltaStartingAt(tree);
+        delta.parametersAfter = keepParameters(delta, tree, parameters);
         const std::vector<std::uint32_t>& standing = tree.lassoIndicesInForce();
         for (const std::uint32_t index : standing) {
             if (!std::ranges::binary_search(wanted, index))
@@ -84,7 +84,7 @@ LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
         for (std::size_t i = 0; i < wanted.size(); ++i) {
             // Those that went with the journal's end come again.
             if (wanted[i] >= tree.lassos().size())
-                delta.lassos.push_back({delta.keepLasso(tree, strokes[i]), true});
+                delta.lassos.push_back({keepLasso(delta, tree, strokes[i]), true});
             else if (!std::ranges::binary_search(standing, wanted[i]))
                 delta.lassos.push_back({wanted[i], true});
         }
@@ -116,7 +116,7 @@ LassoGesture::LassoGesture(TreeDocument& document, const QString& text, Envelope
 bool removeEnvelopes(TreeDocument& document)
 {
     Edit edit(document);
-    TreeDelta delta = TreeDelta::startingAt(document.tree());
+    TreeDelta delta = deltaStartingAt(document.tree());
     for (const std::uint32_t index : document.tree().lassoIndicesInForce())
         delta.lassos.push_back({index, false});
     edit.apply(std::move(delta));

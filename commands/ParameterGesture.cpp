@@ -17,8 +17,8 @@ void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& t
     const std::unique_ptr<Edit> edit = takeEdit();
     edit->takeBack();
     const Tree& tree = m_document.tree();
-    TreeDelta delta = TreeDelta::startingAt(tree);
-    delta.parametersAfter = delta.keepParameters(tree, parameters);
+    TreeDelta delta = deltaStartingAt(tree);
+    delta.parametersAfter = keepParameters(delta, tree, parameters);
     edit->apply(std::move(delta));
     const bool isTried = edit->deltaCount() > 0;
     edit->commit(text);

@@ -13,8 +13,8 @@ void setParameters(TreeDocument& document, const TreeParameters& parameters)
     const Tree& tree = document.tree();
     if (!tree.hasRoomFor(parameters))
         return;
-    TreeDelta delta = TreeDelta::startingAt(tree);
-    delta.parametersAfter = delta.keepParameters(tree, parameters);
+    TreeDelta delta = deltaStartingAt(tree);
+    delta.parametersAfter = keepParameters(delta, tree, parameters);
     edit.apply(std::move(delta));
     edit.commit(QCoreApplication::translate("Commands", "Change Parameters"));
 }

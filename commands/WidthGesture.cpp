@@ -25,7 +25,7 @@ void WidthGesture::set(InternodeId place, double diameter)
         after =
             static_cast<float>(std::clamp(diameter, kLeastDiameter, static_cast<double>(kGreatestDiameter)));
     m_removes = !after;
-    TreeDelta delta = TreeDelta::startingAt(tree);
+    TreeDelta delta = deltaStartingAt(tree);
     const auto change = [&](InternodeId id, const std::optional<float>& wanted) {
         if (const auto before = tree.content().sparse.width.at(id); before != wanted)
             delta.sparse.width.push_back({id, before, wanted});

@@ -116,7 +116,7 @@ private:
     std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const override;
     std::vector<PickedBud> pickBuds(const QPointF& screen, PointerDevice device,
                                     double factor) const override;
-    float branchRadius(InternodeId id) const override { return m_scene.mesh().meshedRadius(id); }
+    float branchRadius(InternodeId id) const override { return m_scene.mesh().tracker().meshedRadius(id); }
     void requestRepaint() override { update(); }
 
     // What gestures ask for

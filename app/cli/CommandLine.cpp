@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/CommandLine.h"
 
-#include "model/io/export/ExportFormat.h"
+#include "model/io/export/ExportFormats.h"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>

@@ -20,7 +20,7 @@ Edit::Edit(TreeDocument& document, Interrupted interrupted)
     : m_document(document), m_interrupted(std::move(interrupted))
 {
     document.interruptEdit();
-    document.setEdit(this);
+    document.setEdit(this, {m_interrupted, [this] { cancel(); }});
     m_from = m_to = document.journal().size();
 }
 

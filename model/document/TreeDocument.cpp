@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/TreeDocument.h"
 
-#include "model/document/Edit.h"
-
 namespace espalier {
 
 TreeDocument::TreeDocument(QObject* parent) : QObject(parent)
@@ -37,9 +35,10 @@ void TreeDocument::reset(Tree tree, Journal journal, std::size_t ahead)
     tell({TreeChange::Kind::Reset, nullptr});
 }
 
-void TreeDocument::setEdit(Edit* edit)
+void TreeDocument::setEdit(const Edit* edit, EditHooks hooks)
 {
     m_edit = edit;
+    m_editHooks = std::move(hooks);
     Q_EMIT editChanged();
 }
 
@@ -47,11 +46,11 @@ void TreeDocument::interruptEdit()
 {
     if (!m_edit)
         return;
-    // The owner may destroy the edit.
-    if (const Edit::Interrupted interrupted = m_edit->m_interrupted)
-        interrupted();
+    const EditHooks hooks = m_editHooks; // the owner may destroy the edit
+    if (hooks.interrupted)
+        hooks.interrupted();
     if (m_edit)
-        m_edit->cancel();
+        hooks.cancel();
 }
 
 void TreeDocument::undo()

@@ -11,6 +11,7 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -110,7 +111,13 @@ private:
     friend class Edit;
     friend class EditCommand;
 
-    void setEdit(Edit* edit);
+    /// How to end the edit that is under way; see Edit.
+    struct EditHooks {
+        std::function<void()> interrupted;
+        std::function<void()> cancel;
+    };
+
+    void setEdit(const Edit* edit, EditHooks hooks = {});
     /// Applies @p delta and appends it to the journal.
     void apply(std::shared_ptr<TreeDelta> delta);
     /// Reverts the journal's last delta and takes it out.
@@ -126,7 +133,8 @@ private:
     Tree m_tree;
     TreeIndex m_index;
     mutable GrowthIndex m_growthIndex;
-    Edit* m_edit = nullptr;
+    const Edit* m_edit = nullptr;
+    EditHooks m_editHooks;
     std::uint64_t m_revision = 0;
     Journal m_journal;
     Journal m_future;

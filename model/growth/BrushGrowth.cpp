@@ -15,6 +15,13 @@ constexpr double kMostNewMarkers = 4000;
 constexpr double kThinBrush = 1.0;
 /// m; a stroke's direction is an average over about this length.
 constexpr float kDirectionWindow = 0.25F;
+/// Internodes that one step of drawing adds at most; the rest of a longer path follows in the next steps.
+constexpr int kMostDrawn = 10'000;
+
+Vec3 aboveGround(const Vec3& point)
+{
+    return {point.x(), std::max(0.0F, point.y()), point.z()};
+}
 
 /// How far a brush of this radius is on the way from growing (0) to drawing (1).
 double drawnness(const GrowthParameters& p, float radius)
@@ -58,6 +65,35 @@ std::optional<Vec3> advanceAlong(std::vector<Vec3>& path, const Vec3& centre, fl
         return from + static_cast<float>(s) * along;
     }
     return std::nullopt;
+}
+
+/// Lets @p path begin where it comes nearest to @p centre: what lies before that is taken out.
+void beginAtNearest(std::vector<Vec3>& path, const Vec3& centre)
+{
+    Vec3 nearest = path.front();
+    std::size_t next = 1;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const Vec3 along = path[i] - path[i - 1];
+        const float squared = along.squaredNorm();
+        const float s = squared > 0.0F ? (centre - path[i - 1]).dot(along) / squared : 0.0F;
+        const Vec3 point = path[i - 1] + std::clamp(s, 0.0F, 1.0F) * along;
+        if ((point - centre).squaredNorm() <= (nearest - centre).squaredNorm()) {
+            nearest = point;
+            next = i;
+        }
+    }
+    path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(next));
+    path.insert(path.begin(), nearest);
+}
+
+/// @p direction, or where it leads back along @p heading, the nearest direction that does not (unit vectors).
+Vec3 withoutFold(const Vec3& direction, const Vec3& heading)
+{
+    const float along = direction.dot(heading);
+    if (along >= 0.0F)
+        return direction;
+    const Vec3 side = direction - along * heading;
+    return side.norm() > 1e-3F ? Vec3(side.normalized()) : anyPerpendicular(heading);
 }
 
 /// The living bud nearest to @p point: terminal before lateral, then by id.
@@ -132,7 +168,10 @@ void BrushGrowth::layMarkers(const Tree& tree, const BrushSample& previous, cons
         const auto t = static_cast<float>(random.uniform());
         const Vec3 centre = previous.position + t * (brush.position - previous.position);
         const float radius = previous.radius + t * (brush.radius - previous.radius);
-        m_markers.positions.push_back(centre + radius * random.inBall());
+        const Vec3 marker = centre + radius * random.inBall();
+        if (marker.y() < 0.0F) // below the ground is no free space
+            continue;
+        m_markers.positions.push_back(marker);
         m_markers.born.push_back(m_time);
     }
 }
@@ -145,25 +184,49 @@ TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, const Brus
     if (!m_drawnBud) {
         m_drawnBud = m_competitors.node != kNoInternode ? BudRef{m_competitors.node, m_competitors.slot}
                                                         : nearestBud(tree, index, previous.position);
-        m_path.push_back(previous.position);
+        m_path.push_back(aboveGround(previous.position));
+        m_hasDrawn = false;
     }
-    m_path.push_back(brush.position);
+    m_path.push_back(aboveGround(brush.position));
     // The competitors' node may have been shed on the way, or never have been.
     if (m_drawnBud->node >= tree.size() || !tree.isAlive(m_drawnBud->node))
-        return TreeDelta::startingAt(tree);
+        return deltaStartingAt(tree);
 
     const auto length = static_cast<float>(p.internodeLength);
-    while ((growing.buds(m_drawnBud->node) & budBit(m_drawnBud->slot)) != 0) {
-        const Vec3 base = growing.nodePosition(m_drawnBud->node);
+    if (!m_hasDrawn && !beginPath(growing, length))
+        return deltaStartingAt(tree);
+    for (int i = 0; i < kMostDrawn; ++i) {
+        const auto [node, slot] = *m_drawnBud;
+        if ((growing.buds(node) & budBit(slot)) == 0)
+            break;
+        const Vec3 base = growing.nodePosition(node);
         const std::optional<Vec3> next = advanceAlong(m_path, base, length);
         if (!next)
             break;
-        const Vec3 direction = (*next - base).normalized();
-        const InternodeId grown =
-            growing.grow(m_drawnBud->node, m_drawnBud->slot, direction, p.phyllotaxis, length, 1.0);
-        m_drawnBud = BudRef{grown, kTerminalSlot};
+        Vec3 direction = (*next - base).normalized();
+        if (slot == kTerminalSlot)
+            direction = withoutFold(direction, growing.heading(node));
+        m_drawnBud = BudRef{growing.grow(node, slot, direction, p.phyllotaxis, length, 1.0), kTerminalSlot};
+        m_hasDrawn = true;
     }
     return growing.takeDelta();
+}
+
+/// A limb begins at its bud, wherever the stroke was pressed: what the stroke does before it comes nearest to
+/// the bud is passed over. Where that place is behind the bud (a press at the foot of a seedling), the limb
+/// waits until the stroke is an internode past it. Returns whether the limb may grow.
+bool BrushGrowth::beginPath(const GrowingTree& growing, float length)
+{
+    const auto [node, slot] = *m_drawnBud;
+    const Vec3 base = growing.nodePosition(node);
+    beginAtNearest(m_path, base);
+    const Vec3 nearest = m_path.front();
+    if (slot != kTerminalSlot || (nearest - base).dot(growing.heading(node)) >= 0.0F)
+        return true;
+    const std::optional<Vec3> past = advanceAlong(m_path, nearest, length);
+    if (past)
+        m_path.insert(m_path.begin(), *past);
+    return past.has_value();
 }
 
 } // namespace espalier

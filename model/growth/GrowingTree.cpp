@@ -9,7 +9,7 @@ GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspa
     : m_tree(tree),
       m_index(index),
       m_workspace(workspace),
-      m_delta(TreeDelta::startingAt(tree)),
+      m_delta(deltaStartingAt(tree)),
       m_rows(std::make_shared<TreeRows>()),
       m_space(static_cast<float>(tree.parameters().growth.occupancyRadius *
                                  tree.parameters().growth.internodeLength),

@@ -10,6 +10,14 @@
 
 namespace espalier {
 
+namespace {
+
+/// m; doubled so often, it spans any tree.
+constexpr float kLeastEdge = 1e-6F;
+constexpr int kMostDoublings = 64;
+
+} // namespace
+
 GrowthIndex::Settings GrowthIndex::settingsOf(const GrowthParameters& p)
 {
     return {static_cast<float>(p.occupancyRadius * p.internodeLength),
@@ -23,8 +31,8 @@ void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
     m_settings = settingsOf(tree.parameters().growth);
     // A tree that was grown in other proportions than those in force now may be too sparse for voxels of the
     // size that they ask for.
-    float edge = m_settings.edge;
-    while (!fill(tree, index, edge))
+    float edge = std::max(m_settings.edge, kLeastEdge);
+    for (int i = 0; i < kMostDoublings && !fill(tree, index, edge); ++i)
         edge *= 2.0F;
 }
 

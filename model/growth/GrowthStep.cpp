@@ -98,8 +98,8 @@ double planarRoll(const GrowingTree& tree, const BudRef& bud)
     return isTurned(place) == isTurned(place + 1) ? 0.0 : std::numbers::pi;
 }
 
-/// Returns the new internode, or kNoInternode if it is not admitted; rather than that, it may be half as
-/// long.
+/// Returns the new internode, or kNoInternode if it is not admitted or would end below the ground; rather
+/// than that, it may be half as long.
 InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction,
                     const GrowthStepOptions& options = {})
 {
@@ -113,16 +113,16 @@ InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction
         roll = planarRoll(tree, shoot.bud);
     const double stretch = std::clamp(1.0 + p.irregularity * kLengthSpread * random.normal(), 0.35, 1.9);
     double length = p.internodeLength * stretch;
-    if (options.admits) {
-        const Vec3& from = tree.nodePosition(node);
-        const auto isAdmitted = [&] {
-            return options.admits(from, from + static_cast<float>(length) * direction);
-        };
-        if (!isAdmitted()) {
-            length *= 0.5;
-            if (!isAdmitted())
-                return kNoInternode;
-        }
+    const Vec3& from = tree.nodePosition(node);
+    const auto isAdmitted = [&] {
+        const Vec3 to = from + static_cast<float>(length) * direction;
+        // What grows downward ends at the ground.
+        return (to.y() >= 0.0F || to.y() >= from.y()) && (!options.admits || options.admits(from, to));
+    };
+    if (!isAdmitted()) {
+        length *= 0.5;
+        if (!isAdmitted())
+            return kNoInternode;
     }
     return tree.grow(node, slot, direction, roll, length, shoot.vigour);
 }
@@ -345,7 +345,10 @@ TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const BudRef& bud
             break;
         const Vec3 heading = growing.budDirection(tip.node, tip.slot);
         const Vec3 direction = growthDirection({0.6, 0.0, 0.4}, heading, heading, toTarget.normalized());
-        tip = {growOne(growing, {tip, toTarget, 1.0F, 1}, direction), kTerminalSlot};
+        const InternodeId grown = growOne(growing, {tip, toTarget, 1.0F, 1}, direction);
+        if (grown == kNoInternode)
+            break;
+        tip = {grown, kTerminalSlot};
     }
     return growing.takeDelta();
 }

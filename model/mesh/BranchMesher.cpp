@@ -2,27 +2,26 @@
 #include "model/mesh/BranchMesher.h"
 
 #include "model/base/Parallel.h"
-#include "model/mesh/Tubes.h"
 
 namespace espalier {
 
 namespace {
 
-constexpr std::size_t kTubesPerTask = 256;
+constexpr std::size_t kPiecesPerTask = 256;
 
 } // namespace
 
 BranchMesh meshBranches(const Tree& tree, const TreeIndex& index, const Widths& widths,
-                        const BranchMeshOptions& options)
+                        const WoodMeshOptions& options, const WoodMesher& mesher)
 {
     BranchMesh mesh;
-    for (const InternodeId base : tubesOf(tree, index))
+    for (const InternodeId base : mesher.pieces(tree, index))
         mesh.parts.push_back({.base = base});
 
-    parallelFor(mesh.parts.size(), kTubesPerTask, [&](std::size_t begin, std::size_t end) {
-        TubeMesher mesher(tree, index, widths, options);
+    parallelFor(mesh.parts.size(), kPiecesPerTask, [&](std::size_t begin, std::size_t end) {
+        const auto piece = mesher.pieceMesher(tree, index, widths, options);
         for (std::size_t i = begin; i < end; ++i)
-            mesh.parts[i].size = mesher.prepare(mesh.parts[i].base);
+            mesh.parts[i].size = piece->prepare(mesh.parts[i].base);
     });
 
     MeshSize total;
@@ -34,15 +33,17 @@ BranchMesh meshBranches(const Tree& tree, const TreeIndex& index, const Widths& 
     }
     mesh.vertices.resize(total.vertices);
     mesh.indices.resize(total.indices);
+    mesh.origins.resize(total.vertices);
 
-    parallelFor(mesh.parts.size(), kTubesPerTask, [&](std::size_t begin, std::size_t end) {
-        TubeMesher mesher(tree, index, widths, options);
+    parallelFor(mesh.parts.size(), kPiecesPerTask, [&](std::size_t begin, std::size_t end) {
+        const auto piece = mesher.pieceMesher(tree, index, widths, options);
         for (std::size_t i = begin; i < end; ++i) {
             const BranchMesh::Part& part = mesh.parts[i];
-            mesher.prepare(part.base);
-            mesher.write(std::span(mesh.vertices).subspan(part.firstVertex, part.size.vertices),
+            piece->prepare(part.base);
+            piece->write(std::span(mesh.vertices).subspan(part.firstVertex, part.size.vertices),
                          std::span(mesh.indices).subspan(part.firstIndex, part.size.indices),
                          part.firstVertex);
+            piece->writeOrigins(std::span(mesh.origins).subspan(part.firstVertex, part.size.vertices));
         }
     });
     return mesh;

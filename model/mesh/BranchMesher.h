@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/mesh/TubeMesher.h"
+#include "model/mesh/WoodMesher.h"
 
 #include <vector>
 
@@ -9,18 +9,20 @@ namespace espalier {
 
 /// The wood of a whole tree.
 struct BranchMesh : TriangleMesh {
-    /// Where one tube is.
+    /// Where one piece is.
     struct Part {
         InternodeId base = 0; ///< Its first internode
         std::uint32_t firstVertex = 0;
         std::uint32_t firstIndex = 0;
         MeshSize size{};
     };
-    std::vector<Part> parts; ///< By ascending base
+    std::vector<Part> parts;         ///< By ascending base
+    std::vector<WoodOrigin> origins; ///< Of the vertices
 };
 
-/// Meshes every tube (see TubeMesher), in parallel and with the same result on one thread or many.
+/// Meshes every piece that @p mesher parts the tree into, in parallel and with the same result on one thread
+/// or many.
 BranchMesh meshBranches(const Tree& tree, const TreeIndex& index, const Widths& widths,
-                        const BranchMeshOptions& options = {});
+                        const WoodMeshOptions& options = {}, const WoodMesher& mesher = tubeWood());
 
 } // namespace espalier

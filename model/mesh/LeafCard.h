@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/mesh/LeafPlacer.h"
+#include "model/mesh/LeafInstance.h"
+#include "model/mesh/Mesh.h"
+#include "model/tree/Parameters.h"
 
 #include <span>
 #include <vector>

@@ -3,6 +3,7 @@
 
 #include "model/base/Parallel.h"
 #include "model/base/Random.h"
+#include "model/mesh/LeafCard.h"
 #include "model/mesh/Tubes.h"
 #include "model/texture/Textures.h"
 
@@ -14,6 +15,10 @@ namespace espalier {
 namespace {
 
 constexpr std::size_t kTubesPerTask = 256;
+/// No leaf card reaches further from its petiole, in lengths and widths.
+constexpr float kLongestReach = 1.5F;
+/// Into how many steps half a turn upward is divided.
+constexpr int kGroundTurns = 18;
 /// Spread of a leaf's direction at full irregularity, as a share of its length: about 20°.
 constexpr float kMostJitter = 0.36F;
 constexpr float kSmallestSize = 0.1F;
@@ -188,25 +193,58 @@ void LeafPlacer::place(InternodeId id, std::uint32_t below, std::span<LeafInstan
             .shape =
                 static_cast<std::int32_t>(m_parameters.image.isNull() ? m_parameters.shape : LeafShape::Own),
         };
+        keepAboveGround(leaves[i], turned);
     }
 }
 
-std::uint32_t LeafPlacer::count(InternodeId base) const
+/// @p frame is the leaf's rotation as a matrix.
+void LeafPlacer::keepAboveGround(LeafInstance& leaf, const Eigen::Matrix3f& frame) const
 {
-    std::uint32_t bearing = 0;
-    for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(m_index, id))
-        bearing += bears(id) ? 1 : 0;
-    return bearing * m_perNode;
+    if (leaf.position[1] > kLongestReach * (leaf.length + leaf.width))
+        return;
+    const std::vector<MeshVertex>& card = leafCard(static_cast<LeafShape>(leaf.shape)).vertices;
+    const Vec3 size(leaf.width, leaf.length, leaf.width);
+    const auto isAbove = [&](const Eigen::Matrix3f& turned) {
+        const Vec3 heights = turned.row(1).transpose().cwiseProduct(size);
+        return std::ranges::all_of(card, [&](const MeshVertex& vertex) {
+            return leaf.position[1] + heights.dot(toVec3(vertex.position)) >= 0.0F;
+        });
+    };
+    if (isAbove(frame))
+        return;
+    // About the level line across the midrib; a leaf that hangs straight down turns as its face looks.
+    Vec3 axis = frame.col(1).cross(up());
+    axis = axis.norm() > 1e-3F ? Vec3(axis.normalized()) : Vec3(frame.col(0));
+    for (int i = 1; i <= kGroundTurns && leaf.position[1] >= 0.0F; ++i) {
+        const float angle = static_cast<float>(i) * std::numbers::pi_v<float> / kGroundTurns;
+        const Eigen::Matrix3f turned = Eigen::AngleAxisf(angle, axis).toRotationMatrix() * frame;
+        if (!isAbove(turned))
+            continue;
+        const Rotation rotation(turned);
+        leaf.rotation = {rotation.x(), rotation.y(), rotation.z(), rotation.w()};
+        return;
+    }
+    leaf.length = 0.0F;
 }
 
-void LeafPlacer::placeTube(InternodeId base, std::span<LeafInstance> leaves) const
+std::uint32_t LeafPlacer::count(std::span<const InternodeId> internodes) const
+{
+    const auto bearing = std::ranges::count_if(internodes, [this](InternodeId id) { return bears(id); });
+    return static_cast<std::uint32_t>(bearing) * m_perNode;
+}
+
+void LeafPlacer::place(std::span<const InternodeId> internodes, std::span<LeafInstance> leaves) const
 {
     std::size_t done = 0;
-    std::uint32_t below = nodesBelow(base);
-    for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(m_index, id), ++below) {
-        // Where a lateral continues the tube, another axis begins.
+    std::uint32_t below = 0;
+    InternodeId previous = kNoInternode;
+    for (const InternodeId id : internodes) {
+        // Where a lateral goes on, another axis begins.
         if (m_index.axis(id) == id)
             below = 0;
+        else
+            below = previous != kNoInternode && m_tree.parent(id) == previous ? below + 1 : nodesBelow(id);
+        previous = id;
         if (!bears(id))
             continue;
         place(id, below, leaves.subspan(done, m_perNode));
@@ -219,14 +257,23 @@ MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index)
 {
     const LeafPlacer placer(tree, index);
     const std::vector<InternodeId> tubes = tubesOf(tree, index);
-    std::vector<std::size_t> first(tubes.size() + 1, 0);
-    for (std::size_t i = 0; i < tubes.size(); ++i)
-        first[i + 1] = first[i] + placer.count(tubes[i]);
+    // The internodes of all tubes, one after the other.
+    std::vector<InternodeId> internodes;
+    std::vector<std::size_t> begins;
+    std::vector<std::size_t> first{0};
+    for (const InternodeId base : tubes) {
+        begins.push_back(internodes.size());
+        for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(index, id))
+            internodes.push_back(id);
+        first.push_back(first.back() + placer.count(std::span(internodes).subspan(begins.back())));
+    }
+    begins.push_back(internodes.size());
 
     MeshBuffer<LeafInstance> leaves(first.back());
     parallelFor(tubes.size(), kTubesPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            placer.placeTube(tubes[i], std::span(leaves).subspan(first[i], first[i + 1] - first[i]));
+            placer.place(std::span(internodes).subspan(begins[i], begins[i + 1] - begins[i]),
+                         std::span(leaves).subspan(first[i], first[i + 1] - first[i]));
     });
     return leaves;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/mesh/LeafInstance.h"
 #include "model/mesh/Mesh.h"
 #include "model/tree/TreeIndex.h"
 
@@ -16,22 +17,6 @@ inline constexpr double kLeafWeakHue = radians(10);
 /// step.
 inline constexpr double kFullVigour = 0.5;
 
-/// A leaf as it goes to the graphics card: 48 bytes without padding; without initial values, as MeshVertex.
-struct LeafInstance {
-    std::array<float, 3> position; ///< m, where the petiole begins
-    float length;                  ///< m, petiole to tip; 0 hides it
-    /// Quaternion x, y, z, w: turns +Y into the direction of the midrib and +Z into the normal of the upper
-    /// face.
-    std::array<float, 4> rotation;
-    float width;        ///< m
-    float hueShift;     ///< rad, to be added to the texture's hue
-    float value;        ///< Factor of the texture's brightness
-    std::int32_t shape; ///< LeafShape
-
-    bool operator==(const LeafInstance&) const = default;
-};
-static_assert(sizeof(LeafInstance) == 48 && std::is_trivial_v<LeafInstance>);
-
 /// How weak a shoot is: u = clamp(1 − v / v_ref, 0, 1). A @p reference of 0 counts every shoot as strong.
 double shootWeakness(double vigour, double reference = kFullVigour);
 
@@ -45,6 +30,9 @@ double shiftedLeafHue(double hue, double amount);
 /// of the twig: that which is level across it, where it leans; one of the axis's own, where it stands. Random
 /// spread is a function of the tree's seed and the internode alone, and its amount that of
 /// GrowthParameters::irregularity: at 0 the arrangement is exact.
+///
+/// No leaf reaches below the ground, y = 0: it turns upward as far as it must, and where that does not help
+/// (it stands below the ground) it is hidden.
 class LeafPlacer {
 public:
     explicit LeafPlacer(const Tree& tree, const TreeIndex& index);
@@ -61,10 +49,10 @@ public:
     /// Writes the leaves of one internode that bears into a span of leavesPerInternode().
     void place(InternodeId id, std::span<LeafInstance> leaves) const { place(id, nodesBelow(id), leaves); }
 
-    /// Leaves of the tube (see Tubes.h) that begins with the living internode @p base: how many, and they
-    /// themselves in a span of that size.
-    std::uint32_t count(InternodeId base) const;
-    void placeTube(InternodeId base, std::span<LeafInstance> leaves) const;
+    /// Leaves of living internodes, such as those of a piece of wood: how many, and they themselves in a span
+    /// of that size. It is quicker where each internode follows its parent.
+    std::uint32_t count(std::span<const InternodeId> internodes) const;
+    void place(std::span<const InternodeId> internodes, std::span<LeafInstance> leaves) const;
 
 private:
     /// Where a leaf stands on its internode.
@@ -75,6 +63,7 @@ private:
     };
 
     void place(InternodeId id, std::uint32_t below, std::span<LeafInstance> leaves) const;
+    void keepAboveGround(LeafInstance& leaf, const Eigen::Matrix3f& frame) const;
     std::uint32_t nodesBelow(InternodeId id) const;
     Vec3 side(InternodeId id, const Vec3& axis) const;
     Stand stand(std::uint32_t i, std::uint32_t below, const Eigen::Matrix3f& frame, const Vec3& side) const;
@@ -92,7 +81,7 @@ private:
     std::array<Vec2, 8> m_azimuths;
 };
 
-/// All leaves of a tree, tube by tube as BranchMesh has them; in parallel, with the same result on one thread
+/// All leaves of a tree, tube by tube (see Tubes.h); in parallel, with the same result on one thread
 /// or many.
 MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index);
 

@@ -8,7 +8,7 @@
 namespace espalier {
 
 /// The numbers of sides that a tube's rings can have.
-inline constexpr std::array<int, 7> kSideCounts{4, 6, 8, 12, 16, 24, 32};
+inline constexpr std::array<int, 9> kSideCounts{4, 6, 8, 12, 16, 24, 32, 48, 64};
 
 /// Carries @p normal from one point of a curve to the next with as little twist as can be (double reflection,
 /// Wang et al. 2008); all directions are unit vectors.

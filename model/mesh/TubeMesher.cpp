@@ -11,15 +11,14 @@ namespace espalier {
 
 namespace {
 
-/// From this many sides on a tube is thick enough for a rounder cap and finer bends.
-constexpr int kRoundSides = 8;
-constexpr int kMostRingsPerSpan = 4;
+constexpr float kMostRingsPerSpan = 4.0F;
 constexpr float kRingsPerCollar = 3.0F;
-/// Most that a tube turns from ring to ring, rad; and a twig.
+/// Most that a thick tube turns from ring to ring, rad: light shows a kink that no outline does.
 constexpr float kBend = 0.2F;
-constexpr float kTwigBend = 0.45F;
-/// Sides that a tube gains with the square root of its thickness.
-constexpr double kSidesPerRoot = 2.6;
+/// The curve between nodes is a guess, so it may be missed by this many tolerances.
+constexpr float kCurveTolerances = 5.0F;
+/// Over how many internodes at most a branch's direction is told.
+constexpr int kDirectionInternodes = 256;
 /// A lateral is thinner than its parent by this much at least, so that their surfaces never coincide.
 constexpr float kThinner = 0.9F;
 /// A lateral of more than this share of its parent's radius has a root: it begins this many radii below the
@@ -39,13 +38,36 @@ constexpr float kCollarRadii = 2.5F;
 
 } // namespace
 
+namespace {
+
+class TubeWood final : public WoodMesher {
+public:
+    bool joinsParent(const Tree& tree, const TreeIndex& index, InternodeId id) const override
+    {
+        return !beginsTube(tree, index, id);
+    }
+    std::unique_ptr<WoodPieceMesher> pieceMesher(const Tree& tree, const TreeIndex& index,
+                                                 const Widths& widths,
+                                                 const WoodMeshOptions& options) const override
+    {
+        return std::make_unique<TubeMesher>(tree, index, widths, options);
+    }
+};
+
+} // namespace
+
+const WoodMesher& tubeWood()
+{
+    static const TubeWood wood;
+    return wood;
+}
+
 TubeMesher::TubeMesher(const Tree& tree, const TreeIndex& index, const Widths& widths,
-                       const BranchMeshOptions& options)
+                       const WoodMeshOptions& options)
     : m_tree(tree),
       m_index(index),
       m_widths(widths),
-      m_detail(options.detail),
-      m_tipRadius(static_cast<float>(tree.parameters().widths.tipDiameter / 2.0)),
+      m_tolerance(std::max(options.tolerance, WoodMeshOptions::kFinest)),
       m_barkScale(static_cast<float>(tree.parameters().bark.scale))
 {
 }
@@ -59,6 +81,9 @@ MeshSize TubeMesher::prepare(InternodeId base)
         m_internodes.push_back(id);
         m_radii.push_back(m_widths.radius(m_index, id));
     }
+    m_thickest = m_radii;
+    for (std::size_t i = m_thickest.size(); i-- > 1;)
+        m_thickest[i - 1] = std::max(m_thickest[i - 1], m_thickest[i]);
 
     const InternodeId parent = m_tree.parent(base);
     const bool isTrunk = parent == kNoInternode;
@@ -80,7 +105,8 @@ MeshSize TubeMesher::prepare(InternodeId base)
 
     chooseKnots();
     const Vec3 heading = m_index.heading(base);
-    Vec3 first = heading;
+    // A trunk stands on the ground with its whole foot, however it leans.
+    Vec3 first = heading.y() > 0.0F ? up() : heading;
     if (!isTrunk) {
         // The first control point lies on the parent's line, nearer to the node the more the branch turns
         // back.
@@ -108,9 +134,11 @@ Vec3 TubeMesher::directionBelow(InternodeId id) const
     const float length = kDirectionRadii * m_widths.radius(m_index, id);
     const Vec3 heading = m_index.heading(id);
     Vec3 chord = heading;
-    for (float path = 0.0F; id != kNoInternode && (path == 0.0F || path < length); id = m_tree.parent(id)) {
+    float path = 0.0F;
+    for (int i = 0; i < kDirectionInternodes && id != kNoInternode && (i == 0 || path < length); ++i) {
         path += m_tree.length(id);
         chord = node - m_index.basePosition(m_tree, id);
+        id = m_tree.parent(id);
     }
     const float norm = chord.norm();
     return norm > 1e-6F ? Vec3(chord / norm) : heading;
@@ -144,19 +172,33 @@ void TubeMesher::write(std::span<MeshVertex> vertices, std::span<VertexIndex> in
                        VertexIndex firstVertex)
 {
     placeRings();
-    writeVertices(vertices);
-    writeIndices(indices, firstVertex);
+    writeRingVertices(m_rings, {.normal = m_firstNormal, .repeats = m_repeats, .v = m_firstV}, vertices);
+    writeRingIndices(m_rings, indices, firstVertex);
 }
 
 int TubeMesher::sidesFor(float radius) const
 {
-    const double thickness = std::sqrt(std::max(1.0F, radius / m_tipRadius));
-    const double wanted = (kSideCounts.front() + kSidesPerRoot * (thickness - 1.0)) * m_detail;
+    // A chord of one of m sides lies r (1 − cos π/m) deep in the circle.
+    const double cosine = 1.0 - m_tolerance / std::max(static_cast<double>(radius), m_tolerance);
+    const double wanted = std::numbers::pi / std::acos(cosine);
     for (const int sides : kSideCounts) {
-        if (wanted <= sides + 0.5)
+        if (wanted <= sides)
             return sides;
     }
     return kSideCounts.back();
+}
+
+/// A knot stands at the end of each so many internodes, where they are as short as that at @p place. A power
+/// of two, so that as a branch thickens its rings stay where they are but for every second.
+std::size_t TubeMesher::strideAt(std::size_t place) const
+{
+    const float radius = m_radii[place];
+    const float length = m_tree.length(m_internodes[place]);
+    const std::size_t most = std::bit_ceil(m_internodes.size());
+    // Of NaN and 0 as well.
+    if (!(length * static_cast<float>(most) > radius))
+        return most;
+    return std::bit_ceil(static_cast<std::size_t>(radius / length) + 1);
 }
 
 void TubeMesher::chooseKnots()
@@ -165,31 +207,25 @@ void TubeMesher::chooseKnots()
     Knot knot;
     knot.position = m_index.basePosition(m_tree, m_internodes.front());
     knot.radius = m_radii.front();
-    knot.sides = sidesFor(knot.radius);
+    knot.sides = sidesFor(std::max(m_thickest.front(), widened(knot.radius, 0.0F)));
     m_knots.push_back(knot);
     const std::size_t count = m_internodes.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3& position = m_index.nodePosition(m_internodes[i]);
         const float radius = m_radii[i];
         const float squared = (position - m_knots.back().position).squaredNorm();
-        // Strides are powers of two, so that as a branch thickens its rings stay where they are but for every
-        // second.
-        if (i + 1 < count) {
-            std::size_t stride = 1;
-            const float length = m_tree.length(m_internodes[i]);
-            while (static_cast<float>(stride) * length <= radius)
-                stride *= 2;
-            if ((i + 1) % stride != 0 || squared < 1e-12F)
-                continue;
-        }
+        if (i + 1 < count && ((i + 1) % strideAt(i) != 0 || squared < 1e-12F))
+            continue;
         knot.position = position;
         knot.radius = radius;
+        knot.internode = static_cast<std::uint32_t>(i);
         Knot& below = m_knots.back();
         below.chord = std::max(std::sqrt(squared), 1e-6F);
         below.root = std::sqrt(below.chord);
         knot.path = below.path + below.chord;
         if (const int half = knot.sides / 2;
-            half % 2 == 0 && half >= kSideCounts.front() && sidesFor(radius) <= half)
+            half % 2 == 0 && half >= kSideCounts.front() &&
+            sidesFor(std::max(m_thickest[i], widened(radius, knot.path))) <= half)
             knot.sides = half;
         m_knots.push_back(knot);
     }
@@ -215,15 +251,19 @@ void TubeMesher::findTangents(const Vec3& first)
 
 void TubeMesher::chooseRings()
 {
-    const auto tolerance = static_cast<float>(1.0 / std::min(m_detail, 1.0));
+    const auto tolerance = kCurveTolerances * static_cast<float>(m_tolerance);
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
         Knot& knot = m_knots[i];
         // |t₁ − t₀| is the angle between them for all angles that matter.
         const float turn = (m_knots[i + 1].tangent - knot.tangent).norm();
-        float rings = turn / (tolerance * (knot.sides >= kRoundSides ? kBend : kTwigBend));
-        if (knot.sides >= kRoundSides && knot.path < m_collarEnd)
-            rings = std::max(rings, kRingsPerCollar * knot.chord / m_collarEnd);
-        knot.rings = std::clamp(static_cast<int>(std::ceil(rings)), 1, kMostRingsPerSpan);
+        // An arc of this length and turn is s·φ/8 high; k parts of it are so by the square of k less.
+        float rings = std::sqrt(knot.chord * turn / (8.0F * tolerance));
+        if (knot.sides >= kRoundSides) {
+            rings = std::max(rings, turn / kBend);
+            if (knot.path < m_collarEnd)
+                rings = std::max(rings, kRingsPerCollar * knot.chord / m_collarEnd);
+        }
+        knot.rings = static_cast<int>(std::ceil(std::clamp(rings, 1.0F, kMostRingsPerSpan)));
     }
     // The end, and where the tube is thick a ring between it and the apex.
     m_knots.back().rings = m_knots.back().sides >= kRoundSides ? 2 : 1;
@@ -240,16 +280,21 @@ float TubeMesher::widened(float radius, float path) const
 void TubeMesher::placeRings()
 {
     m_rings.clear();
+    const WoodOrigin foot{m_internodes.front(), 0.0F};
     if (m_rooted) {
         const Knot& node = m_knots.front();
         const float depth = kRootDepth * node.radius;
         m_rings.push_back({node.position - depth * node.tangent, node.tangent, kRootRadius * node.radius,
-                           -depth, node.sides});
+                           -depth, node.sides, foot});
     }
     for (std::size_t i = 0; i + 1 < m_knots.size(); ++i) {
         const Knot& a = m_knots[i];
         const Knot& b = m_knots[i + 1];
-        m_rings.push_back({a.position, a.tangent, widened(a.radius, a.path), a.path, a.sides});
+        const WoodOrigin origin = i == 0 ? foot : WoodOrigin{m_internodes[a.internode], 1.0F};
+        // The internodes between the knots share the rings between them evenly.
+        const std::size_t first = i == 0 ? 0 : a.internode + 1;
+        const auto between = static_cast<float>(b.internode + 1 - first);
+        m_rings.push_back({a.position, a.tangent, widened(a.radius, a.path), a.path, a.sides, origin});
         for (int j = 1; j < a.rings; ++j) {
             const float t = static_cast<float>(j) / static_cast<float>(a.rings);
             const float s = 1.0F - t;
@@ -262,96 +307,31 @@ void TubeMesher::placeRings()
                 6.0F * t * s * rise + s * (s - 2.0F * t) * leave + t * (t - 2.0F * s) * arrive;
             const float speed = velocity.norm();
             const float path = a.path + t * a.chord;
-            m_rings.push_back({centre, speed > 1e-9F ? Vec3(velocity / speed) : a.tangent,
-                               widened(s * a.radius + t * b.radius, path), path, a.sides});
+            const float place = std::floor(t * between);
+            m_rings.push_back({centre,
+                               speed > 1e-9F ? Vec3(velocity / speed) : a.tangent,
+                               widened(s * a.radius + t * b.radius, path),
+                               path,
+                               a.sides,
+                               {m_internodes[first + static_cast<std::size_t>(place)], t * between - place}});
         }
     }
     const Knot& end = m_knots.back();
-    m_rings.push_back({end.position, end.tangent, widened(end.radius, end.path), end.path, end.sides});
+    m_rings.push_back({end.position,
+                       end.tangent,
+                       widened(end.radius, end.path),
+                       end.path,
+                       end.sides,
+                       {m_internodes.back(), 1.0F}});
 }
 
-void TubeMesher::writeVertices(std::span<MeshVertex> vertices) const
+void TubeMesher::writeOrigins(std::span<WoodOrigin> origins) const
 {
-    const std::size_t count = m_rings.size();
-    const float density = m_repeats / (2.0F * std::numbers::pi_v<float>);
-    MeshVertex* vertex = vertices.data();
-    Vec3 normal = m_firstNormal;
-    float v = m_firstV;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Ring& ring = m_rings[i];
-        const Ring& below = m_rings[i > 0 ? i - 1 : 0];
-        const Ring& above = m_rings[i + 1 < count ? i + 1 : i];
-        if (i > 0) {
-            const float rise = ring.path - below.path;
-            const float widening = ring.radius - below.radius;
-            const float step = std::sqrt(rise * rise + widening * widening);
-            v += density * step * 2.0F / (ring.radius + below.radius);
-            normal = transported(normal, below.centre, below.tangent, ring.centre, ring.tangent);
-        }
-        const float slant = (below.radius - above.radius) / (above.path - below.path);
-        RingFrame(ring.centre, ring.tangent, normal, ring.radius, slant, v)
-            .write(vertex, ring.sides, m_repeats);
-        vertex += ring.sides + 1;
-    }
-
-    const Ring& end = m_rings.back();
-    if (end.sides >= kRoundSides) {
-        constexpr float diagonal = std::numbers::sqrt2_v<float> / 2.0F;
-        const Vec3 centre = end.centre + diagonal * end.radius * end.tangent;
-        v += density * std::numbers::pi_v<float> / 4.0F;
-        RingFrame(centre, end.tangent, normal, diagonal * end.radius, 1.0F, v)
-            .write(vertex, end.sides, m_repeats);
-        vertex += end.sides + 1;
-    }
-    v += density * std::numbers::pi_v<float> / 4.0F;
-    *vertex = {.position = toArray(end.centre + end.radius * end.tangent),
-               .normal = toArray(end.tangent),
-               .tangent = {normal.x(), normal.y(), normal.z(), 1.0F},
-               .uv = {0.5F * m_repeats, v}};
-    assert(vertex + 1 == vertices.data() + vertices.size());
-}
-
-void TubeMesher::writeIndices(std::span<VertexIndex> indices, VertexIndex firstVertex) const
-{
-    VertexIndex* index = indices.data();
-    const auto triangle = [&index](VertexIndex a, VertexIndex b, VertexIndex c) {
-        index[0] = a;
-        index[1] = b;
-        index[2] = c;
-        index += 3;
-    };
-
-    auto sides = static_cast<VertexIndex>(m_rings.front().sides);
-    for (VertexIndex i = 1; i + 1 < sides; ++i)
-        triangle(firstVertex, firstVertex + i + 1, firstVertex + i);
-
-    VertexIndex lower = firstVertex;
-    const auto strip = [&](VertexIndex above) {
-        const VertexIndex upper = lower + sides + 1;
-        if (above == sides) {
-            for (VertexIndex i = 0; i < sides; ++i) {
-                triangle(lower + i, lower + i + 1, upper + i + 1);
-                triangle(lower + i, upper + i + 1, upper + i);
-            }
-        } else {
-            for (VertexIndex i = 0; i < above; ++i) {
-                const VertexIndex fine = lower + 2 * i;
-                triangle(fine, fine + 1, upper + i);
-                triangle(fine + 1, upper + i + 1, upper + i);
-                triangle(fine + 1, fine + 2, upper + i + 1);
-            }
-        }
-        lower = upper;
-        sides = above;
-    };
-    for (std::size_t ring = 1; ring < m_rings.size(); ++ring)
-        strip(static_cast<VertexIndex>(m_rings[ring].sides));
-    if (m_rings.back().sides >= kRoundSides)
-        strip(sides);
-    const VertexIndex apex = lower + sides + 1;
-    for (VertexIndex i = 0; i < sides; ++i)
-        triangle(lower + i, lower + i + 1, apex);
-    assert(index == indices.data() + indices.size());
+    auto place = origins.begin();
+    for (const Ring& ring : m_rings)
+        place = std::fill_n(place, ring.sides + 1, ring.origin);
+    // The cap belongs to the end.
+    std::fill(place, origins.end(), m_rings.back().origin);
 }
 
 } // namespace espalier

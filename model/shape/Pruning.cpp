@@ -49,7 +49,7 @@ std::vector<InternodeId> falling(const Tree& tree, const TreeIndex& index, std::
 
 TreeDelta prune(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> cuts)
 {
-    TreeDelta delta = TreeDelta::startingAt(tree);
+    TreeDelta delta = deltaStartingAt(tree);
     delta.died = falling(tree, index, cuts);
     return delta;
 }

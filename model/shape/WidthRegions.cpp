@@ -14,6 +14,8 @@ constexpr double kLargestExponent = 10.0;
 constexpr int kMostIterations = 60;
 constexpr double kSmallestTip = 1e-9; ///< m
 constexpr double kLargestDiameter = 1e6;
+/// A seedling that is to become a thick tree is no thicker than this share of its length.
+constexpr double kThickestStem = 1.0 / 3.0;
 constexpr std::uint32_t kTableSize = 1024;
 
 /// ln Σ c_i d_i^n, and its derivative by n.
@@ -121,16 +123,29 @@ private:
         return diameter > 0.0 ? std::log(std::clamp(diameter, kSmallestTip, kLargestDiameter)) : m_logTip;
     }
 
+    /// The parameter, m; of a tree that is a single axis yet, no more than its length allows.
+    double baseDiameter() const
+    {
+        if (m_index.tipCount(0) != 1)
+            return m_parameters.baseDiameter;
+        double length = 0.0;
+        for (InternodeId id = 0; id != kNoInternode; id = m_index.firstChild(id))
+            length += static_cast<double>(m_tree.length(id));
+        return std::min(m_parameters.baseDiameter,
+                        std::max(m_parameters.tipDiameter, kThickestStem * length));
+    }
+
     /// Region 0 is that of the tree's base, region i + 1 the one above constraint i.
     void findRegions()
     {
         m_regions.resize(m_constraints.size() + 1);
         if (m_parameters.baseDiameter > 0.0)
-            m_regions[0].logBase = std::log(std::max(m_parameters.baseDiameter, kSmallestTip));
+            m_regions[0].logBase = std::log(std::max(baseDiameter(), kSmallestTip));
         m_regionOf.assign(m_tree.size(), 0);
         const InternodeId* parents = m_tree.columns().parent.constData();
         std::size_t next = 0;
-        for (InternodeId id = m_constraints.front().id; id < m_tree.size(); ++id) {
+        const InternodeId first = m_constraints.empty() ? m_tree.size() : m_constraints.front().id;
+        for (InternodeId id = first; id < m_tree.size(); ++id) {
             const std::uint32_t below = id > 0 ? m_regionOf[parents[id]] : 0;
             m_regionOf[id] = below;
             if (next == m_constraints.size() || m_constraints[next].id != id)
@@ -277,7 +292,7 @@ WidthLaw solveWidths(std::optional<double> logBase, std::span<const WidthExtremi
 std::vector<float> constrainedRadii(const Tree& tree, const TreeIndex& index,
                                     std::span<const WidthConstraint> constraints)
 {
-    return constraints.empty() ? std::vector<float>() : Regions(tree, index, constraints).radii();
+    return Regions(tree, index, constraints).radii();
 }
 
 } // namespace espalier

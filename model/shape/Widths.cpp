@@ -14,6 +14,15 @@ constexpr double kSmallestExponent = 0.5;
 constexpr double kLargestExponent = 10.0;
 constexpr std::uint32_t kTableSize = 1024;
 
+/// p of d = d_e · tips^p: 1 / n, or where n is out of its limits, what leads to the base's diameter all the
+/// same.
+double widthPower(const WidthParameters& parameters, std::uint32_t tips, double exponent)
+{
+    if (tips < 2 || parameters.baseDiameter <= 0.0 || parameters.tipDiameter <= 0.0)
+        return 1.0 / exponent;
+    return std::log(parameters.baseDiameter / parameters.tipDiameter) / std::log(static_cast<double>(tips));
+}
+
 } // namespace
 
 double widthExponent(std::uint32_t tips, double tipDiameter, double baseDiameter, double fallback)
@@ -28,11 +37,12 @@ double widthExponent(std::uint32_t tips, double tipDiameter, double baseDiameter
 Widths::Widths(const WidthParameters& parameters, std::uint32_t treeTips)
     : m_exponent(
           widthExponent(treeTips, parameters.tipDiameter, parameters.baseDiameter, parameters.exponent)),
+      m_power(widthPower(parameters, treeTips, m_exponent)),
       m_tipRadius(parameters.tipDiameter / 2.0)
 {
     m_table.reserve(kTableSize);
     for (std::uint32_t tips = 0; tips < std::min(kTableSize, treeTips + 1); ++tips)
-        m_table.push_back(static_cast<float>(m_tipRadius * std::pow(tips, 1.0 / m_exponent)));
+        m_table.push_back(tips == 0 ? 0.0F : static_cast<float>(m_tipRadius * std::pow(tips, m_power)));
 }
 
 Widths::Widths(const Tree& tree, const TreeIndex& index, std::span<const WidthConstraint> constraints)
@@ -43,14 +53,16 @@ Widths::Widths(const Tree& tree, const TreeIndex& index, std::span<const WidthCo
         if (constraint.id < tree.size() && tree.isAlive(constraint.id))
             living.push_back(constraint);
     }
-    m_radii = constrainedRadii(tree, index, living);
+    const bool tapersByLength = index.tipCount(0) == 1 && tree.parameters().widths.baseDiameter > 0.0;
+    if (!living.empty() || tapersByLength)
+        m_radii = constrainedRadii(tree, index, living);
 }
 
 float Widths::radiusOfTips(std::uint32_t tips) const
 {
     if (tips < m_table.size())
         return m_table[tips];
-    return static_cast<float>(m_tipRadius * std::pow(tips, 1.0 / m_exponent));
+    return static_cast<float>(m_tipRadius * std::pow(tips, m_power));
 }
 
 } // namespace espalier

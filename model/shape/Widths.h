@@ -19,7 +19,8 @@ double widthExponent(std::uint32_t tips, double tipDiameter, double baseDiameter
 /// carries alone, so it follows every edit through TreeIndex::tipCount at no cost of its own.
 ///
 /// Constraints divide a tree into regions: each is an extremity for the region below it and the base of the
-/// one above, and each region has its own exponent (see WidthRegions). Then all radii are computed at once.
+/// one above, and each region has its own exponent (see WidthRegions). Then all radii are computed at once;
+/// so are those of a single axis with a base diameter, which tapers by its length.
 ///
 /// A snapshot: make a new one after the parameters, or (with a base diameter) the number of tips, or (with
 /// constraints) anything has changed.
@@ -33,7 +34,12 @@ public:
 
     /// Of the region at the base of the tree, unless a constraint is there; then of what would be without.
     double exponent() const { return m_exponent; }
-    /// m, where there are no constraints; 0 for an internode that carries nothing (a dead one).
+    /// p of d = d_e · tips^p, where radii depend on the number of tips alone: 1 / exponent() within its
+    /// limits, and beyond them what leads to the base diameter.
+    double power() const { return m_power; }
+    /// Whether an internode's radius is a function of how many tips it carries.
+    bool dependOnTipsAlone() const { return m_radii.empty(); }
+    /// m, where tips alone decide; 0 for an internode that carries nothing (a dead one).
     float radiusOfTips(std::uint32_t tips) const;
     /// m
     float radius(const TreeIndex& index, InternodeId id) const
@@ -43,9 +49,10 @@ public:
 
 private:
     double m_exponent;
+    double m_power;
     double m_tipRadius;
     std::vector<float> m_table; ///< Radii of small tip counts
-    std::vector<float> m_radii; ///< By internode; empty where there are no living constraints
+    std::vector<float> m_radii; ///< By internode; empty where tips alone decide
 };
 
 } // namespace espalier

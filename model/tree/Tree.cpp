@@ -25,6 +25,13 @@ void writeCells(Columns& columns, const Changes& changes, Write&& write)
         columns, changes);
 }
 
+TreeRows& rowsOf(TreeDelta& delta)
+{
+    if (!delta.rows)
+        delta.rows = std::make_shared<TreeRows>();
+    return *delta.rows;
+}
+
 constexpr auto kWriteAfter = [](auto& cell, const auto& change) { cell = change.after; };
 constexpr auto kWriteBefore = [](auto& cell, const auto& change) { cell = change.before; };
 
@@ -207,6 +214,33 @@ std::size_t Tree::bytes() const
     for (const LassoStroke& stroke : lassos())
         sum += stroke.points.capacity() * sizeof(Vec2);
     return sum;
+}
+
+TreeDelta deltaStartingAt(const Tree& tree)
+{
+    TreeDelta delta;
+    delta.stepBefore = delta.stepAfter = tree.step();
+    delta.parametersBefore = delta.parametersAfter = tree.currentParameterSet();
+    delta.born = {tree.size(), 0};
+    delta.bornLeaves = {tree.placedLeaves().size(), 0};
+    return delta;
+}
+
+std::uint32_t keepParameters(TreeDelta& delta, const Tree& tree, const TreeParameters& parameters)
+{
+    const QList<TreeParameters>& sets = tree.parameterSets();
+    if (const auto known = sets.lastIndexOf(parameters); known >= 0)
+        return static_cast<std::uint32_t>(known);
+    Q_ASSERT(tree.hasRoomFor(parameters));
+    rowsOf(delta).kept.parameters.append(parameters);
+    return static_cast<std::uint32_t>(sets.size()) + delta.kept.parameters++;
+}
+
+std::uint32_t keepLasso(TreeDelta& delta, const Tree& tree, const LassoStroke& stroke)
+{
+    Q_ASSERT(isLasso(stroke));
+    rowsOf(delta).kept.lassos.append(stroke);
+    return static_cast<std::uint32_t>(tree.lassos().size()) + delta.kept.lassos++;
 }
 
 } // namespace espalier

@@ -109,6 +109,14 @@ private:
     TreeContent m_content;
 };
 
+/// A delta that changes nothing, to be filled in, at the moment that @p tree is in.
+TreeDelta deltaStartingAt(const Tree& tree);
+/// The index of a parameter set in @p tree, where @p delta starts; the delta brings the set along if the tree
+/// does not know it. Precondition: the tree has room for it (Tree::hasRoomFor).
+std::uint32_t keepParameters(TreeDelta& delta, const Tree& tree, const TreeParameters& parameters);
+/// The index that a stroke will have; @p delta brings it along. Precondition: isLasso(stroke).
+std::uint32_t keepLasso(TreeDelta& delta, const Tree& tree, const LassoStroke& stroke);
+
 /// What is wrong with @p content, in a sentence without a full stop; empty if it may be a tree: equal sizes,
 /// parents before children, at most one living continuation a node, living parents of living internodes,
 /// values within their limits, known parameter sets, different keys. Serves the reader and the writer of

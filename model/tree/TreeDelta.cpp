@@ -1,47 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/tree/TreeDelta.h"
 
-#include "model/tree/Tree.h"
-
 namespace espalier {
-
-namespace {
-
-TreeRows& rowsOf(TreeDelta& delta)
-{
-    if (!delta.rows)
-        delta.rows = std::make_shared<TreeRows>();
-    return *delta.rows;
-}
-
-} // namespace
-
-TreeDelta TreeDelta::startingAt(const Tree& tree)
-{
-    TreeDelta delta;
-    delta.stepBefore = delta.stepAfter = tree.step();
-    delta.parametersBefore = delta.parametersAfter = tree.currentParameterSet();
-    delta.born = {tree.size(), 0};
-    delta.bornLeaves = {tree.placedLeaves().size(), 0};
-    return delta;
-}
-
-std::uint32_t TreeDelta::keepParameters(const Tree& tree, const TreeParameters& parameters)
-{
-    const QList<TreeParameters>& sets = tree.parameterSets();
-    if (const auto known = sets.lastIndexOf(parameters); known >= 0)
-        return static_cast<std::uint32_t>(known);
-    Q_ASSERT(tree.hasRoomFor(parameters));
-    rowsOf(*this).kept.parameters.append(parameters);
-    return static_cast<std::uint32_t>(sets.size()) + kept.parameters++;
-}
-
-std::uint32_t TreeDelta::keepLasso(const Tree& tree, const LassoStroke& stroke)
-{
-    Q_ASSERT(isLasso(stroke));
-    rowsOf(*this).kept.lassos.append(stroke);
-    return static_cast<std::uint32_t>(tree.lassos().size()) + kept.lassos++;
-}
 
 void TreeDelta::addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,
                          float lengthAfter)

@@ -9,8 +9,6 @@
 
 namespace espalier {
 
-class Tree;
-
 /// Rows and values that a delta adds to a tree.
 struct TreeRows {
     InternodeColumns internodes;
@@ -44,14 +42,6 @@ struct TreeDelta {
     /// none.
     std::shared_ptr<TreeRows> rows;
 
-    /// A delta that changes nothing, to be filled in, at the moment that @p tree is in.
-    static TreeDelta startingAt(const Tree& tree);
-
-    /// The index of a parameter set in @p tree, where the delta starts; the delta brings the set along if the
-    /// tree does not know it. Precondition: the tree has room for it (Tree::hasRoomFor).
-    std::uint32_t keepParameters(const Tree& tree, const TreeParameters& parameters);
-    /// The index that a stroke will have; the delta brings it along. Precondition: isLasso(stroke).
-    std::uint32_t keepLasso(const Tree& tree, const LassoStroke& stroke);
     /// Notes that an internode was bent or stretched (lengths in m), with all that hangs on it.
     void addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,
                   float lengthAfter);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BendGesture.h"
-#include "model/mesh/MeshPool.h"
 #include "model/shape/ChainBend.h"
 #include "tests/support/TreeBuilder.h"
+#include "views/render/MeshPool.h"
 
 #include <benchmark/benchmark.h>
 

@@ -2,8 +2,8 @@
 #include "model/growth/BrushGrowth.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
-#include "model/mesh/MeshPool.h"
 #include "model/texture/Textures.h"
+#include "views/render/MeshPool.h"
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>

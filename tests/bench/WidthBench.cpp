@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mesh/MeshPool.h"
 #include "model/shape/Widths.h"
 #include "tests/support/TreeBuilder.h"
+#include "views/render/MeshPool.h"
 
 #include <benchmark/benchmark.h>
 
@@ -46,7 +46,7 @@ void meshPool_widthDrag100k(benchmark::State& state)
     test::TreeBuilder& grown = tree100k();
     const auto given = constraints(5);
     const auto set = [&](const WidthConstraint& constraint) {
-        TreeDelta delta = TreeDelta::startingAt(grown.tree);
+        TreeDelta delta = deltaStartingAt(grown.tree);
         delta.sparse.width.push_back(
             {constraint.id, grown.tree.content().sparse.width.at(constraint.id), constraint.value});
         return &grown.apply(std::move(delta));

@@ -32,7 +32,11 @@ private Q_SLOTS:
     void drawnStroke_startsFromTheBudNearest();
     void drawnStroke_fromASelectedBud_startsThere();
     void drawnStroke_fromABudThatIsNotThere_growsNothing();
-    void drawnStroke_turningBackOnItself_staysOnTheLine();
+    void drawnStroke_turningBackOnItself_turnsInAsTightABowAsItCan();
+    void drawnStroke_fromTheFootOfASeedling_neverFolds_data();
+    void drawnStroke_fromTheFootOfASeedling_neverFolds();
+    void drawnStroke_neverTurnsByMoreThanARightAngle();
+    void drawnStroke_staysAboveTheGround();
     void thinnerBrush_growsFewerShoots();
     void strokeThatThinsOut_endsInOneAxis();
     void tropismFromStroke_bendsGrowthAlongTheStroke();
@@ -95,6 +99,21 @@ bool descendsFrom(const Tree& tree, InternodeId id, InternodeId node, int slot)
         id = tree.parent(id);
     }
     return false;
+}
+
+/// Of the internodes from @p first on that continue their parent's axis, the greatest angle between one and
+/// its parent, rad.
+double sharpestTurn(const TreeDocument& document, InternodeId first)
+{
+    double sharpest = 0.0;
+    for (InternodeId id = first; id < document.tree().size(); ++id) {
+        if (!document.tree().continuesAxis(id))
+            continue;
+        const Vec3 before = document.index().heading(document.tree().parent(id));
+        const double cosine = before.dot(document.index().heading(id));
+        sharpest = std::max(sharpest, std::acos(std::clamp(cosine, -1.0, 1.0)));
+    }
+    return sharpest;
 }
 
 } // namespace
@@ -302,7 +321,10 @@ void BrushGestureTest::drawnStroke_isOneAxisOnTheLine()
         while (!document.tree().isAlive(start) || document.tree().buds(start) == 0)
             --start;
         std::vector<Vec3> line{document.index().nodePosition(start)};
+        // Not back along the shoot that it starts from.
         Vec3 heading = random.direction();
+        if (heading.dot(document.index().heading(start)) < 0.0F)
+            heading = -heading;
         for (int i = 0; i < 40; ++i) {
             heading = (heading + 0.4F * random.direction()).normalized();
             line.push_back(line.back() + 0.05F * heading);
@@ -386,7 +408,7 @@ void BrushGestureTest::drawnStroke_fromABudThatIsNotThere_growsNothing()
     }
 }
 
-void BrushGestureTest::drawnStroke_turningBackOnItself_staysOnTheLine()
+void BrushGestureTest::drawnStroke_turningBackOnItself_turnsInAsTightABowAsItCan()
 {
     TreeDocument document;
     document.reset(1, parameters());
@@ -397,8 +419,70 @@ void BrushGestureTest::drawnStroke_turningBackOnItself_staysOnTheLine()
     QVERIFY(document.tree().size() > 10);
     for (InternodeId id = 0; id < document.tree().size(); ++id) {
         QVERIFY(document.index().nodePosition(id).allFinite());
-        QVERIFY(distanceToPolyline(document.index().nodePosition(id), line) < 1e-4);
+        QVERIFY(distanceToPolyline(document.index().nodePosition(id), line) < 1.5 * l);
     }
+    QVERIFY(sharpestTurn(document, 1) <= radians(90) + 1e-3);
+}
+
+void BrushGestureTest::drawnStroke_fromTheFootOfASeedling_neverFolds_data()
+{
+    QTest::addColumn<double>("x0");
+    QTest::addColumn<double>("y0");
+    QTest::addColumn<double>("x1");
+    QTest::addColumn<double>("y1");
+    QTest::addColumn<double>("sharpest");
+    QTest::newRow("straight up") << 0.0 << 0.0 << 0.0 << 1.0 << 5.0;
+    QTest::newRow("from below the ground") << 0.0 << -0.2 << 0.0 << 1.0 << 5.0;
+    QTest::newRow("from beside the foot") << 0.03 << 0.01 << 0.03 << 1.0 << 30.0;
+    QTest::newRow("leaning") << 0.0 << 0.0 << 0.5 << 1.0 << 60.0;
+    QTest::newRow("along the ground") << 0.0 << 0.0 << 1.0 << 0.0 << 90.0;
+}
+
+void BrushGestureTest::drawnStroke_fromTheFootOfASeedling_neverFolds()
+{
+    QFETCH(const double, x0);
+    QFETCH(const double, y0);
+    QFETCH(const double, x1);
+    QFETCH(const double, y1);
+    QFETCH(const double, sharpest);
+    const Vec3 from = Eigen::Vector3d(x0, y0, 0.0).cast<float>();
+    const Vec3 to = Eigen::Vector3d(x1, y1, 0.0).cast<float>();
+    TreeDocument document;
+    document.reset(1, parameters());
+    brush(document, strokeAlong(std::vector{from, to}, 0.0F, 1.0));
+    QVERIFY(document.tree().size() > 6);
+    QVERIFY(sharpestTurn(document, 1) <= radians(sharpest) + 1e-3);
+    // As long as the stroke: nothing is drawn twice.
+    const auto l = static_cast<float>(document.parameters().growth.internodeLength);
+    QVERIFY(static_cast<float>(document.tree().size()) * l < (to - from).norm() + 2.5F * l);
+}
+
+void BrushGestureTest::drawnStroke_neverTurnsByMoreThanARightAngle()
+{
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        TreeDocument document;
+        document.reset(seed, parameters());
+        Random random(seed, 5, 0, Purpose::Direction);
+        std::vector<Vec3> line{Vec3::Zero()};
+        for (int i = 0; i < 12; ++i)
+            line.push_back(Vec3(0.0F, 1.0F, 0.0F) + random.inBall());
+        brush(document, strokeAlong(line, 0.0F, 3.0));
+        QVERIFY(document.tree().size() > 30);
+        QVERIFY2(sharpestTurn(document, 1) <= radians(90) + 1e-3,
+                 qPrintable(QStringLiteral("seed %1").arg(seed)));
+    }
+}
+
+void BrushGestureTest::drawnStroke_staysAboveTheGround()
+{
+    TreeDocument document;
+    document.reset(1, parameters());
+    brush(document,
+          strokeAlong(std::vector{Vec3(0, 0, 0), Vec3(0.5F, 1, 0), Vec3(1, -0.5F, 0), Vec3(2, -0.5F, 0)},
+                      0.0F, 2.0));
+    QVERIFY(document.tree().size() > 15);
+    for (InternodeId id = 0; id < document.tree().size(); ++id)
+        QVERIFY(document.index().nodePosition(id).y() >= -1e-6F);
 }
 
 void BrushGestureTest::thinnerBrush_growsFewerShoots()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/RecipePlayer.h"
 #include "model/io/project/ProjectFile.h"
+#include "model/mesh/BranchMesher.h"
+#include "model/mesh/LeafCard.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
 
@@ -16,6 +18,8 @@ class SampleRecipesTest : public QObject {
 private Q_SLOTS:
     void undoingAndRedoingAll_restoresTheDocument_data();
     void undoingAndRedoingAll_restoresTheDocument();
+    void nothing_liesBelowTheGround_data() { undoingAndRedoingAll_restoresTheDocument_data(); }
+    void nothing_liesBelowTheGround();
 };
 
 namespace {
@@ -67,6 +71,32 @@ void SampleRecipesTest::undoingAndRedoingAll_restoresTheDocument()
     QVERIFY(DocumentState(document) == whole);
     QCOMPARE(packed(document), file);
     QCOMPARE(indexFault(document), QString());
+}
+
+void SampleRecipesTest::nothing_liesBelowTheGround()
+{
+    QFETCH(const QString, fileName);
+    const Result<Recipe> recipe = readRecipe(fileName);
+    QVERIFY2(recipe, qPrintable(recipe ? QString() : recipe.error().message));
+    TreeDocument document;
+    RecipePlayer(document, *recipe).playAll();
+    const Tree& tree = document.tree();
+    const TreeIndex& index = document.index();
+    // Of what grew, no more than a hand's breadth of a bent branch; of what is drawn, nothing.
+    float deepest = 0.0F;
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id))
+            deepest = std::min(deepest, index.nodePosition(id).y());
+    }
+    QVERIFY2(deepest > -0.1F, qPrintable(QString::number(deepest)));
+    for (const MeshVertex& vertex : meshBranches(tree, index, Widths(tree, index)).vertices)
+        QVERIFY2(vertex.position[1] >= 0.0F, qPrintable(QString::number(vertex.position[1])));
+    const MeshBuffer<LeafInstance> leaves = placeLeaves(tree, index);
+    for (const MeshVertex& vertex : expandLeaves(leaves).vertices)
+        QVERIFY2(vertex.position[1] > -1e-5F, qPrintable(QString::number(vertex.position[1])));
+    // Few leaves are lost to it.
+    const auto hidden = std::ranges::count_if(leaves, [](const LeafInstance& l) { return l.length <= 0.0F; });
+    QVERIFY2(50 * hidden <= static_cast<std::ptrdiff_t>(leaves.size()), qPrintable(QString::number(hidden)));
 }
 
 const TestClass<SampleRecipesTest> sampleRecipesTest;

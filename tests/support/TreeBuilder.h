@@ -42,7 +42,7 @@ struct NewInternode {
 /// the buds that they grew from. Each gets a terminal bud and the laterals of the parameters in force.
 inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internodes)
 {
-    TreeDelta delta = TreeDelta::startingAt(tree);
+    TreeDelta delta = deltaStartingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
     delta.born = {tree.size(), static_cast<std::uint32_t>(internodes.size())};
     delta.rows = std::make_shared<TreeRows>();
@@ -87,7 +87,7 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
 /// seedling.
 inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId root)
 {
-    TreeDelta delta = TreeDelta::startingAt(tree);
+    TreeDelta delta = deltaStartingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
     std::vector<InternodeId> open{root};
     while (!open.empty()) {
@@ -104,9 +104,9 @@ inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId roo
 /// One step that puts @p parameters in force.
 inline TreeDelta parameterChange(const Tree& tree, const TreeParameters& parameters)
 {
-    TreeDelta delta = TreeDelta::startingAt(tree);
+    TreeDelta delta = deltaStartingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
-    delta.parametersAfter = delta.keepParameters(tree, parameters);
+    delta.parametersAfter = keepParameters(delta, tree, parameters);
     return delta;
 }
 
@@ -114,7 +114,7 @@ inline TreeDelta parameterChange(const Tree& tree, const TreeParameters& paramet
 inline TreeDelta bend(const Tree& tree, InternodeId id, const Rotation& turn, float stretch)
 {
     const Rotation before = tree.columns().rotation[id];
-    TreeDelta delta = TreeDelta::startingAt(tree);
+    TreeDelta delta = deltaStartingAt(tree);
     delta.addFrame(id, before, (turn * before).normalized(), tree.length(id), stretch * tree.length(id));
     return delta;
 }
@@ -122,7 +122,7 @@ inline TreeDelta bend(const Tree& tree, InternodeId id, const Rotation& turn, fl
 /// An edit that sets a width, m, or takes it away (0).
 inline TreeDelta widthChange(const Tree& tree, InternodeId id, float diameter)
 {
-    TreeDelta delta = TreeDelta::startingAt(tree);
+    TreeDelta delta = deltaStartingAt(tree);
     delta.sparse.width.push_back({id, tree.content().sparse.width.at(id),
                                   diameter > 0.0F ? std::optional<float>(diameter) : std::nullopt});
     return delta;
@@ -131,14 +131,14 @@ inline TreeDelta widthChange(const Tree& tree, InternodeId id, float diameter)
 /// An edit that brings a stroke into force.
 inline TreeDelta newLasso(const Tree& tree, const LassoStroke& stroke)
 {
-    TreeDelta delta = TreeDelta::startingAt(tree);
-    delta.lassos.push_back({delta.keepLasso(tree, stroke), true});
+    TreeDelta delta = deltaStartingAt(tree);
+    delta.lassos.push_back({keepLasso(delta, tree, stroke), true});
     return delta;
 }
 
 inline TreeDelta lassoChange(const Tree& tree, std::uint32_t index, bool inForce)
 {
-    TreeDelta delta = TreeDelta::startingAt(tree);
+    TreeDelta delta = deltaStartingAt(tree);
     delta.lassos.push_back({index, inForce});
     return delta;
 }

@@ -118,6 +118,7 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
 {
     const QSize size(static_cast<int>(camera.viewSize().width()),
                      static_cast<int>(camera.viewSize().height()));
+    scene.setPixelSize(1.0 / static_cast<double>(camera.pixelsPerMetre(camera.distance())));
     if (options.mayLag)
         scene.prepareSome();
     else
@@ -234,7 +235,7 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
         frame.backgroundInner[3] = isTransparent(options) ? 3.0F : 2.0F;
     frame.ground = lighting.groundAlbedo;
     frame.ground[3] = radius;
-    const float foot = std::max(scene.mesh().meshedRadius(0), 0.005F);
+    const float foot = std::max(scene.mesh().tracker().meshedRadius(0), 0.005F);
     const bool isGridShown = options.view.gridShown && !options.background;
     frame.foot = {foot, options.view.groundShown ? 1.0F : 0.0F, isGridShown ? 1.0F : 0.0F, 0.0F};
     // Among several samples to a pixel there is room for finer detail.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/mesh/MeshPool.h"
 #include "model/tree/Parameters.h"
 #include "views/render/GlResources.h"
+#include "views/render/MeshPool.h"
 
 #include <QImage>
 

@@ -3,11 +3,22 @@
 
 #include <QElapsedTimer>
 
+#include <cmath>
 #include <utility>
 
 namespace espalier {
 
 namespace {
+
+/// Tolerances of the wood are 1 mm times a power of this, which doubles or halves the sides of a branch.
+constexpr double kStep = 4.0;
+constexpr double kTolerance = WoodMeshOptions{}.tolerance; ///< m
+constexpr double kFinestStep = -3.0;
+constexpr double kCoarsestStep = 2.0;
+/// How far an outline may be off, px; by so many times that the tolerance may miss what is wanted before
+/// another step is taken.
+constexpr double kTolerancePixels = 0.2;
+constexpr double kMoreTolerance = 1.5;
 
 std::uint64_t nextNumber()
 {
@@ -54,6 +65,22 @@ void TreeScene::follow(const TreeChange& change)
     // to work out while a hand moves it.
     m_lightIsOld = m_lightIsOld || delta.parametersBefore != delta.parametersAfter;
     m_lightWaits = m_lightWaits || delta.reframes();
+}
+
+void TreeScene::setPixelSize(double metres)
+{
+    const double wanted = kTolerancePixels * metres;
+    const double now = m_mesh.options().tolerance;
+    if (!(wanted > 0.0) || (wanted > now / kMoreTolerance && wanted < now * kStep * kMoreTolerance))
+        return;
+    const double steps = std::floor(std::log(wanted * kMoreTolerance / kTolerance) / std::log(kStep));
+    const double tolerance = kTolerance * std::pow(kStep, std::clamp(steps, kFinestStep, kCoarsestStep));
+    if (tolerance == now)
+        return;
+    m_mesh.setOptions({.tolerance = tolerance});
+    m_isBehind = true;
+    m_isSettling = false;
+    m_isExact = false;
 }
 
 bool TreeScene::settleSome()

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/document/TreeDocument.h"
-#include "model/mesh/MeshPool.h"
 #include "views/render/LightGrid.h"
+#include "views/render/MeshPool.h"
 
 namespace espalier {
 
@@ -28,6 +28,9 @@ public:
     bool prepareSome();
     /// When there is time: brings everything to its exact form, likewise.
     bool settleSome();
+    /// How long a pixel of the picture is at the tree, m: how fine the wood must be. It follows in large
+    /// steps.
+    void setPixelSize(double metres);
     /// Whether there is something left to prepare.
     bool isBehind() const { return m_isBehind; }
 

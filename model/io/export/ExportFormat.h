@@ -4,8 +4,6 @@
 #include "model/io/export/ExportFiles.h"
 #include "model/io/export/ExportScene.h"
 
-#include <span>
-
 namespace espalier {
 
 /// A file format that a tree can be exported to. Implementations have no state: one object serves all
@@ -29,12 +27,5 @@ protected:
     ExportFormat(const ExportFormat&) = default;
     ExportFormat& operator=(const ExportFormat&) = default;
 };
-
-/// All formats, in the order in which they are offered. The list lives as long as the program.
-std::span<const ExportFormat* const> exportFormats();
-/// The format whose suffix the file name ends in, whatever the case of its letters; null if there is none.
-const ExportFormat* exportFormatOf(const QString& fileName);
-/// The suffixes of all formats, in the same order.
-QStringList exportSuffixes();
 
 } // namespace espalier

@@ -38,6 +38,12 @@ struct LeafTiles {
     std::vector<std::uint8_t> tileOf; ///< A row a leaf that is shown
 };
 
+/// How finely wood is meshed, m. The number of a branch's sides goes with the inverse root of it.
+double exportTolerance(const ExportOptions& options)
+{
+    return WoodMeshOptions{}.tolerance / (options.detail * options.detail);
+}
+
 LeafTiles chooseTiles(std::span<const LeafInstance> leaves)
 {
     float least = std::numeric_limits<float>::infinity();
@@ -232,9 +238,10 @@ void addBark(ExportScene& scene, const Tree& tree, const TreeIndex& index, const
     ExportMaterial material =
         namedMaterial(scene.name + QLatin1String("_Bark"), QStringLiteral("bark"), false);
     pack(material, barkTextures(tree.parameters().bark, options.textureSize));
-    scene.meshes.push_back({meshName(material.name, 0),
-                            withSmallV(meshBranches(tree, index, widths, {.detail = options.detail})),
-                            scene.materials.size()});
+    scene.meshes.push_back(
+        {meshName(material.name, 0),
+         withSmallV(meshBranches(tree, index, widths, {.tolerance = exportTolerance(options)})),
+         scene.materials.size()});
     scene.materials.push_back(std::move(material));
 }
 

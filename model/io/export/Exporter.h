@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/base/Error.h"
-#include "model/io/export/ExportFormat.h"
+#include "model/io/export/ExportFormats.h"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 
 #include "model/io/JsonReader.h"
 #include "model/io/project/ColumnEntries.h"
-#include "model/io/project/ProjectFile.h"
+#include "model/io/project/ProjectLimits.h"
 
 #include <QCoreApplication>
 

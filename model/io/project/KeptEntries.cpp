@@ -3,8 +3,8 @@
 
 #include "model/io/JsonReader.h"
 #include "model/io/project/ColumnEntries.h"
-#include "model/io/project/ProjectFile.h"
 #include "model/io/project/ProjectImages.h"
+#include "model/io/project/ProjectLimits.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/project/ProjectDescription.h"
 
-#include "model/io/project/ProjectFile.h"
 #include "model/io/project/ProjectImages.h"
+#include "model/io/project/ProjectLimits.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>
@@ -33,22 +33,22 @@ std::vector<std::uint32_t> readIndices(JsonReader& reader, const char* key)
 
 } // namespace
 
-QByteArray describe(const Project& project)
+QByteArray describe(const QString& name, const Tree& whole, std::size_t deltas, std::uint32_t ahead)
 {
-    const TreeContent& tree = project.tree.content();
+    const TreeContent& tree = whole.content();
     QJsonArray inForce;
     for (const std::uint32_t index : tree.lassosInForce)
         inForce.append(qint64{index});
     QJsonObject json{{QStringLiteral("format"), QString(kFormat)},
                      {QStringLiteral("version"), projectLimits::kVersion},
                      {QStringLiteral("program"), QStringLiteral(ESPALIER_VERSION)},
-                     {QStringLiteral("name"), project.name},
+                     {QStringLiteral("name"), name},
                      {QStringLiteral("seed"), seedToJson(tree.seed)},
                      {QStringLiteral("step"), qint64{tree.step}},
                      {QStringLiteral("internodes"), qint64{tree.internodes.size()}},
                      {QStringLiteral("leaves"), qint64{tree.leaves.size()}},
-                     {QStringLiteral("deltas"), static_cast<qint64>(project.journal.size())},
-                     {QStringLiteral("ahead"), qint64{project.ahead}},
+                     {QStringLiteral("deltas"), static_cast<qint64>(deltas)},
+                     {QStringLiteral("ahead"), qint64{ahead}},
                      {QStringLiteral("currentParameters"), qint64{tree.currentParameters}},
                      {QStringLiteral("lassosInForce"), inForce}};
     const QJsonObject images = ProjectImages::names(ProjectImages::of(tree.kept.parameters));

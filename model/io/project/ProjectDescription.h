@@ -6,8 +6,6 @@
 
 namespace espalier {
 
-struct Project;
-
 /// What project.json says in every version of the format.
 struct ProjectDescription {
     int version = 0;
@@ -23,7 +21,8 @@ struct ProjectDescription {
     QJsonObject imageNames;                   ///< By hash
 };
 
-QByteArray describe(const Project& project);
+/// project.json of a tree with a journal of @p deltas deltas, the last @p ahead of which lie ahead.
+QByteArray describe(const QString& name, const Tree& tree, std::size_t deltas, std::uint32_t ahead);
 
 /// The version of the format; fails for what is no project, and for a version that a later program wrote.
 Result<int> readVersion(JsonReader& reader);

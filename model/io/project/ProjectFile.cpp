@@ -144,7 +144,8 @@ Result<QByteArray> packProject(const Project& project)
     if (const Result<void> sound = checkProject(project.tree, project.journal); !sound)
         return Error{Error::Kind::Output, sound.error().message};
     ZipWriter archive;
-    archive.add(kDescriptionEntry, describe(project));
+    archive.add(kDescriptionEntry,
+                describe(project.name, project.tree, project.journal.size(), project.ahead));
     addTree(archive, content);
     KeptTable::visit([&](const auto& info, const auto& values) { addKept(archive, info.name, values); },
                      content.kept);

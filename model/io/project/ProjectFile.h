@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/base/Error.h"
+#include "model/io/project/ProjectLimits.h"
 #include "model/tree/Tree.h"
 
 #include <QByteArray>
@@ -41,18 +42,6 @@ struct Project {
 
 /// The tree at the moment that was shown.
 Tree shownTree(const Project& project);
-
-namespace projectLimits {
-inline constexpr int kVersion = 2;
-inline constexpr std::uint32_t kInternodes = 20'000'000;
-inline constexpr std::uint32_t kLeaves = 20'000'000; ///< Placed ones
-inline constexpr std::uint32_t kDeltas = 4'000'000;
-inline constexpr std::uint32_t kChanges = 100'000'000; ///< Of one column, in all deltas together
-inline constexpr std::uint32_t kLassos = 100'000;
-inline constexpr std::uint32_t kLassoPoints = 10'000'000; ///< In all
-inline constexpr std::uint32_t kImages = 4096;
-inline constexpr qsizetype kImageBytes = qsizetype{512} << 20; ///< In all
-} // namespace projectLimits
 
 /// The file's bytes; equal projects give equal bytes. Fails for what unpackProject() would refuse: a project
 /// beyond the limits, or one whose tree or journal is not sound.

@@ -2,7 +2,7 @@
 #include "model/io/project/ProjectImages.h"
 
 #include "model/io/ImageFile.h"
-#include "model/io/project/ProjectFile.h"
+#include "model/io/project/ProjectLimits.h"
 
 #include <QSet>
 

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void lightSensitivity_isTheExponentOfLight();
     void gravimorphism_leavesTerminalBudsAlone();
     void workedOutInParts_itIsTheSame();
+    void voxelsOfNoSize_areGivenOne();
 };
 
 namespace {
@@ -229,6 +230,20 @@ void GrowthIndexTest::gravimorphism_leavesTerminalBudsAlone()
     parameters.growth.ellipseOffset = 0.4;
     setParameters(document, parameters);
     QVERIFY(terminals() == neutral);
+}
+
+void GrowthIndexTest::voxelsOfNoSize_areGivenOne()
+{
+    TreeDocument document;
+    growAtRandom(document, 3, 40);
+    for (const double length : {0.0, 1e-40}) {
+        TreeParameters parameters = document.parameters();
+        parameters.growth.internodeLength = length;
+        Tree tree(1, parameters);
+        const TreeIndex index(tree);
+        const GrowthIndex growth(tree, index);
+        QVERIFY(growth.space().edge() > 0.0F);
+    }
 }
 
 const TestClass<GrowthIndexTest> growthIndexTest;

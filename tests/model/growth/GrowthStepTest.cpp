@@ -297,7 +297,7 @@ void GrowthStepTest::branches_areShedWhereBruteForceSays()
         if (one.delta.born.count > 0) {
             // Where they stand after the step.
             Tree tree = one.tree();
-            TreeDelta births = TreeDelta::startingAt(tree);
+            TreeDelta births = deltaStartingAt(tree);
             births.born = one.delta.born;
             births.rows = std::make_shared<TreeRows>(*one.delta.rows);
             tree.apply(births);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/BranchMesher.h"
 
+#include "model/mesh/TubeMesher.h"
 #include "model/mesh/Tubes.h"
 #include "tests/support/MeshTopology.h"
 #include "tests/support/TestClasses.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/LeafPlacer.h"
 
+#include "model/mesh/LeafCard.h"
 #include "model/mesh/Tubes.h"
 #include "model/texture/Textures.h"
 #include "tests/support/TestClasses.h"
@@ -39,6 +40,8 @@ private Q_SLOTS:
     void leaves_areTheSameOnOneThreadAndMany();
     void hue_shiftsFromGreenToRedWithWeakness();
     void hue_ofPlacedLeaves_followsVigour();
+    void leaves_nearTheGround_turnUpward();
+    void leaves_belowTheGround_areHidden();
 };
 
 namespace {
@@ -405,10 +408,13 @@ void LeafPlacerTest::arrangement_isThatOfTheAxisWhereverATubeBegins()
         bool someTubeBeginsWithinAnAxis = false;
         for (const InternodeId base : tubesOf(builder.tree, builder.index)) {
             someTubeBeginsWithinAnAxis |= builder.index.axis(base) != base;
-            std::vector<LeafInstance> tube(placer.count(base));
-            placer.placeTube(base, tube);
+            std::vector<InternodeId> internodes;
+            for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(builder.index, id))
+                internodes.push_back(id);
+            std::vector<LeafInstance> tube(placer.count(internodes));
+            placer.place(internodes, tube);
             std::size_t done = 0;
-            for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(builder.index, id)) {
+            for (const InternodeId id : internodes) {
                 for (const LeafInstance& leaf : leavesOf(builder, id))
                     QVERIFY(leaf == tube[done++]);
             }
@@ -496,6 +502,37 @@ void LeafPlacerTest::hue_ofPlacedLeaves_followsVigour()
         above = leaf.hueShift;
         brighter = leaf.value;
     }
+}
+
+void LeafPlacerTest::leaves_nearTheGround_turnUpward()
+{
+    for (const LeafShape shape : {LeafShape::Ovate, LeafShape::Needles, LeafShape::Frond}) {
+        TreeParameters parameters;
+        parameters.leaves.shape = shape;
+        parameters.leaves.length = 0.8;
+        parameters.leaves.aspect = 0.4;
+        parameters.leaves.droop = 0.9;
+        parameters.leaves.perNode = 5;
+        TreeBuilder builder(1, parameters);
+        builder.growAxis(0, kTerminalSlot, continuing(), 4, continuing(), 0.05F);
+        const MeshBuffer<LeafInstance> leaves = placeLeaves(builder.tree, builder.index);
+        QVERIFY(leaves.size() >= 20);
+        for (const LeafInstance& leaf : leaves)
+            QVERIFY(leaf.length > 0.0F);
+        for (const MeshVertex& vertex : expandLeaves(leaves).vertices)
+            QVERIFY2(vertex.position[1] > -1e-5F, qPrintable(QString::number(vertex.position[1])));
+    }
+}
+
+void LeafPlacerTest::leaves_belowTheGround_areHidden()
+{
+    TreeBuilder builder;
+    builder.apply(bend(builder.tree, 0, continuing(2.5, 0.0, 0.0), 3.0F));
+    const MeshBuffer<LeafInstance> leaves = placeLeaves(builder.tree, builder.index);
+    QVERIFY(!leaves.empty());
+    for (const LeafInstance& leaf : leaves)
+        QVERIFY(leaf.length == 0.0F || leaf.position[1] >= 0.0F);
+    QVERIFY(std::ranges::any_of(leaves, [](const LeafInstance& leaf) { return leaf.length == 0.0F; }));
 }
 
 const TestClass<LeafPlacerTest> leafPlacerTest;

@@ -22,6 +22,9 @@ private Q_SLOTS:
     void exponent_isKeptWithinItsLimits();
     void radii_keepDaVincisRuleAtEveryFork();
     void base_hasTheDiameterAskedFor();
+    void base_ofASingleStem_hasTheDiameterAskedForAndTapersByLength();
+    void base_ofAFewTips_hasTheDiameterAskedFor();
+    void seedling_ofAThickTree_isNoDisc();
     void parent_isNeverThinnerThanAChild();
     void scale_ofTipAndBase_scalesAllRadii();
     void dead_haveNoWidth();
@@ -98,6 +101,51 @@ void WidthsTest::base_hasTheDiameterAskedFor()
         QVERIFY(widths.exponent() > 0.5 && widths.exponent() < 10.0);
         QVERIFY(std::abs(diameterOf(widths, builder.index, 0) - base) < 1e-6 * base + 1e-9);
     }
+}
+
+void WidthsTest::base_ofASingleStem_hasTheDiameterAskedForAndTapersByLength()
+{
+    TreeParameters parameters;
+    parameters.widths.baseDiameter = 0.12;
+    parameters.widths.tipDiameter = 0.01;
+    TreeBuilder builder(1, parameters);
+    const InternodeId middle = builder.growAxis(0, kTerminalSlot, continuing(), 9, continuing(), 0.1F);
+    const InternodeId tip = builder.growAxis(middle, kTerminalSlot, continuing(), 20, continuing(), 0.05F);
+    const Widths widths(builder.tree, builder.index);
+    QVERIFY(std::abs(diameterOf(widths, builder.index, 0) - 0.12) < 1e-6);
+    QVERIFY(std::abs(diameterOf(widths, builder.index, tip) - 0.01) < 1e-6);
+    // Half of the length lies on either side: the geometric mean.
+    QVERIFY(std::abs(diameterOf(widths, builder.index, middle) - std::sqrt(0.12 * 0.01)) < 0.003);
+    for (InternodeId id = 1; id < builder.tree.size(); ++id)
+        QVERIFY(widths.radius(builder.index, id) < widths.radius(builder.index, id - 1));
+}
+
+void WidthsTest::base_ofAFewTips_hasTheDiameterAskedFor()
+{
+    // So few that no exponent within the limits leads there, or too many.
+    for (const auto& [laterals, base] : {std::pair{1, 0.5}, std::pair{3, 0.5}, std::pair{30, 0.0055}}) {
+        TreeParameters parameters;
+        parameters.widths.baseDiameter = base;
+        parameters.widths.tipDiameter = 0.005;
+        TreeBuilder builder(1, parameters);
+        InternodeId tip = 0;
+        for (int i = 0; i < laterals; ++i) {
+            tip = builder.grow({.parent = tip, .rotation = continuing()});
+            builder.grow({.parent = tip, .slot = 0, .rotation = branching(0.8)});
+        }
+        builder.grow({.parent = tip, .rotation = continuing()});
+        const Widths widths(builder.tree, builder.index);
+        QVERIFY(std::abs(diameterOf(widths, builder.index, 0) - base) < 1e-5 * base);
+    }
+}
+
+void WidthsTest::seedling_ofAThickTree_isNoDisc()
+{
+    TreeParameters parameters;
+    parameters.widths.baseDiameter = 0.4;
+    const TreeBuilder seedling(1, parameters);
+    const Widths widths(seedling.tree, seedling.index);
+    QVERIFY(diameterOf(widths, seedling.index, 0) <= static_cast<double>(seedling.tree.length(0)) / 2.0);
 }
 
 void WidthsTest::parent_isNeverThinnerThanAChild()

@@ -189,7 +189,7 @@ void TreeTest::placedLeaves_comeAndGoWithTheirDelta()
 {
     TreeBuilder builder = randomTree(20, 3);
     const Tree before = builder.tree;
-    TreeDelta delta = TreeDelta::startingAt(builder.tree);
+    TreeDelta delta = deltaStartingAt(builder.tree);
     delta.rows = std::make_shared<TreeRows>();
     LeafColumns& leaves = delta.rows->leaves;
     leaves.internode.append(7);
@@ -202,7 +202,7 @@ void TreeTest::placedLeaves_comeAndGoWithTheirDelta()
     delta.bornLeaves.count = 1;
     builder.apply(delta);
     QCOMPARE(builder.tree.placedLeaves().size(), 1U);
-    TreeDelta wilts = TreeDelta::startingAt(builder.tree);
+    TreeDelta wilts = deltaStartingAt(builder.tree);
     wilts.leaves.death.push_back({0, kNever, builder.tree.step()});
     builder.apply(wilts);
     QCOMPARE(builder.tree.placedLeaves().death[0], builder.tree.step());
@@ -372,7 +372,7 @@ void TreeTest::fromContent_refusesFaults()
 void TreeTest::emptyDelta_isEmpty()
 {
     const TreeBuilder builder = randomTree(20, 8);
-    QVERIFY(TreeDelta::startingAt(builder.tree).isEmpty());
+    QVERIFY(deltaStartingAt(builder.tree).isEmpty());
     QVERIFY(!builder.journal.back().isEmpty());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/mesh/MeshPool.h"
+#include "views/render/MeshPool.h"
 
+#include "model/mesh/TubeMesher.h"
 #include "model/mesh/Tubes.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
@@ -23,6 +24,8 @@ private Q_SLOTS:
     void finish_afterManyChanges_isAsAfterEach();
     void finishedInParts_itIsTheSame();
     void pool_followsParameters();
+    void pool_followsTheTolerance();
+    void pool_followsAStemThatTapersByLength();
     void pool_followsWidthConstraints();
     void widthConstraint_meshesWhatItChangesAlone();
     void changes_areAllReported();
@@ -41,7 +44,7 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
     const TreeIndex& index = builder.index;
     const Widths widths(tree, index);
     const LeafPlacer placer(tree, index);
-    TubeMesher mesher(tree, index, widths);
+    TubeMesher mesher(tree, index, widths, pool.options());
     std::vector<std::uint8_t> usedIndices(pool.indices().size(), 0);
     std::vector<std::uint8_t> usedLeaves(pool.leaves().size(), 0);
     std::vector<std::uint8_t> usedVertices(pool.vertices().size(), 0);
@@ -55,7 +58,7 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
 
     for (InternodeId base = 0; base < tree.size(); ++base) {
         const bool expected = tree.isAlive(base) && beginsTube(tree, index, base);
-        const MeshPool::Tube* tube = pool.tube(base);
+        const MeshPool::Piece* tube = pool.piece(base);
         if (expected != (tube != nullptr))
             return QStringLiteral("tube %1 should%2 be there").arg(base).arg(expected ? "" : " not");
         if (!expected)
@@ -70,12 +73,12 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
         const InternodeId parent = tree.parent(base);
         if (parent != kNoInternode) {
             const float radius = widths.radius(index, parent);
-            if (std::abs(radius - tube->parentRadius) > tolerance * radius)
+            if (std::abs(radius - pool.tracker().supportRadius(base)) > tolerance * radius)
                 return QStringLiteral("tube %1 leaves a parent of another width").arg(base);
         }
         for (std::size_t i = 0; i < mesher.internodes().size(); ++i) {
             const InternodeId id = mesher.internodes()[i];
-            if (std::abs(pool.meshedRadius(id) - mesher.radii()[i]) > tolerance * mesher.radii()[i])
+            if (std::abs(pool.tracker().meshedRadius(id) - mesher.radii()[i]) > tolerance * mesher.radii()[i])
                 return QStringLiteral("internode %1 has another width").arg(id);
         }
         if (tolerance == 0.0F) {
@@ -96,8 +99,8 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
         }
 
         // Leaves do not depend on widths: they are exact always.
-        std::vector<LeafInstance> leaves(placer.count(base));
-        placer.placeTube(base, leaves);
+        std::vector<LeafInstance> leaves(placer.count(mesher.internodes()));
+        placer.place(mesher.internodes(), leaves);
         if (!std::ranges::equal(leaves, pool.leaves().subspan(tube->leaves.first, tube->leafCount)))
             return QStringLiteral("tube %1 has other leaves").arg(base);
         for (std::uint32_t i = tube->leafCount; i < tube->leaves.capacity; ++i) {
@@ -279,7 +282,7 @@ void MeshPoolTest::pool_followsGrowthPruningAndReversal()
     Follower follower(250, static_cast<std::uint64_t>(seed), parameters);
     for (int step = 0; step < 150; ++step) {
         follower.actAtRandom();
-        QCOMPARE(faultOf(follower.pool, follower.builder, MeshPool::kTolerance + 0.001F), QString());
+        QCOMPARE(faultOf(follower.pool, follower.builder, WoodTracker::kTolerance + 0.001F), QString());
         if (step % 10 == 9) {
             follower.pool.settle(follower.builder.tree, follower.builder.index);
             QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
@@ -313,7 +316,7 @@ void MeshPoolTest::finish_afterManyChanges_isAsAfterEach()
                 }
             }
             follower.pool.finish(follower.builder.tree, follower.builder.index);
-            QCOMPARE(faultOf(follower.pool, follower.builder, MeshPool::kTolerance + 0.001F), QString());
+            QCOMPARE(faultOf(follower.pool, follower.builder, WoodTracker::kTolerance + 0.001F), QString());
             if (frame % 3 == 2) {
                 follower.pool.settle(follower.builder.tree, follower.builder.index);
                 QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
@@ -349,7 +352,8 @@ void MeshPoolTest::finishedInParts_itIsTheSame()
             if (step % 25 == 24) {
                 while (!some(7)) {
                 }
-                QCOMPARE(faultOf(follower.pool, follower.builder, MeshPool::kTolerance + 0.001F), QString());
+                QCOMPARE(faultOf(follower.pool, follower.builder, WoodTracker::kTolerance + 0.001F),
+                         QString());
             }
             if (step % 50 == 49) {
                 follower.pool.noteInexact(follower.builder.tree, follower.builder.index);
@@ -384,6 +388,43 @@ void MeshPoolTest::pool_followsParameters()
     QCOMPARE(change([](TreeParameters& p) { p.growth.apicalDominance = 0.6; }), QString());
 }
 
+void MeshPoolTest::pool_followsTheTolerance()
+{
+    Follower follower(600, 6);
+    const std::size_t before = follower.pool.vertices().size();
+    follower.pool.setOptions({.tolerance = 6e-5});
+    while (!follower.pool.finishSome(follower.builder.tree, follower.builder.index, 50)) {
+    }
+    QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
+    QVERIFY(follower.pool.vertices().size() > 2 * before);
+    follower.grow(20);
+    QCOMPARE(faultOf(follower.pool, follower.builder, WoodTracker::kTolerance + 0.001F), QString());
+}
+
+void MeshPoolTest::pool_followsAStemThatTapersByLength()
+{
+    TreeParameters parameters;
+    parameters.widths.baseDiameter = 0.12;
+    TreeBuilder builder(1, parameters);
+    MeshPool pool;
+    pool.rebuild(builder.tree, builder.index);
+    const auto fault = [&] {
+        pool.follow(builder.tree, builder.index, builder.journal.back());
+        pool.settle(builder.tree, builder.index);
+        return faultOf(pool, builder, 0.0F);
+    };
+    InternodeId tip = 0;
+    for (int i = 0; i < 12; ++i) {
+        tip = builder.grow({.parent = tip, .rotation = continuing()});
+        QCOMPARE(fault(), QString());
+    }
+    // It branches, and is pruned to a single stem again.
+    const InternodeId lateral = builder.grow({.parent = tip - 4, .slot = 0, .rotation = branching(0.8)});
+    QCOMPARE(fault(), QString());
+    builder.apply(death(builder.tree, builder.index, lateral));
+    QCOMPARE(fault(), QString());
+}
+
 void MeshPoolTest::pool_followsWidthConstraints()
 {
     for (const double baseDiameter : {0.0, 0.3}) {
@@ -402,7 +443,7 @@ void MeshPoolTest::pool_followsWidthConstraints()
             for (std::uint64_t i = 0; i < 3 + choice; ++i)
                 follower.actAtRandom();
             follower.pool.finish(follower.builder.tree, follower.builder.index);
-            QCOMPARE(faultOf(follower.pool, follower.builder, MeshPool::kTolerance + 0.001F), QString());
+            QCOMPARE(faultOf(follower.pool, follower.builder, WoodTracker::kTolerance + 0.001F), QString());
             if (step % 10 == 9) {
                 follower.pool.settle(follower.builder.tree, follower.builder.index);
                 QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/io/export/ExportFormat.h"
+#include "model/io/export/ExportFormats.h"
 
 #include "model/io/export/FbxFormat.h"
 #include "model/io/export/GlbFormat.h"

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/mesh/Mesh.h"
+#include "model/shape/Widths.h"
+
+#include <memory>
+#include <span>
+
+namespace espalier {
+
+/// How finely wood is meshed.
+struct WoodMeshOptions {
+    /// The finest tolerance, m: what is asked for below counts as this.
+    static constexpr double kFinest = 1e-5;
+
+    /// How far the mesh may lie inside the round and curved surface that it stands for, m: 1 mm looks round
+    /// at a few metres.
+    double tolerance = 0.001;
+
+    bool operator==(const WoodMeshOptions&) const = default;
+};
+
+/// The place on the tree that a vertex of the wood belongs to.
+struct WoodOrigin {
+    InternodeId internode = kNoInternode;
+    /// Along the internode: 0 at its base, 1 at its node. The root of a branch, which lies inside its parent,
+    /// counts as 0.
+    float along = 0.0F;
+
+    bool operator==(const WoodOrigin&) const = default;
+};
+
+/// Meshes the pieces of one tree's wood, one at a time. Keeps its buffers from piece to piece: use one for
+/// each thread.
+class WoodPieceMesher {
+public:
+    WoodPieceMesher() = default;
+    WoodPieceMesher(const WoodPieceMesher&) = delete;
+    WoodPieceMesher& operator=(const WoodPieceMesher&) = delete;
+    virtual ~WoodPieceMesher() = default;
+
+    /// Reads the piece that begins with the living internode @p base and returns what its mesh takes.
+    virtual MeshSize prepare(InternodeId base) = 0;
+    /// Writes the mesh of the piece prepared last, a closed surface, into spans of exactly that size; @p
+    /// firstVertex is added to the indices.
+    virtual void write(std::span<MeshVertex> vertices, std::span<VertexIndex> indices,
+                       VertexIndex firstVertex = 0) = 0;
+    /// Where each vertex of the piece written last belongs, in their order.
+    virtual void writeOrigins(std::span<WoodOrigin> origins) const = 0;
+
+    /// The internodes of the prepared piece, its base first, and the radius of each, m.
+    virtual std::span<const InternodeId> internodes() const = 0;
+    virtual std::span<const float> radii() const = 0;
+    /// Of the internode that the prepared piece stands on, m; 0 if it stands on the ground.
+    virtual float supportRadius() const = 0;
+};
+
+/// A way to make a surface of a tree's wood. The living internodes are parted into pieces, each of which is
+/// connected, has an internode that it begins with, and is meshed as a whole: so a change costs what it
+/// touches. Of a piece's mesh, all is a function of its own internodes' places and radii, of the direction
+/// and radius of the internode that it stands on, of the branches' tip counts around it, and of the options.
+class WoodMesher {
+public:
+    virtual ~WoodMesher() = default;
+
+    /// Whether a living internode belongs to the piece of its parent; if not, it begins a piece.
+    virtual bool joinsParent(const Tree& tree, const TreeIndex& index, InternodeId id) const = 0;
+    /// @p tree, @p index and @p widths outlive what is returned.
+    virtual std::unique_ptr<WoodPieceMesher> pieceMesher(const Tree& tree, const TreeIndex& index,
+                                                         const Widths& widths,
+                                                         const WoodMeshOptions& options) const = 0;
+
+    /// The first internodes of all pieces of a tree, ascending.
+    std::vector<InternodeId> pieces(const Tree& tree, const TreeIndex& index) const
+    {
+        std::vector<InternodeId> bases;
+        for (InternodeId id = 0; id < tree.size(); ++id) {
+            if (tree.isAlive(id) && !joinsParent(tree, index, id))
+                bases.push_back(id);
+        }
+        return bases;
+    }
+};
+
+/// Wood as tubes, see Tubes.h and TubeMesher.
+const WoodMesher& tubeWood();
+
+} // namespace espalier

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/render/TreeScene.h"
+
+#include "tests/support/Growing.h"
+#include "tests/support/TestClasses.h"
+
+#include <QtTest>
+
+namespace espalier::test {
+
+class TreeSceneTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void wood_isFinerWhereAPixelIsSmaller();
+    void tolerance_doesNotWaverWithThePixel();
+};
+
+void TreeSceneTest::wood_isFinerWhereAPixelIsSmaller()
+{
+    TreeDocument document;
+    growAtRandom(document, 4, 200);
+    TreeScene scene(document);
+    std::size_t coarser = 0;
+    for (const double pixel : {0.2, 0.005, 0.0003}) {
+        scene.setPixelSize(pixel);
+        scene.prepare();
+        // An outline is off by less than a third of a pixel.
+        QVERIFY(scene.mesh().options().tolerance < pixel / 3.0);
+        const std::size_t vertices = scene.mesh().vertices().size();
+        QVERIFY(vertices > coarser);
+        coarser = vertices;
+    }
+}
+
+void TreeSceneTest::tolerance_doesNotWaverWithThePixel()
+{
+    TreeDocument document;
+    TreeScene scene(document);
+    for (const double pixel : {1e-4, 3e-4, 1e-3, 5e-3, 0.02, 0.1}) {
+        scene.setPixelSize(pixel);
+        scene.prepare();
+        const double tolerance = scene.mesh().options().tolerance;
+        for (const double factor : {0.9, 1.1, 1.0}) {
+            scene.setPixelSize(factor * pixel);
+            QCOMPARE(scene.mesh().options().tolerance, tolerance);
+            QVERIFY(!scene.isBehind());
+        }
+    }
+    // What is no size changes nothing.
+    const double tolerance = scene.mesh().options().tolerance;
+    for (const double pixel : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+        scene.setPixelSize(pixel);
+    QCOMPARE(scene.mesh().options().tolerance, tolerance);
+}
+
+const TestClass<TreeSceneTest> treeSceneTest;
+
+} // namespace espalier::test
+
+#include "TreeSceneTest.moc"
