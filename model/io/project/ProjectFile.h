@@ -2,14 +2,17 @@
 #pragma once
 
 #include "model/base/Error.h"
+#include "model/io/project/Project.h"
 #include "model/io/project/ProjectLimits.h"
-#include "model/tree/Tree.h"
 
 #include <QByteArray>
 #include <QImage>
 #include <QString>
 
 namespace espalier {
+
+/// The tree at the moment that was shown.
+Tree shownTree(const Project& project);
 
 /// What a project file (.espalier) holds. The format is a ZIP archive of
 ///
@@ -28,21 +31,7 @@ namespace espalier {
 /// - thumbnail.png, if there is one.
 ///
 /// Version 1, which had absent rows and no keys, is read and brought up to date (ProjectVersion1.h).
-struct Project {
-    Tree tree{};
-    Journal journal; ///< Its deltas stand applied
-    QString name;
-    QImage thumbnail; ///< May be null
-    /// So many of the last deltas lie ahead of the moment that was shown.
-    std::uint32_t ahead = 0;
-    /// One sentence for a person about what of the file could not be taken over, such as an image that is
-    /// missing in it; not part of a file.
-    QString warning{};
-};
-
-/// The tree at the moment that was shown.
-Tree shownTree(const Project& project);
-
+///
 /// The file's bytes; equal projects give equal bytes. Fails for what unpackProject() would refuse: a project
 /// beyond the limits, or one whose tree or journal is not sound.
 Result<QByteArray> packProject(const Project& project);

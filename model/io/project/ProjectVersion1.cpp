@@ -6,6 +6,7 @@
 #include "model/io/project/KeptEntries.h"
 #include "model/io/project/ProjectDescription.h"
 #include "model/io/project/ProjectImages.h"
+#include "model/io/project/ProjectLimits.h"
 
 #include <QCoreApplication>
 

@@ -4,7 +4,7 @@
 #include "model/base/Error.h"
 #include "model/io/JsonReader.h"
 #include "model/io/ZipArchive.h"
-#include "model/io/project/ProjectFile.h"
+#include "model/io/project/Project.h"
 
 namespace espalier::projectVersion1 {
 
