@@ -41,18 +41,23 @@ QMap<QString, QByteArray> allFilesIn(const QTemporaryDir& folder)
 /// The smallest textures, so that there is little to write.
 const ExportOptions kSmallExport{.textureSize = 64};
 
-/// Writes one kind of output of the sample project to "oak.<kind>".
-Result<void> writeKind(const QString& kind, const QTemporaryDir& folder)
+enum class Age { Old, New };
+
+/// Writes one kind of output to "oak.<kind>"; old ones differ from new ones.
+Result<void> writeKind(const QString& kind, const QTemporaryDir& folder, Age age)
 {
-    static const Project project = sampleProject(60);
+    static const Project projects[] = {sampleProject(30), sampleProject(60)};
+    const bool isNew = age == Age::New;
+    const Project& project = projects[isNew ? 1 : 0];
     const QString fileName = folder.filePath(QStringLiteral("oak.") + kind);
     if (kind == QLatin1String("espalier"))
         return saveProject(project, fileName);
     if (kind == QLatin1String("small"))
-        return writeFile(fileName, "a few bytes");
+        return writeFile(fileName, isNew ? "a few bytes" : "fewer");
     if (kind == QLatin1String("copy")) {
-        const QString source = QDir::temp().filePath(QStringLiteral("espalier-copy-source"));
-        if (Result<void> written = writeFile(source, QByteArray(100'000, 'x')); !written)
+        const QTemporaryDir elsewhere;
+        const QString source = elsewhere.filePath(QStringLiteral("source"));
+        if (Result<void> written = writeFile(source, QByteArray(100'000, isNew ? 'n' : 'o')); !written)
             return written;
         return copyFile(source, fileName);
     }
@@ -219,41 +224,48 @@ void FileWriterTest::faultyDisk_leavesTheOldFilesOrTheNewOnes_data()
 void FileWriterTest::faultyDisk_leavesTheOldFilesOrTheNewOnes()
 {
     QFETCH(QString, kind);
+    const auto written = [&](Age age) {
+        const QTemporaryDir folder;
+        return writeKind(kind, folder, age) ? allFilesIn(folder) : QMap<QString, QByteArray>();
+    };
+    const QMap<QString, QByteArray> old = written(Age::Old);
+    const QMap<QString, QByteArray> whole = written(Age::New);
+    QVERIFY(!old.isEmpty());
+    QCOMPARE(old.keys(), whole.keys());
+    QVERIFY(old != whole);
+    const QTemporaryDir folder;
+    const auto putOld = [&] {
+        for (const QString& name : old.keys())
+            put(folder.filePath(name), old[name]);
+    };
+    putOld();
     int calls = 0;
     int callsBeforeNaming = 0;
-    QMap<QString, QByteArray> whole;
     {
-        const QTemporaryDir folder;
         const FaultyDisk good(folder.path(), FaultyDisk::kNever, 0);
-        QVERIFY(writeKind(kind, folder));
+        QVERIFY(writeKind(kind, folder, Age::New));
         calls = good.calls();
         callsBeforeNaming = good.callsBeforeNaming();
-        whole = allFilesIn(folder);
     }
+    QCOMPARE(allFilesIn(folder), whole);
     QVERIFY2(callsBeforeNaming >= 2 * whole.size(), "each file is written and brought to the disk");
-    const QTemporaryDir folder;
     for (int goodCalls = 0; goodCalls < calls; ++goodCalls) {
-        for (const QString& name : whole.keys())
-            put(folder.filePath(name), kOld);
-        Result<void> written;
+        putOld();
+        Result<void> result;
         {
             const FaultyDisk disk(folder.path(), goodCalls, ENOSPC);
-            written = writeKind(kind, folder);
+            result = writeKind(kind, folder, Age::New);
         }
-        // Replacing a file that is there takes more calls than writing a new one.
         const QMap<QString, QByteArray> left = allFilesIn(folder);
+        QVERIFY2(!result, qPrintable(QStringLiteral("call %1 failed unnoticed").arg(goodCalls)));
+        QVERIFY2(result.error().message.endsWith(QStringLiteral(": the disk is full")),
+                 qPrintable(result.error().message));
         QCOMPARE(left.keys(), whole.keys());
-        const bool isReplaced = left == whole;
-        QVERIFY2(!written || isReplaced,
-                 qPrintable(QStringLiteral("call %1 failed unnoticed").arg(goodCalls)));
-        if (!written)
-            QVERIFY2(written.error().message.endsWith(QStringLiteral(": the disk is full")),
-                     qPrintable(written.error().message));
-        for (const QString& name : whole.keys()) {
-            const bool isOld = left[name] == kOld;
-            QVERIFY2(isOld || (goodCalls >= callsBeforeNaming && left[name] == whole[name]),
+        if (goodCalls < callsBeforeNaming)
+            QCOMPARE(left, old);
+        for (const QString& name : whole.keys())
+            QVERIFY2(left[name] == old[name] || left[name] == whole[name],
                      qPrintable(QStringLiteral("%1 after %2 good calls").arg(name).arg(goodCalls)));
-        }
     }
 }
 
