@@ -2,6 +2,7 @@
 #include "app/MainWindow.h"
 
 #include "app/Language.h"
+#include "model/document/Edit.h"
 #include "model/mesh/TreeCounts.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
@@ -102,6 +103,9 @@ MainWindow::MainWindow(QWidget* parent)
 MainWindow::~MainWindow()
 {
     cancelAll();
+    // What a file being written has to tell goes to parts of the window.
+    m_files->file().waitForSaving();
+    m_files->file().disconnect(this);
     // The stack tells of its own end, when what would listen has gone.
     m_document.undoStack().disconnect(this);
 }
@@ -134,6 +138,12 @@ void MainWindow::connectFiles()
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
     connect(m_files.get(), &FileController::aboutToAsk, this,
             [this] { m_workspace->viewport().finishGesture(); });
+    m_files->setWorkInHand({.isUnderWay = [this] { return hasUnfinishedWork(); },
+                            .finish =
+                                [this] {
+                                    m_recipeRunner.stop();
+                                    finishHand();
+                                }});
     connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
     connect(m_files.get(), &FileController::recipeOpened, this,
             [this](const Recipe& recipe) { playRecipe(recipe, RecipeRunner::Pace::Hurried); });
@@ -384,6 +394,11 @@ void MainWindow::finishHand()
     m_timeRunner.release();
 }
 
+bool MainWindow::hasUnfinishedWork() const
+{
+    return m_document.edit() != nullptr && m_document.edit()->hasChanges();
+}
+
 void MainWindow::cancelAll()
 {
     m_recipeRunner.stop();
@@ -499,14 +514,21 @@ void MainWindow::takeTool()
     m_workspace->showPopOut(popOut);
 }
 
+void MainWindow::changeEvent(QEvent* event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::ActivationChange && isActiveWindow() && m_files)
+        m_files->lookAtDisk();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     m_recipeRunner.stop();
-    finishHand();
     if (!m_files->mayLeave()) {
         event->ignore();
         return;
     }
+    cancelAll();
     m_settings.setViewValues(m_viewSettings.values());
     m_settings.setWindowGeometry(saveGeometry());
     event->accept();

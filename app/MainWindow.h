@@ -48,6 +48,7 @@ public:
     QSize sizeHint() const override { return {1440, 900}; }
 
 protected:
+    void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -76,6 +77,8 @@ private:
     /// Those that the workspace keeps.
     void suitHand();
     void followDocument();
+    /// Whether an edit is under way that would be lost if it were cancelled.
+    bool hasUnfinishedWork() const;
     /// Ends what a hand has under way, and growth, and keeps what they came to.
     void finishHand();
     /// Takes back what is under way.

@@ -9,7 +9,6 @@
 #include "app/cli/CommandLine.h"
 #include "app/cli/Display.h"
 #include "app/files/Settings.h"
-#include "panels/Notice.h"
 #include "panels/Theme.h"
 #include "views/render/GlResources.h"
 
@@ -83,13 +82,13 @@ int runWindow(const CommandLine& line, QApplication& application)
         demonstrateUnseen(window, *demo);
     } else if (demo) {
         window.playRecipe(*demo, RecipeRunner::Pace::OfTheHand);
-    } else if (line.inputs.isEmpty()) {
-        window.files().offerRecovery();
-        // First things first: what a crash has left comes before anything else.
-        if (!window.workspace().notice().isVisible() && !isDisplayVirtual())
-            window.help().startFirstTour();
     } else {
-        window.files().openFile(line.inputs.constFirst());
+        // First things first: what a crash has left comes before the tour.
+        if (line.inputs.isEmpty() && Autosave::leftovers().empty() && !isDisplayVirtual())
+            window.help().startFirstTour();
+        if (!line.inputs.isEmpty())
+            window.files().openFile(line.inputs.constFirst());
+        window.files().offerRecovery();
     }
     return QApplication::exec();
 }

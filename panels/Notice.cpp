@@ -20,12 +20,7 @@ constexpr int kProgressSteps = 1000;
 
 } // namespace
 
-Notice::Notice(QWidget* parent)
-    : Bar(parent),
-      m_text(new QLabel(this)),
-      m_progress(new QProgressBar(this)),
-      m_yes(new QPushButton(this)),
-      m_no(new QPushButton(this))
+Notice::Notice(QWidget* parent) : Bar(parent), m_text(new QLabel(this)), m_progress(new QProgressBar(this))
 {
     m_text->setTextFormat(Qt::PlainText);
     m_text->setWordWrap(true);
@@ -33,14 +28,15 @@ Notice::Notice(QWidget* parent)
     m_progress->setFixedWidth(180);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(8);
-    for (QPushButton* button : {m_yes, m_no}) {
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        auto* button = new QPushButton(this);
+        m_buttons[i] = button;
         button->setMinimumHeight(theme::kTarget);
         button->setFocusPolicy(Qt::TabFocus);
-        const bool answer = button == m_yes;
-        connect(button, &QPushButton::clicked, this, [this, answer] {
+        connect(button, &QPushButton::clicked, this, [this, i] {
             hide();
             if (const auto told = std::exchange(m_answer, {}))
-                told(answer);
+                told(static_cast<int>(i));
         });
     }
     auto* line = new QHBoxLayout(this);
@@ -48,8 +44,8 @@ Notice::Notice(QWidget* parent)
     line->setSpacing(10);
     line->addWidget(m_text, 1);
     line->addWidget(m_progress);
-    line->addWidget(m_yes);
-    line->addWidget(m_no);
+    for (QPushButton* button : m_buttons)
+        line->addWidget(button);
     m_timer.setSingleShot(true);
     m_timer.setInterval(4000);
     connect(&m_timer, &QTimer::timeout, this, &QWidget::hide);
@@ -64,37 +60,48 @@ QString Notice::text() const
 void Notice::showInformation(const QString& text)
 {
     m_answer = {};
-    present(text, false, {}, {});
+    present(text, false, {});
     m_timer.start();
 }
 
 void Notice::showWarning(const QString& text)
 {
     m_answer = {};
-    present(text, true, {}, tr("Close"));
+    present(text, true, {tr("Close")});
 }
 
 void Notice::showProgress(const QString& text, double progress, std::function<void()> cancel)
 {
     const bool cancellable = static_cast<bool>(cancel);
-    m_answer = [cancel = std::move(cancel)](bool) {
+    m_answer = [cancel = std::move(cancel)](int) {
         if (cancel)
             cancel();
     };
     m_progress->setRange(0, progress < 0.0 ? 0 : kProgressSteps);
     m_progress->setValue(static_cast<int>(progress * kProgressSteps));
-    present(text, false, {}, cancellable ? tr("Cancel") : QString());
+    present(text, false, cancellable ? QStringList{tr("Cancel")} : QStringList());
     m_progress->show();
     Q_EMIT resized();
 }
 
 void Notice::ask(const QString& text, const QString& yes, const QString& no, std::function<void(bool)> answer)
 {
-    m_answer = std::move(answer);
-    present(text, false, yes, no);
+    ask(text, {yes, no}, [answer = std::move(answer)](int chosen) { answer(chosen == 0); });
 }
 
-void Notice::present(const QString& text, bool warning, const QString& yes, const QString& no)
+void Notice::ask(const QString& text, const QStringList& answers, std::function<void(int)> answer)
+{
+    m_answer = std::move(answer);
+    present(text, false, answers);
+}
+
+void Notice::finishProgress()
+{
+    if (m_progress->isVisibleTo(this))
+        hide();
+}
+
+void Notice::present(const QString& text, bool warning, const QStringList& answers)
 {
     m_timer.stop();
     m_isWarning = warning;
@@ -102,14 +109,22 @@ void Notice::present(const QString& text, bool warning, const QString& yes, cons
     m_text->setFixedWidth(
         std::clamp(m_text->fontMetrics().horizontalAdvance(text) + 4, kLeastText, kMostText));
     m_progress->hide();
-    m_yes->setText(yes);
-    m_yes->setVisible(!yes.isEmpty());
-    m_no->setText(no);
-    m_no->setVisible(!no.isEmpty());
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        const QString name = answers.value(static_cast<qsizetype>(i));
+        m_buttons[i]->setText(name);
+        m_buttons[i]->setVisible(!name.isEmpty());
+    }
     show();
     raise();
     Q_EMIT resized();
     update();
+}
+
+void Notice::hideEvent(QHideEvent* event)
+{
+    Bar::hideEvent(event);
+    if (isHidden()) // It, and not the window around it
+        Q_EMIT closed();
 }
 
 void Notice::paintEvent(QPaintEvent* event)

@@ -5,6 +5,7 @@
 #include "commands/DocumentProject.h"
 #include "commands/recipe/Recipe.h"
 #include "commands/recipe/RecipePlayer.h"
+#include "model/io/FileWriter.h"
 #include "model/io/ParametersJson.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
@@ -109,7 +110,7 @@ Result<void> writeStats(const TreeDocument& document, const MeshCounts& mesh, co
                                                    {QStringLiteral("export"), times.exports},
                                                    {QStringLiteral("total"), times.total}};
     stats[QStringLiteral("peakRssMb")] = peakMemory();
-    return writeBytes(QJsonDocument(stats).toJson(), fileName);
+    return writeFile(fileName, QJsonDocument(stats).toJson());
 }
 
 Result<void> writePictureOf(const TreeDocument& document, const CommandLine& line, const QString& recipeView)

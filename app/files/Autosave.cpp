@@ -2,10 +2,11 @@
 #include "app/files/Autosave.h"
 
 #include "app/runners/Background.h"
+#include "model/io/FileWriter.h"
 
 #include <QDir>
 #include <QFile>
-#include <QSaveFile>
+#include <QFileInfo>
 #include <QStandardPaths>
 #include <QThreadPool>
 #include <QUuid>
@@ -18,22 +19,58 @@ const QString kProject = QStringLiteral(".espalier");
 const QString kOrigin = QStringLiteral(".origin");
 const QString kLock = QStringLiteral(".lock");
 
+const QString kUnreadable = QStringLiteral("/unreadable");
+
 void removeFiles(const QString& base)
 {
     for (const QString& suffix : {kProject, kOrigin})
         QFile::remove(base + suffix);
 }
 
-Result<void> writeFiles(const Project& project, const QString& base, const QString& origin)
+QString baseOf(const Leftover& leftover)
 {
-    QSaveFile file(base + kOrigin);
-    const QByteArray name = origin.toUtf8();
-    if (!file.open(QIODevice::WriteOnly) || file.write(name) != name.size() || !file.commit())
-        return Error{Error::Kind::Output, QStringLiteral("%1: %2").arg(file.fileName(), file.errorString())};
+    return leftover.fileName.chopped(kProject.size());
+}
+
+/// Where the document came from: the file's name, and a line about what that file held.
+struct Origin {
+    QString fileName{};
+    FileContent content{};
+};
+
+QByteArray packOrigin(const Origin& origin)
+{
+    QString text = origin.fileName;
+    if (origin.content.exists())
+        text += QLatin1Char('\n') + origin.content.toLine();
+    return text.toUtf8();
+}
+
+Origin readOrigin(const QString& fileName)
+{
+    constexpr qint64 kMost = 8192; // bytes
+    QFile file(fileName);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QString text = QString::fromUtf8(file.read(kMost));
+    const qsizetype end = text.lastIndexOf(QLatin1Char('\n'));
+    const FileContent content = FileContent::fromLine(text.mid(end + 1));
+    return content.exists() && end >= 0 ? Origin{text.left(end), content} : Origin{text, {}};
+}
+
+Result<void> writeFiles(const Project& project, const QString& base, const Origin& origin)
+{
+    if (Result<void> written = writeFile(base + kOrigin, packOrigin(origin)); !written)
+        return written;
     return saveProject(project, base + kProject);
 }
 
 } // namespace
+
+QString Leftover::displayName() const
+{
+    return original.isEmpty() ? Autosave::tr("A tree that was never saved") : QFileInfo(original).fileName();
+}
 
 Autosave::Autosave(const TreeDocument& document, DocumentFile& file, int interval, QObject* parent)
     : QObject(parent),
@@ -48,18 +85,21 @@ Autosave::Autosave(const TreeDocument& document, DocumentFile& file, int interva
     m_lock->tryLock(0);
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
-    connect(&document.undoStack(), &QUndoStack::indexChanged, this, [this] {
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &Autosave::followStack);
+    connect(&file, &DocumentFile::saved, this, &Autosave::clear);
+    const auto beDue = [this] {
         m_isDue = true;
         schedule();
-    });
-    connect(&file, &DocumentFile::saved, this, &Autosave::clear);
+    };
+    connect(&file, &DocumentFile::saveFailed, this, beDue);
+    connect(&file, &DocumentFile::saveRefused, this, beDue);
 }
 
 Autosave::~Autosave()
 {
     // A file that is being written now would be taken for what a crash has left.
     QThreadPool::globalInstance()->waitForDone();
-    removeFiles(m_base);
+    removeCopies();
 }
 
 QString Autosave::folder()
@@ -71,27 +111,49 @@ std::vector<Leftover> Autosave::leftovers()
 {
     std::vector<Leftover> found;
     const QDir place(folder());
-    for (const QString& name : place.entryList({QLatin1Char('*') + kProject}, QDir::Files, QDir::Time)) {
-        const QString path = place.filePath(name);
-        const QString base = path.chopped(kProject.size());
-        QLockFile lock(base + kLock);
-        lock.setStaleLockTime(0);
-        if (!lock.tryLock(0))
+    for (const QFileInfo& file :
+         place.entryInfoList({QLatin1Char('*') + kProject}, QDir::Files, QDir::Time)) {
+        const QString base = file.filePath().chopped(kProject.size());
+        auto lock = std::make_shared<QLockFile>(base + kLock);
+        lock->setStaleLockTime(0);
+        if (!lock->tryLock(0))
             continue;
-        QFile origin(base + kOrigin);
-        QString original;
-        if (origin.open(QIODevice::ReadOnly))
-            original = QString::fromUtf8(origin.read(4096));
-        found.push_back({path, original});
+        const Origin origin = readOrigin(base + kOrigin);
+        found.push_back(
+            {file.filePath(), origin.fileName, origin.content, file.lastModified(), std::move(lock)});
     }
     return found;
 }
 
 void Autosave::discard(const Leftover& leftover)
 {
-    const QString base = leftover.fileName.chopped(kProject.size());
-    removeFiles(base);
-    QFile::remove(base + kLock);
+    removeFiles(baseOf(leftover));
+}
+
+QString Autosave::keepAside(const Leftover& leftover)
+{
+    const QDir place(folder() + kUnreadable);
+    place.mkpath(QStringLiteral("."));
+    const QString name =
+        QStringLiteral("%1 %2").arg(QFileInfo(leftover.displayName()).completeBaseName(),
+                                    leftover.written.toString(QStringLiteral("yyyy-MM-dd hh.mm.ss")));
+    QString path = place.filePath(name + kProject);
+    for (int number = 2; QFileInfo::exists(path); ++number)
+        path = place.filePath(QStringLiteral("%1 (%2)").arg(name).arg(number) + kProject);
+    if (!QFile::rename(leftover.fileName, path))
+        return leftover.fileName;
+    QFile::remove(baseOf(leftover) + kOrigin);
+    return path;
+}
+
+void Autosave::followStack()
+{
+    m_isDue = true;
+    // While it is being saved, the document counts as unmodified before it is in the file.
+    if (!m_file.isModified() && !m_file.isSaving())
+        clear();
+    else
+        schedule();
 }
 
 void Autosave::schedule()
@@ -112,19 +174,24 @@ void Autosave::write()
     m_sinceWritten.start();
     runInBackground(
         this,
-        [project = m_file.snapshot(), base = m_base, origin = m_file.fileName()] {
+        [project = m_file.snapshot(), base = m_base,
+         origin = Origin{m_file.fileName(), m_file.knownContent()}] {
             return writeFiles(project, base, origin);
         },
         [this, generation = m_generation](const Result<void>& result) {
             m_isWriting = false;
             m_lastCost = m_sinceWritten.elapsed();
-            if (generation != m_generation)
+            if (generation != m_generation) {
                 removeFiles(m_base);
-            else if (!result && !std::exchange(m_hasFailed, true))
-                Q_EMIT failed(result.error().message);
-            if (result) {
+            } else if (result) {
                 m_hasFailed = false;
+                if (m_adopted)
+                    discard(*std::exchange(m_adopted, std::nullopt));
                 Q_EMIT written();
+            } else {
+                m_isDue = true;
+                if (!std::exchange(m_hasFailed, true))
+                    Q_EMIT failed(result.error().message);
             }
             schedule();
         });
@@ -132,17 +199,24 @@ void Autosave::write()
 
 void Autosave::adopt(const Leftover& leftover)
 {
-    const QString base = leftover.fileName.chopped(kProject.size());
-    for (const QString& suffix : {kProject, kOrigin})
-        QFile::rename(base + suffix, m_base + suffix);
-    QFile::remove(base + kLock);
+    clear();
+    m_adopted = leftover;
+    m_isDue = true;
+    schedule();
+}
+
+void Autosave::removeCopies()
+{
+    removeFiles(m_base);
+    if (m_adopted)
+        discard(*std::exchange(m_adopted, std::nullopt));
 }
 
 void Autosave::clear()
 {
     ++m_generation;
     m_timer.stop();
-    removeFiles(m_base);
+    removeCopies();
     // What was done while the file was being saved is not in it.
     m_isDue = m_file.isModified();
     schedule();

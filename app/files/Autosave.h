@@ -8,19 +8,28 @@
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace espalier {
 
-/// What a crash left behind.
+/// A safety copy that a crash left behind. As long as a copy of this value lives, other running programs do
+/// not see the leftover.
 struct Leftover {
-    QString fileName; ///< Of the autosaved project
-    QString original; ///< The file that it had been opened from, or empty
+    QString fileName;      ///< Of the autosaved project
+    QString original;      ///< The file that it had been opened from, or empty
+    FileContent content{}; ///< What the original held when the changes were begun; does not exist if unknown
+    QDateTime written;
+    std::shared_ptr<QLockFile> lock;
+
+    /// For a person: the original's name without its folder.
+    QString displayName() const;
 };
 
-/// Keeps a side file of a document that has changes which are in no file: written in the background after
-/// finished commands, not more often than its interval and ten times as seldom as writing takes. A side file
-/// that outlives its program is offered at the next start.
+/// Keeps a safety copy of a document that has changes which are in no file: written in the background after
+/// finished commands, not more often than its interval and ten times as seldom as writing takes. It goes as
+/// soon as the document has no such changes any more: saved, given up, or undone. A safety copy that outlives
+/// its program is offered at the next start.
 class Autosave : public QObject {
     Q_OBJECT
 
@@ -31,19 +40,24 @@ public:
 
     /// s; counts from the next autosave on.
     void setInterval(int interval) { m_interval = interval * 1000; }
-    /// Where side files are.
+    /// Where safety copies are.
     static QString folder();
-    /// Side files whose program is gone. They stay until discard() is called with them.
+    /// Safety copies whose program is gone, the newest first. They stay until discard() is called with them.
     static std::vector<Leftover> leftovers();
     static void discard(const Leftover& leftover);
+    /// Takes a leftover that cannot be read out of the way, so that it is not offered again: into the folder
+    /// "unreadable" of folder(), under the name of its original and its time. Returns where it is now, which
+    /// is where it was if it cannot be moved.
+    static QString keepAside(const Leftover& leftover);
 
-    /// Makes a leftover the side file of the document, which has just been recovered from it.
+    /// The document has just been recovered from this leftover, which therefore stays until it has a safety
+    /// copy of its own.
     void adopt(const Leftover& leftover);
-    /// Removes the side file, because all is saved or given up.
+    /// Removes the safety copy, because all is saved or given up.
     void clear();
 
 Q_SIGNALS:
-    /// The side file has been written.
+    /// The safety copy has been written.
     void written();
     /// It could not be written; said once until it works again.
     void failed(const QString& sentence);
@@ -51,10 +65,14 @@ Q_SIGNALS:
 private:
     void schedule();
     void write();
+    void followStack();
+    /// Removes the safety copy, and what the document was recovered from.
+    void removeCopies();
 
     DocumentFile& m_file;
-    QString m_base; ///< Of the names of the side files, with folder
+    QString m_base; ///< Of the names of the safety copy's files, with folder
     std::unique_ptr<QLockFile> m_lock;
+    std::optional<Leftover> m_adopted;
     QTimer m_timer;
     QElapsedTimer m_sinceWritten;
     qint64 m_interval;     ///< ms

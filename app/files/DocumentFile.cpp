@@ -3,12 +3,22 @@
 
 #include "app/runners/Background.h"
 #include "commands/DocumentProject.h"
+#include "model/io/FileWriter.h"
+#include "model/io/JsonReader.h"
 
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QRandomGenerator>
 
 namespace espalier {
+
+/// What has become of saving.
+struct DocumentFile::Outcome {
+    Result<void> written;
+    bool isRefused = false;
+    FileContent content{};
+    FileStamp stamp{};
+};
 
 DocumentFile::DocumentFile(TreeDocument& document, QObject* parent) : QObject(parent), m_document(document)
 {
@@ -36,41 +46,55 @@ void DocumentFile::startNew(const TreeParameters& parameters)
 {
     // Each tree is another one, even if the same hand makes it.
     m_document.reset(QRandomGenerator::global()->generate(), parameters);
-    setFile({}, {});
+    forgetFile({});
 }
 
-Result<QString> DocumentFile::open(const QString& fileName)
+Result<DocumentFile::Read> DocumentFile::read(const QString& fileName)
 {
+    // The content comes first: if the file is replaced while it is read, saving asks once too often, not once
+    // too seldom.
+    const FileStamp stamp = FileStamp::of(fileName);
+    const FileContent content = FileContent::of(fileName);
     Result<Project> project = loadProject(fileName);
     if (!project)
         return project.error();
-    const QString warning = project->warning;
-    showProject(m_document, std::move(*project));
-    setFile(fileName, QFileInfo(fileName).fileName());
-    return warning;
+    return Read{fileName, std::move(*project), content, stamp};
 }
 
-void DocumentFile::recover(Project project, const QString& fileName)
+void DocumentFile::show(Read read)
+{
+    showProject(m_document, std::move(read.project));
+    m_content = read.content;
+    m_stamp = read.stamp;
+    setFile(read.fileName, QFileInfo(read.fileName).fileName());
+}
+
+void DocumentFile::recover(Project project, const QString& fileName, const FileContent& content)
 {
     const QString name = fileName.isEmpty() ? QString() : QFileInfo(fileName).fileName();
     showProject(m_document, std::move(project));
     m_document.undoStack().resetClean();
+    m_content = content;
+    m_stamp = FileStamp::of(fileName);
     setFile(fileName, name);
 }
 
 void DocumentFile::forgetFile(const QString& displayName)
 {
+    m_content = {};
+    m_stamp = {};
     setFile({}, displayName);
 }
 
 void DocumentFile::fileMoved(const QString& fileName)
 {
+    m_stamp = FileStamp::of(fileName);
     setFile(fileName, QFileInfo(fileName).fileName());
 }
 
 void DocumentFile::fileLost()
 {
-    setFile({}, QFileInfo(m_displayName).completeBaseName());
+    forgetFile(QFileInfo(m_displayName).completeBaseName());
     m_document.undoStack().resetClean();
 }
 
@@ -79,34 +103,101 @@ Project DocumentFile::snapshot() const
     return projectOf(m_document, QFileInfo(m_displayName).completeBaseName());
 }
 
-void DocumentFile::save(const QString& fileName, const QImage& thumbnail)
+DocumentFile::Outcome DocumentFile::write(const Project& project, const QString& fileName,
+                                          const std::optional<FileContent>& expected)
+{
+    const Result<QByteArray> bytes = packProject(project);
+    if (!bytes) {
+        const QString name = QFileInfo(fileName).fileName();
+        return {Error{Error::Kind::Output, inputError(name, bytes.error().message).message}};
+    }
+    if (expected) {
+        const FileContent there = FileContent::of(fileName);
+        if (there.exists() && there != *expected)
+            return {.written = {}, .isRefused = true};
+    }
+    Result<void> written = writeFile(fileName, *bytes);
+    if (!written)
+        return {written.error()};
+    return {.written = {}, .content = FileContent::of(*bytes), .stamp = FileStamp::of(fileName)};
+}
+
+void DocumentFile::save(const QString& fileName, const QImage& thumbnail, Overwrite overwrite)
 {
     if (m_isSaving)
         return;
     m_isSaving = true;
+    std::optional<FileContent> expected;
+    if (overwrite == Overwrite::WhatIsKnown && m_content.exists() &&
+        QFileInfo(fileName).absoluteFilePath() == m_fileName)
+        expected = m_content;
+    m_previousName = m_fileName;
+    m_previousDisplayName = m_displayName;
     // What is done from now on is not in the file. Should writing fail, nothing is.
     m_document.undoStack().setClean();
     setFile(fileName, QFileInfo(fileName).fileName());
     Project project = snapshot();
     project.thumbnail = thumbnail;
     runInBackground(
-        this, [project = std::move(project), name = m_fileName] { return saveProject(project, name); },
-        [this, name = m_fileName](const Result<void>& written) {
-            m_isSaving = false;
-            if (written) {
-                Q_EMIT saved(name);
-                return;
-            }
-            m_document.undoStack().resetClean();
-            Q_EMIT titleChanged();
-            Q_EMIT saveFailed(written.error().message);
-        });
+        this,
+        [project = std::move(project), name = m_fileName, expected] {
+            return write(project, name, expected);
+        },
+        [this, name = m_fileName](const Outcome& outcome) { finishSaving(name, outcome); });
+}
+
+void DocumentFile::finishSaving(const QString& fileName, const Outcome& outcome)
+{
+    m_isSaving = false;
+    if (outcome.written && !outcome.isRefused) {
+        m_content = outcome.content;
+        m_stamp = outcome.stamp;
+        Q_EMIT saved(fileName);
+        return;
+    }
+    m_document.undoStack().resetClean();
+    setFile(m_previousName, m_previousDisplayName);
+    if (outcome.isRefused)
+        Q_EMIT saveRefused(fileName);
+    else
+        Q_EMIT saveFailed(outcome.written.error().message);
 }
 
 void DocumentFile::waitForSaving()
 {
     while (m_isSaving)
         QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
+}
+
+void DocumentFile::lookAtDisk()
+{
+    if (m_fileName.isEmpty() || !m_content.exists() || m_isSaving)
+        return;
+    using Look = std::pair<FileStamp, FileContent>;
+    runInBackground(
+        this,
+        [name = m_fileName, before = m_stamp, content = m_content]() -> Look {
+            const FileStamp stamp = FileStamp::of(name);
+            return {stamp, stamp == before ? content : FileContent::of(name)};
+        },
+        [this, name = m_fileName, before = m_stamp](const Look& look) {
+            // Saving or opening, which came between, knows better.
+            if (name == m_fileName && before == m_stamp && !m_isSaving)
+                compareWithDisk(look.first, look.second);
+        });
+}
+
+void DocumentFile::compareWithDisk(const FileStamp& stamp, const FileContent& content)
+{
+    if (stamp == m_stamp)
+        return;
+    m_stamp = stamp;
+    if (stamp == FileStamp()) {
+        m_document.undoStack().resetClean();
+        Q_EMIT removedFromDisk(m_fileName);
+    } else if (content != m_content) {
+        Q_EMIT changedOnDisk(m_fileName);
+    }
 }
 
 } // namespace espalier

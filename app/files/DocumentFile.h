@@ -1,18 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/files/FileContent.h"
 #include "model/document/TreeDocument.h"
 #include "model/io/project/ProjectFile.h"
 
 #include <QObject>
 
+#include <optional>
+
 namespace espalier {
 
-/// The file that a document comes from and goes to. It is written on a worker thread, from a snapshot.
+/// The file that a document comes from and goes to. It is written on a worker thread, from a snapshot. Of
+/// what the document last read from the file or wrote into it a hash is kept, so that saving does not replace
+/// what another window or program has written since.
 class DocumentFile : public QObject {
     Q_OBJECT
 
 public:
+    /// A project that was read, with what to know about its file.
+    struct Read {
+        QString fileName;
+        Project project;
+        FileContent content;
+        FileStamp stamp;
+    };
+    enum class Overwrite {
+        WhatIsKnown, ///< Nothing is written if the document's own file was changed by another program
+        Anything,
+    };
+
     explicit DocumentFile(TreeDocument& document, QObject* parent = nullptr);
     /// Waits for a file that is being written.
     ~DocumentFile() override;
@@ -24,15 +41,18 @@ public:
     /// Whether the document has changes that are in no file.
     bool isModified() const { return !m_document.undoStack().isClean(); }
     bool isSaving() const { return m_isSaving; }
+    /// What the document last read from its file or wrote into it; does not exist if that is not known.
+    const FileContent& knownContent() const { return m_content; }
 
     /// A seedling without a file.
     void startNew(const TreeParameters& parameters = {});
-    /// Shows the tree of a file; the result is the project's warning, if any. On an error everything stays as
-    /// it was.
-    Result<QString> open(const QString& fileName);
-    /// Takes over what a crash left: its changes are in no file, and @p fileName (may be empty) is where
-    /// saving will go.
-    void recover(Project project, const QString& fileName);
+    /// Reads a project; may run on any thread.
+    static Result<Read> read(const QString& fileName);
+    /// Shows a project that was read.
+    void show(Read read);
+    /// Takes over what a crash left: its changes are in no file, @p fileName (may be empty) is where saving
+    /// will go, and @p content what that file held when the changes were begun (does not exist if unknown).
+    void recover(Project project, const QString& fileName, const FileContent& content);
     /// A tree that came from elsewhere, and has no file yet.
     void forgetFile(const QString& displayName);
     /// Its file has another name now.
@@ -42,23 +62,43 @@ public:
 
     /// The document as it is now; copies nothing of the columns.
     Project snapshot() const;
-    /// Begins to write the document as it is now; one file at a time. saved() or saveFailed() follow.
-    void save(const QString& fileName, const QImage& thumbnail);
+    /// Begins to write the document as it is now; one file at a time. saved(), saveFailed() or saveRefused()
+    /// follow. Unless it is saved, the document keeps the file that it had before.
+    void save(const QString& fileName, const QImage& thumbnail, Overwrite overwrite = Overwrite::WhatIsKnown);
     /// Comes back when nothing is being written any more.
     void waitForSaving();
+    /// Looks in the background whether another program has changed the file; changedOnDisk() or
+    /// removedFromDisk() say so, once for each change.
+    void lookAtDisk();
 
 Q_SIGNALS:
     /// Name or modification.
     void titleChanged();
     void saved(const QString& fileName);
     void saveFailed(const QString& sentence);
+    /// Nothing was written, since another window or program has written the file meanwhile.
+    void saveRefused(const QString& fileName);
+    void changedOnDisk(const QString& fileName);
+    /// The document is modified now, since no file holds it.
+    void removedFromDisk(const QString& fileName);
 
 private:
+    struct Outcome;
+
     void setFile(const QString& fileName, const QString& displayName);
+    static Outcome write(const Project& project, const QString& fileName,
+                         const std::optional<FileContent>& expected);
+    void finishSaving(const QString& fileName, const Outcome& outcome);
+    void compareWithDisk(const FileStamp& stamp, const FileContent& content);
 
     TreeDocument& m_document;
     QString m_fileName;
     QString m_displayName;
+    FileContent m_content;
+    FileStamp m_stamp; ///< Of the file when it was last looked at
+    /// Of the file before the one that is being saved.
+    QString m_previousName;
+    QString m_previousDisplayName;
     bool m_isSaving = false;
 };
 

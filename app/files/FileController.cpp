@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/FileController.h"
 
+#include "app/files/FileDialogs.h"
 #include "app/files/Library.h"
 #include "app/files/Outputs.h"
 #include "app/runners/Background.h"
 #include "panels/Notice.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QMenu>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QTimer>
 
 namespace espalier {
 
+using dialogs::suffixOf;
+
 namespace {
 
-const QString kProjectSuffix = QStringLiteral("espalier");
-const QString kRecipeSuffix = QStringLiteral("json");
-/// ms; saving that takes longer is shown while it lasts.
-constexpr int kSlowSaving = 400;
+/// ms; reading and saving that take longer are shown while they last.
+constexpr int kSlow = 400;
 
-QString suffixOf(const QString& fileName)
+/// A recipe that was read, with a name.
+Result<Recipe> readNamedRecipe(const QString& fileName)
 {
-    return QFileInfo(fileName).suffix().toLower();
+    Result<Recipe> recipe = readRecipe(fileName);
+    if (recipe && recipe->name.isEmpty())
+        recipe->name = QFileInfo(fileName).completeBaseName();
+    return recipe;
 }
 
 } // namespace
@@ -40,22 +41,49 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_notice(&notice),
       m_thumbnail(std::move(thumbnail)),
       m_file(document),
-      m_autosave(document, m_file, settings.preferences().autosaveInterval)
+      m_autosave(document, m_file, settings.preferences().autosaveInterval),
+      m_recovery(notice)
 {
-    connect(&m_file, &DocumentFile::saved, this, &FileController::showSaved);
-    connect(&m_file, &DocumentFile::saveFailed, this, [this](const QString& sentence) {
-        m_keeping.clear();
-        m_notice->showWarning(tr("Not saved. %1").arg(sentence));
-    });
+    connectFile();
     connect(&m_autosave, &Autosave::failed, this, [this](const QString& sentence) {
-        m_notice->showWarning(tr("The tree cannot be kept safe from a crash: %1").arg(sentence));
+        warn(tr("The tree cannot be kept safe from a crash: %1").arg(sentence));
     });
+    connect(&m_recovery, &Recovery::wanted, this, &FileController::recover);
 }
 
 FileController::~FileController()
 {
     if (m_exportCancelled)
         *m_exportCancelled = true;
+    // Whatever a file being written has to tell is told while all members are there to hear it.
+    m_file.waitForSaving();
+    m_file.disconnect(this);
+}
+
+void FileController::connectFile()
+{
+    connect(&m_file, &DocumentFile::saved, this, &FileController::showSaved);
+    connect(&m_file, &DocumentFile::saveFailed, this, [this](const QString& sentence) {
+        m_keeping.clear();
+        warn(tr("Not saved. %1").arg(sentence));
+    });
+    connect(&m_file, &DocumentFile::saveRefused, this, &FileController::askAboutChanged);
+    connect(&m_file, &DocumentFile::changedOnDisk, this, &FileController::offerOpeningAgain);
+    connect(&m_file, &DocumentFile::removedFromDisk, this, [this](const QString& fileName) {
+        warn(tr("%1 was moved or deleted by another program. The tree is still here; save it to keep it.")
+                 .arg(QFileInfo(fileName).fileName()));
+    });
+}
+
+void FileController::setNotice(Notice& notice)
+{
+    m_notice = &notice;
+    m_recovery.setNotice(notice);
+}
+
+void FileController::warn(const QString& sentence)
+{
+    m_notice->showWarning(sentence);
 }
 
 void FileController::startNew()
@@ -65,6 +93,7 @@ void FileController::startNew()
 
 void FileController::startWith(const TreeParameters& parameters)
 {
+    ++m_replacementsAsked; // What is still being read does not come any more.
     if (!mayLeave())
         return;
     Q_EMIT aboutToReplace();
@@ -72,18 +101,41 @@ void FileController::startWith(const TreeParameters& parameters)
     m_autosave.clear();
 }
 
+template <class Read, class Show, class Failed>
+void FileController::replaceWith(const QString& name, Read read, Show show, Failed failed)
+{
+    enum class State { Reading, Shown, Done };
+    const auto state = std::make_shared<State>(State::Reading);
+    const int asked = ++m_replacementsAsked;
+    const auto isWanted = [this, asked] { return asked == m_replacementsAsked; };
+    QTimer::singleShot(kSlow, this, [this, name, state, isWanted] {
+        if (*state == State::Done || !isWanted())
+            return;
+        *state = State::Shown;
+        m_notice->showProgress(tr("Opening %1").arg(name), -1.0, [this] { ++m_replacementsAsked; });
+    });
+    runInBackground(this, std::move(read), [=, this](auto result) mutable {
+        if (std::exchange(*state, State::Done) == State::Shown)
+            m_notice->finishProgress();
+        if (!isWanted())
+            return;
+        if (!result)
+            failed(result.error().message);
+        else if (mayLeave() && isWanted())
+            show(std::move(*result));
+    });
+}
+
 void FileController::startFrom(const QString& fileName)
 {
-    runInBackground(
-        this, [fileName] { return libraryParameters(fileName); },
-        [this, ask = ++m_startsAsked](const Result<TreeParameters>& parameters) {
-            if (ask != m_startsAsked)
-                return;
-            if (parameters)
-                startWith(*parameters);
-            else
-                m_notice->showWarning(parameters.error().message);
-        });
+    replaceWith(
+        QFileInfo(fileName).completeBaseName(), [fileName] { return libraryParameters(fileName); },
+        [this](const TreeParameters& parameters) {
+            Q_EMIT aboutToReplace();
+            m_file.startNew(parameters);
+            m_autosave.clear();
+        },
+        [this](const QString& sentence) { warn(sentence); });
 }
 
 void FileController::keepIn(const QString& fileName)
@@ -91,7 +143,7 @@ void FileController::keepIn(const QString& fileName)
     m_file.waitForSaving();
     if (m_file.fileName().isEmpty()) {
         m_keeping = fileName;
-        saveTo(fileName);
+        saveTo(fileName, DocumentFile::Overwrite::WhatIsKnown);
         return;
     }
     Project project = m_file.snapshot();
@@ -103,27 +155,24 @@ void FileController::keepIn(const QString& fileName)
             if (written)
                 Q_EMIT kept(fileName);
             else
-                m_notice->showWarning(tr("Not saved. %1").arg(written.error().message));
+                warn(tr("Not saved. %1").arg(written.error().message));
         });
 }
 
 bool FileController::canOpen(const QString& fileName)
 {
-    return suffixOf(fileName) == kProjectSuffix || suffixOf(fileName) == kRecipeSuffix;
+    return suffixOf(fileName) == dialogs::kProjectSuffix || suffixOf(fileName) == dialogs::kRecipeSuffix;
 }
 
 void FileController::open()
 {
-    const QString name = QFileDialog::getOpenFileName(
-        &m_window, tr("Open"), m_settings.folder(),
-        tr("Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)"));
-    if (!name.isEmpty())
+    if (const QString name = dialogs::askForOpening(m_window, m_settings); !name.isEmpty())
         openFile(name);
 }
 
 void FileController::openFile(const QString& fileName)
 {
-    if (suffixOf(fileName) == kRecipeSuffix)
+    if (suffixOf(fileName) == dialogs::kRecipeSuffix)
         openRecipe(fileName);
     else
         openProject(fileName);
@@ -131,95 +180,114 @@ void FileController::openFile(const QString& fileName)
 
 void FileController::openProject(const QString& fileName)
 {
-    if (!mayLeave())
-        return;
-    Q_EMIT aboutToReplace();
-    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const Result<QString> opened = m_file.open(fileName);
-    QGuiApplication::restoreOverrideCursor();
-    if (!opened) {
-        m_notice->showWarning(opened.error().message);
-        return;
-    }
-    m_autosave.clear();
-    m_notice->finish();
-    if (!opened->isEmpty())
-        m_notice->showWarning(*opened);
-    m_settings.addRecentFile(fileName);
-    rememberFolder(fileName);
+    const auto show = [this](DocumentFile::Read read) {
+        const QString warning = read.project.warning;
+        const QString name = read.fileName;
+        Q_EMIT aboutToReplace();
+        m_file.show(std::move(read));
+        m_autosave.clear();
+        m_notice->finish();
+        if (!warning.isEmpty())
+            warn(warning);
+        m_settings.addRecentFile(name);
+        rememberFolder(name);
+        Q_EMIT opened(name);
+    };
+    replaceWith(
+        QFileInfo(fileName).fileName(), [fileName] { return DocumentFile::read(fileName); }, show,
+        [this](const QString& sentence) { warn(sentence); });
 }
 
 void FileController::openRecipe(const QString& fileName)
 {
-    Result<Recipe> recipe = readRecipe(fileName);
-    if (!recipe) {
-        m_notice->showWarning(recipe.error().message);
-        return;
-    }
-    if (recipe->name.isEmpty())
-        recipe->name = QFileInfo(fileName).completeBaseName();
-    if (!mayLeave())
-        return;
-    Q_EMIT aboutToReplace();
-    rememberFolder(fileName);
-    m_notice->finish();
-    Q_EMIT recipeOpened(*recipe);
+    const auto show = [this, fileName](const Recipe& recipe) {
+        Q_EMIT aboutToReplace();
+        rememberFolder(fileName);
+        m_notice->finish();
+        Q_EMIT recipeOpened(recipe);
+    };
+    replaceWith(
+        QFileInfo(fileName).fileName(), [fileName] { return readNamedRecipe(fileName); }, show,
+        [this](const QString& sentence) { warn(sentence); });
+}
+
+void FileController::recover(const Leftover& leftover)
+{
+    const auto show = [this, leftover](Project project) {
+        const QString warning = project.warning;
+        Q_EMIT aboutToReplace();
+        m_file.recover(std::move(project), leftover.original, leftover.content);
+        m_autosave.adopt(leftover);
+        if (!warning.isEmpty())
+            warn(warning);
+    };
+    replaceWith(
+        leftover.displayName(), [fileName = leftover.fileName] { return loadProject(fileName); }, show,
+        [this, leftover](const QString& sentence) { m_recovery.keepAside(leftover, sentence); });
 }
 
 void FileController::save()
 {
-    if (m_file.fileName().isEmpty()) {
+    if (m_file.fileName().isEmpty())
         saveAs();
-        return;
-    }
-    saveTo(m_file.fileName());
+    else
+        saveTo(m_file.fileName(), DocumentFile::Overwrite::WhatIsKnown);
 }
 
-void FileController::saveTo(const QString& fileName)
+void FileController::saveTo(const QString& fileName, DocumentFile::Overwrite overwrite)
 {
     m_file.waitForSaving();
-    m_file.save(fileName, m_thumbnail());
-    QTimer::singleShot(kSlowSaving, this, [this] {
+    m_file.save(fileName, m_thumbnail(), overwrite);
+    QTimer::singleShot(kSlow, this, [this] {
         if (m_file.isSaving())
             m_notice->showProgress(tr("Saving %1").arg(m_file.displayName()), -1.0);
     });
 }
 
+QString FileController::proposedPath() const
+{
+    return m_file.fileName().isEmpty() ? QDir(m_settings.folder()).filePath(m_file.displayName())
+                                       : m_file.fileName();
+}
+
 void FileController::saveAs()
 {
-    const QString start = m_file.fileName().isEmpty()
-                              ? QDir(m_settings.folder()).filePath(m_file.displayName())
-                              : m_file.fileName();
-    QFileDialog dialog(&m_window, tr("Save"), QFileInfo(start).path(), tr("Trees (*.espalier)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(kProjectSuffix);
-    dialog.selectFile(QFileInfo(start).completeBaseName());
-    if (dialog.exec() != QDialog::Accepted)
-        return;
-    saveTo(dialog.selectedFiles().constFirst());
+    // The dialog has asked about replacing a file.
+    if (const QString name = dialogs::askForSaving(m_window, proposedPath()); !name.isEmpty())
+        saveTo(name, DocumentFile::Overwrite::Anything);
+}
+
+void FileController::askAboutChanged(const QString& fileName)
+{
+    m_keeping.clear();
+    m_notice->finishProgress();
+    switch (dialogs::askAboutChanged(m_window, QFileInfo(fileName).fileName())) {
+    case dialogs::Changed::Overwrite:
+        saveTo(fileName, DocumentFile::Overwrite::Anything);
+        break;
+    case dialogs::Changed::SaveAs:
+        saveAs();
+        break;
+    case dialogs::Changed::Cancel:
+        break;
+    }
+}
+
+void FileController::offerOpeningAgain(const QString& fileName)
+{
+    m_notice->ask(
+        tr("%1 was changed by another window or program. Saving here will ask before it replaces that.")
+            .arg(QFileInfo(fileName).fileName()),
+        tr("Open Again"), tr("Keep This"), [this, fileName](bool again) {
+            if (again)
+                openFile(fileName);
+        });
 }
 
 void FileController::exportTree()
 {
-    QString start = m_file.fileName().isEmpty() ? QDir(m_settings.folder()).filePath(m_file.displayName())
-                                                : m_file.fileName();
-    const QStringList suffixes = exportSuffixes();
-    QStringList filters;
-    for (const ExportFormat* format : exportFormats())
-        filters.append(QStringLiteral("%1 (*.%2)").arg(format->name(), format->suffix()));
-    QFileDialog dialog(&m_window, tr("Export"), QFileInfo(start).path());
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters(filters);
-    const qsizetype last = std::max<qsizetype>(0, suffixes.indexOf(m_settings.exportSuffix()));
-    dialog.selectNameFilter(filters[last]);
-    dialog.setDefaultSuffix(suffixes[last]);
-    connect(&dialog, &QFileDialog::filterSelected, &dialog,
-            [&dialog, filters, suffixes](const QString& filter) {
-                dialog.setDefaultSuffix(suffixes[std::max<qsizetype>(0, filters.indexOf(filter))]);
-            });
-    dialog.selectFile(QFileInfo(start).completeBaseName());
-    if (dialog.exec() == QDialog::Accepted)
-        exportTo(dialog.selectedFiles().constFirst());
+    if (const QString name = dialogs::askForExport(m_window, proposedPath(), m_settings); !name.isEmpty())
+        exportTo(name);
 }
 
 void FileController::exportTo(const QString& fileName)
@@ -259,7 +327,7 @@ void FileController::exportTo(const QString& fileName)
             else if (written.error().kind == Error::Kind::Cancelled)
                 m_notice->showInformation(tr("%1 was not written.").arg(shortName));
             else
-                m_notice->showWarning(tr("Not exported. %1").arg(written.error().message));
+                warn(tr("Not exported. %1").arg(written.error().message));
         });
 }
 
@@ -282,58 +350,22 @@ void FileController::rememberFolder(const QString& fileName)
 
 bool FileController::mayLeave()
 {
+    if (m_isAsking)
+        return false;
     Q_EMIT aboutToAsk();
     m_file.waitForSaving();
-    if (!m_file.isModified())
+    const bool isGrowing = m_work.isUnderWay();
+    if (!m_file.isModified() && !isGrowing)
         return true;
-    QMessageBox question(QMessageBox::NoIcon, tr("Espalier"),
-                         tr("%1 has changes that are not saved.").arg(m_file.displayName()),
-                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    question.setDefaultButton(QMessageBox::Save);
-    switch (question.exec()) {
-    case QMessageBox::Save:
-        save();
-        m_file.waitForSaving();
-        return !m_file.isModified();
-    case QMessageBox::Discard:
-        return true;
-    default:
-        return false;
-    }
-}
-
-void FileController::offerRecovery()
-{
-    const std::vector<Leftover> leftovers = Autosave::leftovers();
-    if (leftovers.empty())
-        return;
-    const Leftover& latest = leftovers.front();
-    const QString name =
-        latest.original.isEmpty() ? tr("A tree that was never saved") : QFileInfo(latest.original).fileName();
-    m_notice->ask(tr("Espalier ended unexpectedly. %1 can be brought back as it was.").arg(name),
-                  tr("Bring Back"), tr("Discard"), [this, latest](bool wanted) {
-                      if (wanted)
-                          recover(latest);
-                      else
-                          Autosave::discard(latest);
-                  });
-}
-
-void FileController::recover(const Leftover& leftover)
-{
-    if (!mayLeave())
-        return;
-    Result<Project> project = loadProject(leftover.fileName);
-    if (!project) {
-        m_notice->showWarning(project.error().message);
-        Autosave::discard(leftover);
-        return;
-    }
-    Q_EMIT aboutToReplace();
-    if (!project->warning.isEmpty())
-        m_notice->showWarning(project->warning);
-    m_file.recover(std::move(*project), leftover.original);
-    m_autosave.adopt(leftover);
+    m_isAsking = true;
+    const dialogs::Unsaved answer = dialogs::askAboutUnsaved(m_window, m_file.displayName(), isGrowing);
+    m_isAsking = false;
+    if (answer != dialogs::Unsaved::Save)
+        return answer == dialogs::Unsaved::Discard;
+    m_work.finish();
+    save();
+    m_file.waitForSaving();
+    return !m_file.isModified();
 }
 
 void FileController::fillRecentFiles(QMenu& menu)

@@ -3,7 +3,9 @@
 
 #include "app/files/Autosave.h"
 #include "app/files/DocumentFile.h"
+#include "app/files/Recovery.h"
 #include "app/files/Settings.h"
+#include "app/files/WorkInHand.h"
 #include "commands/recipe/Recipe.h"
 
 #include <QObject>
@@ -20,7 +22,9 @@ namespace espalier {
 class Notice;
 
 /// Everything that a person does with files: it asks for names, asks about unsaved changes, tells how it
-/// went.
+/// went. A file that replaces the document is read in the background first, while the document, and whatever
+/// grows in it, goes on; only a file that could be read replaces it, and only after the question about
+/// unsaved changes.
 class FileController : public QObject {
     Q_OBJECT
 
@@ -28,10 +32,11 @@ public:
     /// @p thumbnail takes a picture of the tree.
     FileController(QWidget& window, TreeDocument& document, Settings& settings, Notice& notice,
                    std::function<QImage()> thumbnail);
-    /// Cancels an export.
+    /// Cancels an export; waits for a file that is being written.
     ~FileController() override;
     /// Tells of everything there from now on.
-    void setNotice(Notice& notice) { m_notice = &notice; }
+    void setNotice(Notice& notice);
+    void setWorkInHand(WorkInHand work) { m_work = std::move(work); }
 
     DocumentFile& file() { return m_file; }
     Autosave& autosave() { return m_autosave; }
@@ -44,7 +49,7 @@ public:
     void keepIn(const QString& fileName);
     /// Asks for a file.
     void open();
-    /// A project or a recipe. Asks about unsaved changes first.
+    /// A project or a recipe; opened() or an error's notice follows.
     void openFile(const QString& fileName);
     void save();
     void saveAs();
@@ -53,10 +58,13 @@ public:
     /// The suffix says the format.
     void exportTo(const QString& fileName);
 
-    /// Asks about unsaved changes; false if the person would rather stay, or if saving failed.
+    /// Asks about unsaved changes and work that is under way; false if the person would rather stay, or if
+    /// saving failed. Staying changes nothing.
     bool mayLeave();
-    /// Offers what a crash has left, if it has.
-    void offerRecovery();
+    /// Offers everything that crashes have left, see Recovery.
+    void offerRecovery() { m_recovery.start(); }
+    /// Tells if another program has changed the document's file; for a window that gets the focus.
+    void lookAtDisk() { m_file.lookAtDisk(); }
     void fillRecentFiles(QMenu& menu);
     /// Files that can be opened, by their names.
     static bool canOpen(const QString& fileName);
@@ -67,14 +75,26 @@ Q_SIGNALS:
     /// Another tree will take the place of this one now.
     void aboutToReplace();
     void recipeOpened(const espalier::Recipe& recipe);
+    /// The project of this file is shown now.
+    void opened(const QString& fileName);
     void kept(const QString& fileName);
 
 private:
     void startWith(const TreeParameters& parameters);
+    /// Calls @p read() on a worker thread, and with what it gives @p show(value), once the person agrees;
+    /// with an Error @p failed(message). Of several that are under way only the one begun last is shown.
+    template <class Read, class Show, class Failed>
+    void replaceWith(const QString& name, Read read, Show show, Failed failed);
     void openProject(const QString& fileName);
     void openRecipe(const QString& fileName);
     void recover(const Leftover& leftover);
-    void saveTo(const QString& fileName);
+    void warn(const QString& sentence);
+    void connectFile();
+    /// What is proposed when a name is asked for.
+    QString proposedPath() const;
+    void saveTo(const QString& fileName, DocumentFile::Overwrite overwrite);
+    void askAboutChanged(const QString& fileName);
+    void offerOpeningAgain(const QString& fileName);
     void showSaved(const QString& fileName);
     void rememberFolder(const QString& fileName);
 
@@ -83,10 +103,14 @@ private:
     Settings& m_settings;
     Notice* m_notice;
     std::function<QImage()> m_thumbnail;
+    WorkInHand m_work;
+    QString m_keeping; ///< The library's file that the tree is being saved into
+    int m_replacementsAsked = 0;
+    bool m_isAsking = false; ///< Whether the question about unsaved changes is open
+    // These deliver to what is above.
     DocumentFile m_file;
     Autosave m_autosave;
-    QString m_keeping; ///< The library's file that the tree is being saved into
-    int m_startsAsked = 0;
+    Recovery m_recovery;
     /// Of the export under way, if there is one.
     std::shared_ptr<std::atomic<bool>> m_exportCancelled;
 };

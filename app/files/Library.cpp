@@ -2,6 +2,7 @@
 #include "app/files/Library.h"
 
 #include "commands/recipe/Recipe.h"
+#include "model/io/FileWriter.h"
 #include "model/io/project/ProjectFile.h"
 
 #include <QCollator>
@@ -147,10 +148,9 @@ Result<QString> Library::duplicate(const QString& fileName) const
 {
     const QFileInfo original(fileName);
     const QString path = freePath(original.absoluteDir(), original.completeBaseName());
-    QFile file(fileName);
-    if (!file.copy(path)) {
+    if (const Result<void> copied = copyFile(fileName, path); !copied) {
         return Error{Error::Kind::Output,
-                     tr("%1 cannot be copied: %2").arg(original.completeBaseName(), file.errorString())};
+                     tr("%1 cannot be copied: %2").arg(original.completeBaseName(), copied.error().message)};
     }
     return path;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/Outputs.h"
 
+#include "model/io/FileWriter.h"
+
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace espalier {
 
@@ -25,15 +26,7 @@ Result<void> writePicture(const QImage& picture, const QString& fileName)
             Error::Kind::Output,
             QCoreApplication::translate("Outputs", "%1: the picture could not be packed").arg(fileName)};
     }
-    return writeBytes(bytes, fileName);
-}
-
-Result<void> writeBytes(const QByteArray& bytes, const QString& fileName)
-{
-    QSaveFile file(fileName);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return Error{Error::Kind::Output, QStringLiteral("%1: %2").arg(fileName, file.errorString())};
-    return {};
+    return writeFile(fileName, bytes);
 }
 
 } // namespace espalier

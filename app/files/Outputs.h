@@ -15,6 +15,5 @@ Result<void> writeOutput(const Project& project, const QString& fileName, const 
 
 /// Replaces the file whole or leaves it as it was.
 Result<void> writePicture(const QImage& picture, const QString& fileName);
-Result<void> writeBytes(const QByteArray& bytes, const QString& fileName);
 
 } // namespace espalier

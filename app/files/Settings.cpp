@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/Settings.h"
 
+#include "model/io/FileWriter.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
@@ -26,6 +28,34 @@ const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kLanguage = QStringLiteral("window/language");
 const QString kUnits = QStringLiteral("window/units");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
+
+/// Qt's settings, written only while the disk has room for them: Qt 6.4 replaces their file even if the new
+/// one could not be written, so a full disk would empty it.
+class Store {
+public:
+    void setValue(const QString& key, const QVariant& value)
+    {
+        if (m_hasRoom)
+            m_store.setValue(key, value);
+    }
+    void remove(const QString& key)
+    {
+        if (m_hasRoom)
+            m_store.remove(key);
+    }
+
+private:
+    static bool hasRoom(const QString& fileName)
+    {
+        constexpr qsizetype kRoom = 1 << 17; // bytes; more than settings take
+        QDir().mkpath(QFileInfo(fileName).path());
+        FileWriter probe(fileName);
+        return probe.write(QByteArray(kRoom, ' ')) == kRoom;
+    }
+
+    QSettings m_store;
+    bool m_hasRoom = hasRoom(m_store.fileName());
+};
 
 /// Calls @p visit(key, field) for each value that is remembered. Of the leaves it is not: a tree without them
 /// would surprise.
@@ -89,7 +119,7 @@ Preferences Settings::preferences() const
 
 void Settings::setPreferences(const Preferences& preferences)
 {
-    QSettings store;
+    Store store;
     store.setValue(kLook, static_cast<int>(preferences.look));
     store.setValue(kToolsRight, preferences.areToolsRight);
     store.setValue(kPressureExponent, preferences.pressureExponent);
@@ -122,7 +152,7 @@ ViewValues Settings::viewValues() const
 
 void Settings::setViewValues(const ViewValues& values)
 {
-    QSettings store;
+    Store store;
     visitViewValues(values, [&](const QString& key, const auto& field) {
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, Backdrop>)
             store.setValue(key, static_cast<int>(field));
@@ -144,12 +174,12 @@ void Settings::addRecentFile(const QString& fileName)
     QStringList files = QSettings().value(kRecentFiles).toStringList();
     files.removeAll(path);
     files.prepend(path);
-    QSettings().setValue(kRecentFiles, QStringList(files.mid(0, kMaxRecentFiles)));
+    Store().setValue(kRecentFiles, QStringList(files.mid(0, kMaxRecentFiles)));
 }
 
 void Settings::clearRecentFiles()
 {
-    QSettings().remove(kRecentFiles);
+    Store().remove(kRecentFiles);
 }
 
 QString Settings::folder() const
@@ -162,7 +192,7 @@ QString Settings::folder() const
 
 void Settings::setFolder(const QString& folder)
 {
-    QSettings().setValue(kFolder, folder);
+    Store().setValue(kFolder, folder);
 }
 
 QString Settings::libraryFolder() const
@@ -180,7 +210,7 @@ QString Settings::exportSuffix() const
 
 void Settings::setExportSuffix(const QString& suffix)
 {
-    QSettings().setValue(kExportSuffix, suffix);
+    Store().setValue(kExportSuffix, suffix);
 }
 
 QByteArray Settings::windowGeometry() const
@@ -190,7 +220,7 @@ QByteArray Settings::windowGeometry() const
 
 void Settings::setWindowGeometry(const QByteArray& geometry)
 {
-    QSettings().setValue(kWindowGeometry, geometry);
+    Store().setValue(kWindowGeometry, geometry);
 }
 
 bool Settings::isTourSeen() const
@@ -200,7 +230,7 @@ bool Settings::isTourSeen() const
 
 void Settings::setTourSeen(bool seen)
 {
-    QSettings().setValue(kTourSeen, seen);
+    Store().setValue(kTourSeen, seen);
 }
 
 } // namespace espalier

@@ -17,6 +17,8 @@ class FilesTest : public test::WindowFixture {
 private Q_SLOTS:
     void brushUndoRedoSaveReopen_givesTheSameDocument();
     void brokenFile_isRefusedInOneSentenceAndTheTreeStays();
+    void brokenFile_leavesGrowthRunning();
+    void closingInMidGrowth_asksAndKeepsWhatHasGrown();
     void unsavedChanges_areAskedAbout();
     void recipe_isPlayedAndHandedOver();
     void recipe_tellsAtTheEndWhatItDidNotFind();
@@ -52,7 +54,7 @@ void FilesTest::brushUndoRedoSaveReopen_givesTheSameDocument()
     action(ActionId::New)->trigger();
     QCOMPARE(document.index().livingCount(), 1U);
     m_window->files().openFile(name);
-    QVERIFY(document.tree() == grown);
+    QTRY_VERIFY_WITH_TIMEOUT(document.tree() == grown, 30'000);
     QCOMPARE(document.journal().size(), history);
     QVERIFY(!m_window->isWindowModified());
 }
@@ -74,15 +76,70 @@ void FilesTest::brokenFile_isRefusedInOneSentenceAndTheTreeStays()
     half.close();
 
     m_window->files().openFile(bad);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->workspace().notice().isWarning(), 30'000);
     QVERIFY(m_window->workspace().notice().isVisible());
-    QVERIFY(m_window->workspace().notice().isWarning());
     QVERIFY2(notice().contains(QStringLiteral("bad.espalier")), qPrintable(notice()));
     QVERIFY(m_window->document().tree() == before);
     QCOMPARE(m_window->files().file().fileName(), good);
 
     m_window->files().openFile(m_folder->filePath(QStringLiteral("none.json")));
-    QVERIFY2(notice().contains(QStringLiteral("none.json")), qPrintable(notice()));
+    QTRY_VERIFY2(notice().contains(QStringLiteral("none.json")), qPrintable(notice()));
     QVERIFY(m_window->document().tree() == before);
+}
+
+void FilesTest::brokenFile_leavesGrowthRunning()
+{
+    QFile file(m_folder->filePath(QStringLiteral("bad.espalier")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("PK no tree");
+    file.close();
+    GrowRunner& growth = m_window->growRunner();
+    growth.begin();
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree().step() >= 2, 30'000);
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file.fileName())});
+    QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(m_window.get(), &drop);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->workspace().notice().isWarning(), 30'000);
+    QVERIFY2(notice().contains(QStringLiteral("bad.espalier")), qPrintable(notice()));
+    QVERIFY(growth.isRunning());
+    const Step step = m_window->document().tree().step();
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree().step() > step, 30'000);
+    growth.cancel();
+}
+
+void FilesTest::closingInMidGrowth_asksAndKeepsWhatHasGrown()
+{
+    const QString name = m_folder->filePath(QStringLiteral("growing.espalier"));
+    save(name);
+    QVERIFY(!m_window->isWindowModified());
+    GrowRunner& growth = m_window->growRunner();
+    growth.begin();
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree().step() >= 2, 30'000);
+
+    answer(QMessageBox::Cancel);
+    QVERIFY(!m_window->close());
+    QVERIFY(growth.isRunning());
+    const Step step = m_window->document().tree().step();
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree().step() > step, 30'000);
+
+    // Another tree in its place is asked about as well.
+    answer(QMessageBox::Cancel);
+    m_window->files().openFile(name);
+    QTRY_VERIFY_WITH_TIMEOUT(!QApplication::activeModalWidget(), 30'000);
+    QTest::qWait(300);
+    QVERIFY(growth.isRunning());
+
+    answer(QMessageBox::Save);
+    QVERIFY(m_window->close());
+    QVERIFY(!growth.isRunning());
+    const Result<Project> kept = loadProject(name);
+    QVERIFY(kept);
+    QVERIFY(kept->tree.step() > step);
+    QVERIFY(kept->tree == m_window->document().tree());
+    m_window->show();
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
 }
 
 void FilesTest::unsavedChanges_areAskedAbout()
@@ -121,9 +178,8 @@ void FilesTest::recipe_isPlayedAndHandedOver()
                    "operations": [{"op": "grow", "steps": 4}, {"op": "grow", "steps": 2}]})");
     file.close();
     m_window->files().openFile(file.fileName());
-    QVERIFY2(m_window->recipeRunner().isRunning(), qPrintable(notice()));
+    QTRY_COMPARE_WITH_TIMEOUT(m_window->document().tree().step(), Step{6}, 30'000);
     QTRY_VERIFY(!m_window->recipeRunner().isRunning());
-    QCOMPARE(m_window->document().tree().step(), Step{6});
     QCOMPARE(m_window->document().tree().seed(), std::uint64_t{5});
     QCOMPARE(m_window->document().undoStack().count(), 2);
     QVERIFY(m_window->isWindowModified());
@@ -162,7 +218,7 @@ void FilesTest::droppedFile_isOpened()
     QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
     QCoreApplication::sendEvent(m_window.get(), &drop);
-    QVERIFY(m_window->document().tree() == tree);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree() == tree, 30'000);
 
     data.setUrls({QUrl::fromLocalFile(QStringLiteral("/tmp/picture.txt"))});
     QDragEnterEvent other(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
@@ -204,8 +260,9 @@ void FilesTest::crash_losesNothingThatWasFinished()
     QCOMPARE(Autosave::leftovers().size(), std::size_t{1});
 
     m_window->files().offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(notice().contains(QStringLiteral("can be brought back")), 30'000);
     QTest::mouseClick(m_window->workspace().notice().findChild<QPushButton*>(), Qt::LeftButton);
-    QVERIFY(m_window->document().tree() == grown);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree() == grown, 30'000);
     QVERIFY(m_window->isWindowModified());
     QVERIFY(Autosave::leftovers().empty());
     save(m_folder->filePath(QStringLiteral("rescued.espalier")));

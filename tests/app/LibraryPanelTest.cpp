@@ -327,13 +327,15 @@ void LibraryPanelTest::finger_opensTheMenuByTheDotsAndByALongPress()
     QTRY_VERIFY(QApplication::activePopupWidget());
     trigger(QStringLiteral("Open"));
     QTRY_VERIFY(!panel().isVisible());
-    QVERIFY(!m_window->files().file().fileName().isEmpty());
+    QTRY_VERIFY(!m_window->files().file().fileName().isEmpty());
 }
 
 void LibraryPanelTest::openTree_followsItsFile()
 {
     QVERIFY(saveProject(project(1.0), file(QStringLiteral("Elm"))));
+    QSignalSpy opened(&m_window->files(), &FileController::opened);
     m_window->files().openFile(file(QStringLiteral("Elm")));
+    QVERIFY(opened.wait(30'000));
     const DocumentFile& own = m_window->files().file();
     open(LibraryPanel::Section::Trees);
     Q_EMIT panel().renameAsked(panel().chosen(), QStringLiteral("Ash"));

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
+#include <sys/resource.h>
+
+#include <csignal>
+
 /// The built program, as scripts call it.
 class ProgramTest : public QObject {
     Q_OBJECT
@@ -23,6 +27,9 @@ private Q_SLOTS:
     void failures_areOneLineAndACode_data();
     void failures_areOneLineAndACode();
     void failedOutput_leavesTheOldFile();
+    void diskThatTakesNothing_leavesOldFilesAndFails_data();
+    void diskThatTakesNothing_leavesOldFilesAndFails();
+    void fullDisk_isSaidInWords();
     void picture_isDrawnOnADisplay();
     void demonstration_writesItsFilesWhereNobodyLooks();
 
@@ -32,7 +39,9 @@ private:
         QByteArray out;
         QByteArray error;
     };
-    Outcome run(const QStringList& arguments, const QProcessEnvironment& environment = withoutDisplay());
+    /// @p takesNothing: no file that the program writes may be longer than nothing.
+    Outcome run(const QStringList& arguments, const QProcessEnvironment& environment = withoutDisplay(),
+                bool takesNothing = false);
     /// Runs and fails the test unless all went well without a word.
     void runWell(const QStringList& arguments);
     static QProcessEnvironment withoutDisplay();
@@ -81,9 +90,18 @@ QProcessEnvironment ProgramTest::withoutDisplay()
     return environment;
 }
 
-ProgramTest::Outcome ProgramTest::run(const QStringList& arguments, const QProcessEnvironment& environment)
+ProgramTest::Outcome ProgramTest::run(const QStringList& arguments, const QProcessEnvironment& environment,
+                                      bool takesNothing)
 {
     QProcess process;
+    if (takesNothing) {
+        process.setChildProcessModifier([] {
+            const rlimit nothing = {0, RLIM_INFINITY};
+            ::setrlimit(RLIMIT_FSIZE, &nothing);
+            // Writing then fails, in place of ending the program.
+            std::signal(SIGXFSZ, SIG_IGN);
+        });
+    }
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(m_folder->path());
     process.start(QCoreApplication::applicationDirPath() + QStringLiteral("/espalier"), arguments);
@@ -325,6 +343,41 @@ void ProgramTest::failedOutput_leavesTheOldFile()
     write("t.glb", "old");
     QCOMPARE(run({"replay", "r.json", "-o", "no/where/t.csv", "-o", "t.glb"}).code, 4);
     QCOMPARE(read("t.glb"), QByteArray("old"));
+}
+
+void ProgramTest::diskThatTakesNothing_leavesOldFilesAndFails_data()
+{
+    QTest::addColumn<QStringList>("options");
+    for (const char* name : {"t.espalier", "t.obj", "t.fbx", "t.glb", "t.csv"})
+        QTest::newRow(name) << QStringList{"-o", QString::fromLatin1(name)};
+    QTest::newRow("--stats") << QStringList{"--stats", "t.stats"};
+}
+
+void ProgramTest::diskThatTakesNothing_leavesOldFilesAndFails()
+{
+    QFETCH(QStringList, options);
+    write("few.json", R"({"espalier-recipe": 1, "operations": [{"op": "grow", "steps": 1}]})");
+    write("more.json", R"({"espalier-recipe": 1, "operations": [{"op": "grow", "steps": 4}]})");
+    runWell(QStringList{"replay", "few.json"} + options);
+    const QStringList names = QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden);
+    QMap<QString, QByteArray> before;
+    for (const QString& name : names)
+        before[name] = read(name);
+
+    const Outcome outcome = run(QStringList{"replay", "more.json"} + options, withoutDisplay(), true);
+    QCOMPARE(outcome.code, 4);
+    QCOMPARE(outcome.error.count('\n'), 1);
+    QVERIFY2(outcome.error.contains("the file is too large for this disk"), outcome.error.constData());
+    QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden), names);
+    for (const QString& name : names)
+        QVERIFY2(read(name) == before[name], qPrintable(name));
+}
+
+void ProgramTest::fullDisk_isSaidInWords()
+{
+    const Outcome outcome = run({"replay", "r.json", "--stats", "/dev/full"});
+    QCOMPARE(outcome.code, 4);
+    QCOMPARE(outcome.error, QByteArray("espalier: full: the disk is full\n"));
 }
 
 void ProgramTest::picture_isDrawnOnADisplay()

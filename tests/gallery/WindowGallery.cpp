@@ -4,6 +4,7 @@
 #include "app/HelpController.h"
 #include "app/MainWindow.h"
 #include "app/Tour.h"
+#include "app/files/Outputs.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Notice.h"
 #include "panels/SettingsSheet.h"
@@ -159,8 +160,8 @@ private:
         QTest::qWait(250);
         (void)QTest::qWaitFor([this] { return m_window->workspace().viewport().isAtRest(); }, 2500);
         const QImage image = m_window->screen()->grabWindow(0).toImage();
-        if (!image.save(name + QStringLiteral(".png")))
-            qFatal("%s.png could not be written", qPrintable(name));
+        if (const Result<void> written = writePicture(image, name + QStringLiteral(".png")); !written)
+            qFatal("%s", qPrintable(written.error().message));
         std::printf("%s\n", qPrintable(name));
         std::fflush(stdout);
     }

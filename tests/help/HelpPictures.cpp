@@ -2,6 +2,7 @@
 // Makes the pictures of the help: trees before and after, from the recipes of the pages, and parts of the
 // real window with a tool at work, by real events. scripts/pictures.sh calls it.
 #include "app/MainWindow.h"
+#include "model/io/FileWriter.h"
 #include "model/mesh/TreeCounts.h"
 #include "panels/GrowPopOut.h"
 #include "panels/Theme.h"
@@ -40,8 +41,12 @@ void play(TreeDocument& document, Recipe recipe, int count)
 
 void keep(const QImage& picture, const QString& name)
 {
-    if (!picture.convertToFormat(QImage::Format_RGB32).save(name + QStringLiteral(".jpg"), "jpg", kQuality))
-        qFatal("%s.jpg could not be written", qPrintable(name));
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!picture.convertToFormat(QImage::Format_RGB32).save(&buffer, "jpg", kQuality))
+        qFatal("%s.jpg could not be packed", qPrintable(name));
+    if (const Result<void> written = writeFile(name + QStringLiteral(".jpg"), bytes); !written)
+        qFatal("%s", qPrintable(written.error().message));
     std::printf("%s.jpg\n", qPrintable(name));
 }
 

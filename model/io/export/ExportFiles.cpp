@@ -101,16 +101,10 @@ Result<void> ExportFiles::commit()
     }
     std::ranges::stable_partition(m_entries, &Entry::isCompanion);
     for (const Entry& entry : m_entries) {
-        if (!entry.file->commit())
-            return failure(*entry.file);
+        if (Result<void> committed = entry.file->commit(); !committed)
+            return committed;
     }
     return {};
-}
-
-Error ExportFiles::failure(const QSaveFile& file)
-{
-    const QString name = QFileInfo(file.fileName()).fileName();
-    return {Error::Kind::Output, inputError(name, file.errorString()).message};
 }
 
 } // namespace espalier

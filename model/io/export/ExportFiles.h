@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/base/Error.h"
+#include "model/io/FileWriter.h"
 
 #include <QByteArray>
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QStringList>
 
 #include <concepts>
@@ -51,23 +50,23 @@ public:
 
 private:
     struct Entry {
-        std::unique_ptr<QSaveFile> file;
+        std::unique_ptr<FileWriter> file;
         bool isCompanion = false;
     };
 
     template <class Write>
     Result<void> add(const QString& name, Write&& write)
     {
-        auto file = std::make_unique<QSaveFile>(m_main.dir().filePath(name));
-        if (!file->open(QIODevice::WriteOnly) || !write(static_cast<QIODevice&>(*file)))
-            return failure(*file);
+        auto file = std::make_unique<FileWriter>(m_main.dir().filePath(name));
+        write(static_cast<QIODevice&>(*file));
+        if (Result<void> written = file->finish(); !written)
+            return written;
         m_entries.push_back({std::move(file), name != m_main.fileName()});
         return {};
     }
     /// Whether a companion of this name would destroy nothing. @p existing are the names in the folder.
     bool isFree(const QString& name, const QStringList& existing) const;
     QStringList namesInFolder() const;
-    static Error failure(const QSaveFile& file);
 
     QFileInfo m_main;
     QString m_stem;

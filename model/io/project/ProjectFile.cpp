@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/project/ProjectFile.h"
 
+#include "model/io/FileWriter.h"
 #include "model/io/JsonReader.h"
 #include "model/io/ZipArchive.h"
 #include "model/io/project/JournalCheck.h"
@@ -17,7 +18,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
-#include <QSaveFile>
 
 namespace espalier {
 
@@ -194,10 +194,7 @@ Result<void> saveProject(const Project& project, const QString& fileName)
     const Result<QByteArray> content = packProject(project);
     if (!content)
         return Error{Error::Kind::Output, inputError(name, content.error().message).message};
-    QSaveFile file(fileName);
-    if (!file.open(QIODevice::WriteOnly) || file.write(*content) != content->size() || !file.commit())
-        return Error{Error::Kind::Output, inputError(name, file.errorString()).message};
-    return {};
+    return writeFile(fileName, *content);
 }
 
 Result<Project> loadProject(const QString& fileName)

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/files/FileDialogs.h"
+
+#include "model/io/export/ExportFormats.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace espalier::dialogs {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(FileDialogs)
+};
+
+} // namespace
+
+QString suffixOf(const QString& fileName)
+{
+    return QFileInfo(fileName).suffix().toLower();
+}
+
+QString askForOpening(QWidget& window, const Settings& settings)
+{
+    return QFileDialog::getOpenFileName(
+        &window, Text::tr("Open"), settings.folder(),
+        Text::tr(
+            "Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)"));
+}
+
+QString askForSaving(QWidget& window, const QString& start)
+{
+    QFileDialog dialog(&window, Text::tr("Save"), QFileInfo(start).path(), Text::tr("Trees (*.espalier)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(kProjectSuffix);
+    dialog.selectFile(QFileInfo(start).completeBaseName());
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+}
+
+QString askForExport(QWidget& window, const QString& start, const Settings& settings)
+{
+    const QStringList suffixes = exportSuffixes();
+    QStringList filters;
+    for (const ExportFormat* format : exportFormats())
+        filters.append(QStringLiteral("%1 (*.%2)").arg(format->name(), format->suffix()));
+    QFileDialog dialog(&window, Text::tr("Export"), QFileInfo(start).path());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters(filters);
+    const qsizetype last = std::max<qsizetype>(0, suffixes.indexOf(settings.exportSuffix()));
+    dialog.selectNameFilter(filters[last]);
+    dialog.setDefaultSuffix(suffixes[last]);
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&dialog, filters, suffixes](const QString& filter) {
+                         dialog.setDefaultSuffix(suffixes[std::max<qsizetype>(0, filters.indexOf(filter))]);
+                     });
+    dialog.selectFile(QFileInfo(start).completeBaseName());
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+}
+
+Unsaved askAboutUnsaved(QWidget& window, const QString& name, bool isGrowing)
+{
+    QMessageBox question(QMessageBox::NoIcon, Text::tr("Espalier"),
+                         isGrowing
+                             ? Text::tr("%1 is still growing. What has grown so far is not saved.").arg(name)
+                             : Text::tr("%1 has changes that are not saved.").arg(name),
+                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
+    question.setDefaultButton(QMessageBox::Save);
+    switch (question.exec()) {
+    case QMessageBox::Save:
+        return Unsaved::Save;
+    case QMessageBox::Discard:
+        return Unsaved::Discard;
+    default:
+        return Unsaved::Stay;
+    }
+}
+
+Changed askAboutChanged(QWidget& window, const QString& name)
+{
+    QMessageBox question(
+        QMessageBox::NoIcon, Text::tr("Espalier"),
+        Text::tr("%1 was changed by another window or program since it was opened or saved here. "
+                 "Overwriting it loses those changes.")
+            .arg(name),
+        QMessageBox::Cancel, &window);
+    QAbstractButton* saveAs = question.addButton(Text::tr("Save As…"), QMessageBox::AcceptRole);
+    QAbstractButton* overwrite = question.addButton(Text::tr("Overwrite"), QMessageBox::DestructiveRole);
+    saveAs->setObjectName(QStringLiteral("saveAs"));
+    overwrite->setObjectName(QStringLiteral("overwrite"));
+    question.setDefaultButton(qobject_cast<QPushButton*>(saveAs));
+    question.exec();
+    if (question.clickedButton() == saveAs)
+        return Changed::SaveAs;
+    return question.clickedButton() == overwrite ? Changed::Overwrite : Changed::Cancel;
+}
+
+} // namespace espalier::dialogs

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/base/Error.h"
+
+#include <QByteArray>
+#include <QIODevice>
+#include <QSaveFile>
+
+namespace espalier {
+
+/// A file that is being written. Nothing else in this program opens a file for writing
+/// (scripts/check-writers.py checks that).
+///
+/// The text goes into a temporary file beside the target. commit() puts that file in the target's place;
+/// until then, and if anything fails, the target stays as it was. Permissions of an existing target are kept,
+/// and a symbolic link keeps pointing to its target, which is what gets replaced. A device or a pipe
+/// (/dev/stdout) cannot be replaced: it is written to at once.
+///
+/// Errors are sticky: after the first one, writing does nothing, and finish() and commit() return it.
+class FileWriter : public QIODevice {
+public:
+    /// Opens it. A failure is the result of finish() and commit().
+    explicit FileWriter(const QString& fileName);
+    /// Leaves the target as it was unless commit() succeeded.
+    ~FileWriter() override;
+
+    const QString& fileName() const { return m_fileName; }
+    bool isSequential() const override { return true; }
+
+    /// Brings all that was written to the disk. Whatever a full disk makes fail has failed after this;
+    /// commit() then only renames. Of files that belong together, call finish() of all before commit() of the
+    /// first.
+    Result<void> finish();
+    /// Calls finish(), then replaces the target, then brings the folder to the disk.
+    Result<void> commit();
+
+protected:
+    qint64 readData(char*, qint64) override { return -1; }
+    qint64 writeData(const char* data, qint64 size) override;
+
+private:
+    void openTarget();
+    void flushBlock();
+    void writeOut(const char* data, qint64 size);
+    /// Keeps the reason of a system call that failed with @p number, if it is the first failure.
+    void fail(int number);
+    void fail(const QString& reason);
+
+    QString m_fileName;
+    QSaveFile m_file;
+    int m_descriptor = -1;
+    bool m_isDevice = false; ///< The target is a device or a pipe
+    bool m_isFinished = false;
+    QByteArray m_block; ///< Small pieces that wait to be written together
+    Result<void> m_result;
+};
+
+/// Replaces the file by @p bytes whole, or leaves it as it was; see FileWriter. The message of an error names
+/// the file without its folder.
+Result<void> writeFile(const QString& fileName, const QByteArray& bytes);
+
+/// Copies the content of a file; the target is replaced whole or stays as it was.
+Result<void> copyFile(const QString& from, const QString& to);
+
+/// Why a system call failed with @p number (errno), in words for a person: "the disk is full".
+QString systemReason(int number);
+
+} // namespace espalier

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/FilesFixture.h"
+#include "tests/support/TestClasses.h"
+
+#include <QtTest>
+
+using namespace espalier;
+
+/// What crashes leave, and what becomes of it.
+class RecoveryTest : public test::FilesFixture {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyLeftover_isOfferedTheNewestFirst();
+    void leftover_isOfferedBesideAFileThatIsOpened();
+    void leftoverBroughtBack_staysUntilItHasACopyOfItsOwn();
+    void damagedCopy_isKeptAsideAndNamedAtTheStart();
+    void copyDamagedSinceTheStart_isKeptAside();
+    void damagedCopies_doNotReplaceEachOther();
+    void question_comesBackAfterAnotherNotice();
+    void later_keepsThemAll();
+    void offered_areNotOfferedToAnotherProgram();
+    void broughtBack_asksBeforeItReplacesAFileChangedSince();
+    void originsOfOlderVersions_areRead();
+
+private:
+    /// As a crash leaves it, @p minutes ago: a tree of @p steps steps, opened from @p original.
+    Tree crash(const char* name, const QString& original, int steps, int minutes);
+    static QString copyPath(const char* name)
+    {
+        return Autosave::folder() + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".espalier");
+    }
+    static QStringList keptAside()
+    {
+        return QDir(Autosave::folder() + QStringLiteral("/unreadable")).entryList(QDir::Files);
+    }
+    static bool asks(const test::FilesWindow& window, const QString& name)
+    {
+        return !window.notice.isHidden() && window.said().contains(name) &&
+               window.said().contains(QStringLiteral("can be brought back"));
+    }
+};
+
+Tree RecoveryTest::crash(const char* name, const QString& original, int steps, int minutes)
+{
+    QByteArray content;
+    QByteArray origin;
+    Tree tree;
+    {
+        test::FilesWindow window;
+        if (!original.isEmpty())
+            open(window, original);
+        QSignalSpy written(&window.files->autosave(), &Autosave::written);
+        window.grow(steps);
+        if (!written.wait(30'000))
+            return tree;
+        tree = window.document.tree();
+        for (const QString& copy : copies()) {
+            const QString base = Autosave::folder() + QLatin1Char('/') + copy.chopped(9);
+            if (QFileInfo::exists(base + QStringLiteral(".lock"))) {
+                content = bytesOf(base + QStringLiteral(".espalier"));
+                origin = bytesOf(base + QStringLiteral(".origin"));
+            }
+        }
+    }
+    put(copyPath(name), content);
+    put(copyPath(name).chopped(9) + QStringLiteral(".origin"), origin);
+    QFile file(copyPath(name));
+    if (file.open(QIODevice::ReadWrite))
+        file.setFileTime(QDateTime::currentDateTime().addSecs(-60 * minutes),
+                         QFileDevice::FileModificationTime);
+    return tree;
+}
+
+void RecoveryTest::everyLeftover_isOfferedTheNewestFirst()
+{
+    {
+        test::FilesWindow window;
+        window.grow(1);
+        save(window, path("oak.espalier"));
+        save(window, path("elm.espalier"));
+    }
+    crash("a", path("oak.espalier"), 2, 30);
+    const Tree elm = crash("b", path("elm.espalier"), 3, 10);
+    const Tree unnamed = crash("c", {}, 4, 20);
+
+    test::FilesWindow window;
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("elm.espalier")), 30'000);
+    window.press(QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == elm, 30'000);
+    QCOMPARE(window.files->file().fileName(), path("elm.espalier"));
+    QVERIFY(window.files->file().isModified());
+
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("A tree that was never saved")), 30'000);
+    answer(QMessageBox::Save);
+    window.press(QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == unnamed, 30'000);
+    const Result<Project> saved = loadProject(path("elm.espalier"));
+    QVERIFY(saved);
+    QVERIFY(saved->tree == elm);
+
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("oak.espalier")), 30'000);
+    window.press(QStringLiteral("Discard"));
+    QTest::qWait(100);
+    QVERIFY(window.notice.isHidden());
+    QVERIFY(!QFileInfo::exists(copyPath("a")));
+    QVERIFY(Autosave::leftovers().empty());
+}
+
+void RecoveryTest::leftover_isOfferedBesideAFileThatIsOpened()
+{
+    {
+        test::FilesWindow window;
+        window.grow(1);
+        save(window, path("oak.espalier"));
+    }
+    const Tree lost = crash("a", path("oak.espalier"), 2, 1);
+    test::FilesWindow window;
+    QSignalSpy opened(window.files.get(), &FileController::opened);
+    window.files->openFile(path("oak.espalier"));
+    window.files->offerRecovery();
+    QVERIFY(opened.wait(30'000));
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("oak.espalier")), 30'000);
+    window.press(QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == lost, 30'000);
+}
+
+void RecoveryTest::leftoverBroughtBack_staysUntilItHasACopyOfItsOwn()
+{
+    const Tree lost = crash("a", {}, 3, 1);
+    test::FilesWindow window;
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+    QSignalSpy written(&window.files->autosave(), &Autosave::written);
+    window.press(QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == lost, 30'000);
+    QVERIFY(written.count() > 0 || QFileInfo::exists(copyPath("a")));
+    QVERIFY(written.count() > 0 || written.wait(30'000));
+    QVERIFY(!QFileInfo::exists(copyPath("a")));
+    QCOMPARE(copies().size(), 1);
+    save(window, path("saved.espalier"));
+    QTRY_VERIFY(copies().isEmpty());
+}
+
+void RecoveryTest::damagedCopy_isKeptAsideAndNamedAtTheStart()
+{
+    const QByteArray damaged = "PK half a tree";
+    put(copyPath("a"), damaged);
+    put(copyPath("a").chopped(9) + QStringLiteral(".origin"), path("oak.espalier").toUtf8());
+    crash("b", {}, 2, 30);
+    test::FilesWindow window;
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(window.notice.isWarning(), 30'000);
+    QCOMPARE(keptAside().size(), 1);
+    const QString kept = Autosave::folder() + QStringLiteral("/unreadable/") + keptAside().constFirst();
+    QVERIFY2(keptAside().constFirst().startsWith(QStringLiteral("oak ")), qPrintable(kept));
+    QCOMPARE(bytesOf(kept), damaged);
+    QVERIFY2(window.said().contains(kept), qPrintable(window.said()));
+    QVERIFY2(window.said().contains(QStringLiteral("oak.espalier")), qPrintable(window.said()));
+    QVERIFY(!QFileInfo::exists(copyPath("a")));
+
+    // The others are offered once that was read.
+    window.press(QStringLiteral("Close"));
+    QTRY_VERIFY(asks(window, QStringLiteral("never saved")));
+    window.press(QStringLiteral("Later"));
+}
+
+void RecoveryTest::copyDamagedSinceTheStart_isKeptAside()
+{
+    crash("a", {}, 2, 1);
+    test::FilesWindow window;
+    window.grow(1);
+    const Tree before = window.document.tree();
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+    put(copyPath("a"), "damaged by now");
+    window.press(QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.notice.isWarning(), 30'000);
+    QCOMPARE(keptAside().size(), 1);
+    QCOMPARE(bytesOf(Autosave::folder() + QStringLiteral("/unreadable/") + keptAside().constFirst()),
+             QByteArray("damaged by now"));
+    QVERIFY2(window.said().contains(keptAside().constFirst()), qPrintable(window.said()));
+    QVERIFY(window.document.tree() == before);
+}
+
+void RecoveryTest::damagedCopies_doNotReplaceEachOther()
+{
+    for (const char* name : {"a", "b", "c"})
+        put(copyPath(name), QByteArray("damaged ") + name);
+    test::FilesWindow window;
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(window.notice.isWarning(), 30'000);
+    QCOMPARE(keptAside().size(), 3);
+    for (const QString& name : keptAside())
+        QVERIFY2(window.said().contains(name), qPrintable(window.said()));
+}
+
+void RecoveryTest::question_comesBackAfterAnotherNotice()
+{
+    crash("a", {}, 2, 1);
+    test::FilesWindow window;
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+    window.notice.showWarning(QStringLiteral("Something else."));
+    QCoreApplication::processEvents();
+    QCOMPARE(window.said(), QStringLiteral("Something else."));
+    window.press(QStringLiteral("Close"));
+    QTRY_VERIFY(asks(window, QStringLiteral("never saved")));
+    window.press(QStringLiteral("Discard"));
+    QTest::qWait(50);
+    QVERIFY(window.notice.isHidden());
+    QVERIFY(copies().isEmpty());
+}
+
+void RecoveryTest::later_keepsThemAll()
+{
+    crash("a", {}, 2, 1);
+    crash("b", {}, 3, 2);
+    test::FilesWindow window;
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+    window.press(QStringLiteral("Later"));
+    QTest::qWait(50);
+    QVERIFY(window.notice.isHidden());
+    QTRY_COMPARE(Autosave::leftovers().size(), std::size_t{2});
+}
+
+void RecoveryTest::offered_areNotOfferedToAnotherProgram()
+{
+    crash("a", {}, 2, 1);
+    {
+        test::FilesWindow window;
+        window.files->offerRecovery();
+        QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+        QVERIFY(Autosave::leftovers().empty());
+    }
+    QCOMPARE(Autosave::leftovers().size(), std::size_t{1});
+}
+
+void RecoveryTest::broughtBack_asksBeforeItReplacesAFileChangedSince()
+{
+    test::FilesWindow other;
+    other.grow(1);
+    save(other, path("oak.espalier"));
+    const Tree lost = crash("a", path("oak.espalier"), 2, 1);
+    other.grow(1);
+    save(other, path("oak.espalier"));
+    const QByteArray bytes = bytesOf(path("oak.espalier"));
+
+    test::FilesWindow window;
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("oak.espalier")), 30'000);
+    window.press(QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.document.tree() == lost, 30'000);
+    answer(QMessageBox::Cancel);
+    window.files->save();
+    QTRY_COMPARE_WITH_TIMEOUT(questions(), 1, 30'000);
+    QCOMPARE(bytesOf(path("oak.espalier")), bytes);
+}
+
+void RecoveryTest::originsOfOlderVersions_areRead()
+{
+    put(copyPath("a"), "any");
+    put(copyPath("a").chopped(9) + QStringLiteral(".origin"), "/home/ann/old oak.espalier");
+    const std::vector<Leftover> leftovers = Autosave::leftovers();
+    QCOMPARE(leftovers.size(), std::size_t{1});
+    QCOMPARE(leftovers.front().original, QStringLiteral("/home/ann/old oak.espalier"));
+    QVERIFY(!leftovers.front().content.exists());
+    QCOMPARE(leftovers.front().displayName(), QStringLiteral("old oak.espalier"));
+}
+
+static const test::TestClass<RecoveryTest> recoveryTest;
+
+#include "RecoveryTest.moc"

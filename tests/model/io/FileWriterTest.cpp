@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/io/FileWriter.h"
+
+#include "model/io/export/Exporter.h"
+#include "model/io/project/ProjectFile.h"
+#include "tests/support/FaultyDisk.h"
+#include "tests/support/SampleProject.h"
+#include "tests/support/TestClasses.h"
+
+#include <QtTest>
+
+#include <cerrno>
+
+namespace espalier::test {
+
+namespace {
+
+const QByteArray kOld = "what stood there before";
+
+void put(const QString& fileName, const QByteArray& content)
+{
+    QFile file(fileName);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(content), content.size());
+}
+
+QByteArray bytesOf(const QString& fileName)
+{
+    QFile file(fileName);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(no file)");
+}
+
+QMap<QString, QByteArray> allFilesIn(const QTemporaryDir& folder)
+{
+    QMap<QString, QByteArray> files;
+    for (const QString& name : QDir(folder.path()).entryList(QDir::Files | QDir::Hidden))
+        files[name] = bytesOf(folder.filePath(name));
+    return files;
+}
+
+/// The smallest textures, so that there is little to write.
+const ExportOptions kSmallExport{.textureSize = 64};
+
+enum class Age { Old, New };
+
+/// Writes one kind of output to "oak.<kind>"; old ones differ from new ones.
+Result<void> writeKind(const QString& kind, const QTemporaryDir& folder, Age age)
+{
+    static const Project projects[] = {sampleProject(30), sampleProject(60)};
+    const bool isNew = age == Age::New;
+    const Project& project = projects[isNew ? 1 : 0];
+    const QString fileName = folder.filePath(QStringLiteral("oak.") + kind);
+    if (kind == QLatin1String("espalier"))
+        return saveProject(project, fileName);
+    if (kind == QLatin1String("small"))
+        return writeFile(fileName, isNew ? "a few bytes" : "fewer");
+    if (kind == QLatin1String("copy")) {
+        const QTemporaryDir elsewhere;
+        const QString source = elsewhere.filePath(QStringLiteral("source"));
+        if (Result<void> written = writeFile(source, QByteArray(100'000, isNew ? 'n' : 'o')); !written)
+            return written;
+        return copyFile(source, fileName);
+    }
+    const Tree tree = shownTree(project);
+    return exportTree(tree, TreeIndex(tree), QStringLiteral("Oak"), fileName, kSmallExport);
+}
+
+} // namespace
+
+/// Files that are written whole or not at all.
+class FileWriterTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void writeFile_replacesTheFile();
+    void permissions_areKept();
+    void symbolicLink_staysAndItsTargetIsReplaced();
+    void withoutCommit_theFileStaysAsItWas();
+    void piecesOfAllSizes_areWrittenInOrder();
+    void device_isWrittenToAndNotReplaced();
+    void copyFile_copiesEveryByte();
+    void fullDisk_isSaidInWords();
+    void placesThatCannotBeWritten_areNamed_data();
+    void placesThatCannotBeWritten_areNamed();
+    void faultyDisk_leavesTheOldFilesOrTheNewOnes_data();
+    void faultyDisk_leavesTheOldFilesOrTheNewOnes();
+};
+
+void FileWriterTest::writeFile_replacesTheFile()
+{
+    const QTemporaryDir folder;
+    const QString name = folder.filePath(QStringLiteral("a.txt"));
+    QVERIFY(writeFile(name, "one"));
+    QVERIFY(writeFile(name, "three"));
+    QCOMPARE(bytesOf(name), QByteArray("three"));
+    QVERIFY(writeFile(name, {}));
+    QCOMPARE(bytesOf(name), QByteArray());
+    QCOMPARE(allFilesIn(folder).size(), 1);
+}
+
+void FileWriterTest::permissions_areKept()
+{
+    const QTemporaryDir folder;
+    const QString name = folder.filePath(QStringLiteral("private.txt"));
+    put(name, kOld);
+    const QFile::Permissions permissions = QFile::ReadOwner | QFile::WriteOwner;
+    QVERIFY(QFile::setPermissions(name, permissions));
+    QVERIFY(writeFile(name, "new"));
+    const QFile::Permissions others =
+        QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    QCOMPARE(QFileInfo(name).permissions() & others, QFile::Permissions());
+}
+
+void FileWriterTest::symbolicLink_staysAndItsTargetIsReplaced()
+{
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("elsewhere")));
+    const QString target = folder.filePath(QStringLiteral("elsewhere/target.txt"));
+    const QString link = folder.filePath(QStringLiteral("link.txt"));
+    put(target, kOld);
+    QVERIFY(QFile::link(target, link));
+    QVERIFY(writeFile(link, "new"));
+    QVERIFY(QFileInfo(link).isSymLink());
+    QCOMPARE(bytesOf(target), QByteArray("new"));
+}
+
+void FileWriterTest::withoutCommit_theFileStaysAsItWas()
+{
+    const QTemporaryDir folder;
+    const QString name = folder.filePath(QStringLiteral("a.txt"));
+    put(name, kOld);
+    {
+        FileWriter writer(name);
+        writer.write(QByteArray(200'000, 'x'));
+        QVERIFY(writer.finish());
+        QCOMPARE(bytesOf(name), kOld);
+    }
+    QCOMPARE(allFilesIn(folder), (QMap<QString, QByteArray>{{QStringLiteral("a.txt"), kOld}}));
+}
+
+void FileWriterTest::piecesOfAllSizes_areWrittenInOrder()
+{
+    const QTemporaryDir folder;
+    const QString name = folder.filePath(QStringLiteral("a.txt"));
+    FileWriter writer(name);
+    QByteArray expected;
+    for (const int size : {0, 1, 65'535, 65'536, 65'537, 3, 1, 200'000, 7}) {
+        const QByteArray piece(size, static_cast<char>('a' + expected.size() % 26));
+        QCOMPARE(writer.write(piece), piece.size());
+        expected += piece;
+    }
+    QVERIFY(writer.commit());
+    QCOMPARE(bytesOf(name), expected);
+}
+
+void FileWriterTest::device_isWrittenToAndNotReplaced()
+{
+    QVERIFY(writeFile(QStringLiteral("/dev/null"), "nothing"));
+    QVERIFY(!QFileInfo(QStringLiteral("/dev/null")).isFile());
+}
+
+void FileWriterTest::copyFile_copiesEveryByte()
+{
+    const QTemporaryDir folder;
+    const QString from = folder.filePath(QStringLiteral("from"));
+    const QString to = folder.filePath(QStringLiteral("to"));
+    QByteArray bytes(300'001, 'b');
+    bytes[299'999] = 'c';
+    put(from, bytes);
+    QVERIFY(copyFile(from, to));
+    QCOMPARE(bytesOf(to), bytes);
+    const Result<void> missing = copyFile(folder.filePath(QStringLiteral("none")), to);
+    QVERIFY(!missing);
+    QVERIFY2(missing.error().message.startsWith(QStringLiteral("none: ")),
+             qPrintable(missing.error().message));
+    QCOMPARE(bytesOf(to), bytes);
+}
+
+void FileWriterTest::fullDisk_isSaidInWords()
+{
+    for (const qsizetype size : {1, 1000, 1'000'000}) {
+        const Result<void> written = writeFile(QStringLiteral("/dev/full"), QByteArray(size, 'x'));
+        QVERIFY(!written);
+        QCOMPARE(written.error().kind, Error::Kind::Output);
+        QCOMPARE(written.error().message, QStringLiteral("full: the disk is full"));
+    }
+    for (const int number : {ENOSPC, EDQUOT, EROFS, EACCES, EFBIG, EIO, ENAMETOOLONG, EMFILE, ENODEV, 0}) {
+        QVERIFY(!systemReason(number).isEmpty());
+        QVERIFY2(!systemReason(number).contains(QStringLiteral("Unknown")), qPrintable(systemReason(number)));
+    }
+}
+
+void FileWriterTest::placesThatCannotBeWritten_areNamed_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("no folder") << QStringLiteral("none/a.txt") << QStringLiteral("none does not exist");
+    QTest::newRow("a file as folder") << QStringLiteral("file/a.txt") << QStringLiteral("file is no folder");
+    QTest::newRow("a folder") << QStringLiteral("folder") << QStringLiteral("there is a folder of this name");
+    QTest::newRow("no name") << QString() << QStringLiteral("a file needs a name");
+    QTest::newRow("a long name") << QString(300, QLatin1Char('n')) << QStringLiteral("the name is too long");
+}
+
+void FileWriterTest::placesThatCannotBeWritten_areNamed()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, reason);
+    const QTemporaryDir folder;
+    put(folder.filePath(QStringLiteral("file")), kOld);
+    QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("folder")));
+    const Result<void> written = writeFile(name.isEmpty() ? name : folder.filePath(name), "text");
+    QVERIFY(!written);
+    QVERIFY2(written.error().message.contains(reason), qPrintable(written.error().message));
+    QCOMPARE(allFilesIn(folder).size(), 1);
+}
+
+void FileWriterTest::faultyDisk_leavesTheOldFilesOrTheNewOnes_data()
+{
+    QTest::addColumn<QString>("kind");
+    for (const char* kind : {"small", "copy", "espalier", "csv", "obj", "fbx", "glb"})
+        QTest::newRow(kind) << QString::fromLatin1(kind);
+}
+
+void FileWriterTest::faultyDisk_leavesTheOldFilesOrTheNewOnes()
+{
+    QFETCH(QString, kind);
+    const auto written = [&](Age age) {
+        const QTemporaryDir folder;
+        return writeKind(kind, folder, age) ? allFilesIn(folder) : QMap<QString, QByteArray>();
+    };
+    const QMap<QString, QByteArray> old = written(Age::Old);
+    const QMap<QString, QByteArray> whole = written(Age::New);
+    QVERIFY(!old.isEmpty());
+    QCOMPARE(old.keys(), whole.keys());
+    QVERIFY(old != whole);
+    const QTemporaryDir folder;
+    const auto putOld = [&] {
+        for (const QString& name : old.keys())
+            put(folder.filePath(name), old[name]);
+    };
+    putOld();
+    int calls = 0;
+    int callsBeforeNaming = 0;
+    {
+        const FaultyDisk good(folder.path(), FaultyDisk::kNever, 0);
+        QVERIFY(writeKind(kind, folder, Age::New));
+        calls = good.calls();
+        callsBeforeNaming = good.callsBeforeNaming();
+    }
+    QCOMPARE(allFilesIn(folder), whole);
+    QVERIFY2(callsBeforeNaming >= 2 * whole.size(), "each file is written and brought to the disk");
+    for (int goodCalls = 0; goodCalls < calls; ++goodCalls) {
+        putOld();
+        Result<void> result;
+        {
+            const FaultyDisk disk(folder.path(), goodCalls, ENOSPC);
+            result = writeKind(kind, folder, Age::New);
+        }
+        const QMap<QString, QByteArray> left = allFilesIn(folder);
+        QVERIFY2(!result, qPrintable(QStringLiteral("call %1 failed unnoticed").arg(goodCalls)));
+        QVERIFY2(result.error().message.endsWith(QStringLiteral(": the disk is full")),
+                 qPrintable(result.error().message));
+        QCOMPARE(left.keys(), whole.keys());
+        if (goodCalls < callsBeforeNaming)
+            QCOMPARE(left, old);
+        for (const QString& name : whole.keys())
+            QVERIFY2(left[name] == old[name] || left[name] == whole[name],
+                     qPrintable(QStringLiteral("%1 after %2 good calls").arg(name).arg(goodCalls)));
+    }
+}
+
+static const TestClass<FileWriterTest> fileWriterTest;
+
+} // namespace espalier::test
+
+#include "FileWriterTest.moc"

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/FaultyDisk.h"
+
+#include <QByteArray>
+#include <QFile>
+
+#include <dlfcn.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+
+namespace {
+
+QByteArray folderAtRisk; // Empty while the disk is good
+int goodCallsLeft = 0;
+int errorNumber = 0;
+std::atomic<int> callCount = 0;
+std::atomic<int> firstNaming = -1;
+
+bool isAtRisk(const QByteArray& path)
+{
+    return !folderAtRisk.isEmpty() && path.startsWith(folderAtRisk);
+}
+
+bool isAtRisk(int descriptor)
+{
+    struct stat status = {};
+    if (folderAtRisk.isEmpty() || ::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
+        return false;
+    char link[64];
+    char path[4096];
+    std::snprintf(link, sizeof link, "/proc/self/fd/%d", descriptor);
+    const ssize_t length = ::readlink(link, path, sizeof path);
+    return length > 0 && isAtRisk(QByteArray(path, static_cast<qsizetype>(length)));
+}
+
+/// Counts a call; whether it fails.
+bool fails(bool givesName)
+{
+    const int call = callCount++;
+    if (givesName && firstNaming < 0)
+        firstNaming = call;
+    if (goodCallsLeft == espalier::test::FaultyDisk::kNever || call < goodCallsLeft)
+        return false;
+    errno = errorNumber;
+    return true;
+}
+
+template <class Function>
+Function* real(const char* name)
+{
+    return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+} // namespace
+
+extern "C" {
+
+ssize_t write(int descriptor, const void* bytes, std::size_t count)
+{
+    if (isAtRisk(descriptor) && fails(false))
+        return -1;
+    static auto* const call = real<ssize_t(int, const void*, std::size_t)>("write");
+    return call(descriptor, bytes, count);
+}
+
+int fsync(int descriptor)
+{
+    if (isAtRisk(descriptor) && fails(false))
+        return -1;
+    static auto* const call = real<int(int)>("fsync");
+    return call(descriptor);
+}
+
+int fdatasync(int descriptor)
+{
+    if (isAtRisk(descriptor) && fails(false))
+        return -1;
+    static auto* const call = real<int(int)>("fdatasync");
+    return call(descriptor);
+}
+
+int rename(const char* from, const char* to) noexcept
+{
+    if (isAtRisk(QByteArray(to)) && fails(true))
+        return -1;
+    static auto* const call = real<int(const char*, const char*)>("rename");
+    return call(from, to);
+}
+
+int linkat(int fromFolder, const char* from, int toFolder, const char* to, int flags) noexcept
+{
+    if (isAtRisk(QByteArray(to)) && fails(true))
+        return -1;
+    static auto* const call = real<int(int, const char*, int, const char*, int)>("linkat");
+    return call(fromFolder, from, toFolder, to, flags);
+}
+
+} // extern "C"
+
+namespace espalier::test {
+
+FaultyDisk::FaultyDisk(const QString& folder, int goodCalls, int error)
+{
+    goodCallsLeft = goodCalls;
+    errorNumber = error;
+    callCount = 0;
+    firstNaming = -1;
+    folderAtRisk = QFile::encodeName(folder) + '/';
+}
+
+FaultyDisk::~FaultyDisk()
+{
+    folderAtRisk.clear();
+}
+
+int FaultyDisk::calls() const
+{
+    return callCount;
+}
+
+int FaultyDisk::callsBeforeNaming() const
+{
+    return firstNaming < 0 ? callCount.load() : firstNaming.load();
+}
+
+} // namespace espalier::test
