@@ -2,7 +2,6 @@
 #include "app/Language.h"
 
 #include <QCoreApplication>
-#include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
 
@@ -12,11 +11,11 @@ namespace {
 
 const QString kName = QStringLiteral("language");
 
-void install(const QLocale& locale, const QString& texts, const QString& folder)
+void install(const QLocale& locale, const QString& texts)
 {
     auto* translator = new QTranslator(QCoreApplication::instance());
     translator->setObjectName(kName);
-    if (translator->load(locale, texts, QStringLiteral("_"), folder))
+    if (translator->load(locale, texts, QStringLiteral("_"), QStringLiteral(":/translations")))
         QCoreApplication::installTranslator(translator);
 }
 
@@ -28,8 +27,8 @@ void speakLanguage(const QString& code)
     qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(kName, Qt::FindDirectChildrenOnly));
     const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
     QLocale::setDefault(locale);
-    install(locale, QStringLiteral("espalier"), QStringLiteral(":/translations"));
-    install(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    install(locale, QStringLiteral("espalier"));
+    install(locale, QStringLiteral("qtbase"));
 }
 
 } // namespace espalier

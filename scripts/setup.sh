@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the Debian packages that are needed and missing. Says nothing when none is.
-# Usage: scripts/setup.sh [build] [display] [test] [bench]     (build when nothing is named)
+# Usage: scripts/setup.sh [build] [display] [test] [bench] [fresh]     (build when nothing is named)
 set -euo pipefail
 
 readonly build=(
     g++ cmake ninja-build ccache
-    qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools
+    qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-translations-l10n
     libassimp-dev libeigen3-dev libmeshoptimizer-dev libopenmesh-dev libtbb-dev libzip-dev zlib1g-dev
 )
 readonly display=(xvfb xauth libgl1-mesa-dri)
@@ -15,6 +15,7 @@ test=("${display[@]}" blender python3 python3-numpy clang-format)
 command -v npm >/dev/null || test+=(nodejs npm)
 readonly test
 readonly bench=(libbenchmark-dev)
+readonly fresh=(debootstrap)
 
 fail() {
     echo "setup: $*" >&2
@@ -28,7 +29,8 @@ for group in "${@:-build}"; do
         display) wanted+=("${display[@]}") ;;
         test) wanted+=("${test[@]}") ;;
         bench) wanted+=("${bench[@]}") ;;
-        *) fail "there is no group '$group'; there are build, display, test and bench" ;;
+        fresh) wanted+=("${fresh[@]}") ;;
+        *) fail "there is no group '$group'; there are build, display, test, bench and fresh" ;;
     esac
 done
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/shape/ChainEnergy.h"
+
 #include <Eigen/Geometry>
 
 #include <cstdint>
@@ -29,12 +31,6 @@ struct ChainHandle {
     std::uint32_t internode = 0; ///< Index in the path
     double along = 1.0;          ///< 0...1 from its lower to its upper node
 };
-
-/// The energy, per unit of weight, of the square faces that two prisms carry at their joint, if these are
-/// turned against each other by @p lower and @p upper and share the centre: the integral of the squared
-/// distance of corresponding points over the face's area, with half-extents @p a and @p b.
-double faceEnergy(const Eigen::Matrix3d& lower, const Eigen::Matrix3d& upper, const Eigen::Vector3d& a,
-                  const Eigen::Vector3d& b);
 
 /// Bends a path of internodes as a chain of rigid prisms with elastic joints (PriMo: Botsch et al. 2006;
 /// TreeSketch §3.3). The first internode stays where it is, handles pull points of others to their targets,
@@ -83,23 +79,6 @@ public:
     }
 
 private:
-    struct Prism {
-        Eigen::Vector3d centre;                          ///< m, what it turns about, at rest
-        Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< From there to its nodes
-        Eigen::Vector3d upper = Eigen::Vector3d::Zero();
-    };
-    /// Of prism i and i + 1, at their common node.
-    struct Joint {
-        double stretching; ///< σ w
-        double bending;    ///< β w
-        Eigen::Vector3d a; ///< Half-extents of the face
-        Eigen::Vector3d b;
-    };
-    /// Where a prism is now.
-    struct Motion {
-        Eigen::Matrix3d rotation;
-        Eigen::Vector3d centre;
-    };
     struct Grip {
         std::size_t internode;
         double along;
@@ -107,27 +86,12 @@ private:
         double count; ///< Handles that it stands for
         Eigen::Vector3d target;
     };
-    using Motions = std::vector<Motion>;
-    using Matrix6 = Eigen::Matrix<double, 6, 6>;
-    using Vector6 = Eigen::Matrix<double, 6, 1>;
-    /// Of the quadratic model of the energy: prism i's own block, and that with prism i + 1.
-    struct Block {
-        Matrix6 own;
-        Matrix6 above;
-        Vector6 gradient;
-        Vector6 step; ///< Rotation vector, then shift
-    };
-
-    void placeGrips(std::span<const ChainHandle> handles);
-    void placeJoints(const BendOptions& options);
+    /// Turns the prisms that handles hold about the points that they hold.
+    void placeGrips(std::span<const ChainHandle> handles, std::span<ChainPrism> prisms);
+    std::vector<ChainJoint> makeJoints(const BendOptions& options) const;
     std::vector<Eigen::Vector3d> reachable(std::span<const Eigen::Vector3d> targets) const;
-    /// From prism @p joint + 1 to the one below it.
-    Eigen::Vector3d gap(const Motions& motions, std::size_t joint) const;
-    double energy(const Motions& motions) const;
     void unsettle();
     bool isTaut() const;
-    void buildModel(bool taut);
-    void solveModel();
     bool makeStep(double& energyNow);
     void closeGaps();
 
@@ -135,13 +99,13 @@ private:
     std::vector<Eigen::Vector3d> m_directions; ///< Of internodes at rest, unit
     double m_length = 0.0;                     ///< m, of all that can move
     double m_mostStretch = 1.0;
-    std::vector<Prism> m_prisms;
-    std::vector<Joint> m_joints;
+    ChainEnergy m_energy;
     std::vector<Grip> m_grips;         ///< From the base up
     std::vector<std::size_t> m_gripOf; ///< By handle; past the end if it holds nothing
-    Motions m_motions;
-    Motions m_trial;
-    std::vector<Block> m_blocks;
+    std::vector<std::size_t> m_held;   ///< Internodes of the grips
+    ChainEnergy::Motions m_motions;
+    ChainEnergy::Motions m_trial;
+    ChainEnergy::Step m_step;
     std::vector<Descent> m_descents;
     ChainPose m_pose;
 };

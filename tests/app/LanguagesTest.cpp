@@ -30,6 +30,8 @@ private Q_SLOTS:
     void texts_haveRoom();
     void help_isWhole_data();
     void help_isWhole();
+    void textsOfQt_areBuiltIn_data();
+    void textsOfQt_areBuiltIn();
 };
 
 namespace {
@@ -283,6 +285,26 @@ void LanguagesTest::help_isWhole()
     for (const QString& page : pages)
         QCOMPARE(linksIn(QStringLiteral(":/docs/help/%1/%2").arg(language, page)),
                  linksIn(english.filePath(page)));
+}
+
+void LanguagesTest::textsOfQt_areBuiltIn_data()
+{
+    help_isWhole_data();
+}
+
+void LanguagesTest::textsOfQt_areBuiltIn()
+{
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY2(translator.load(QStringLiteral(":/translations/qtbase_%1.qm").arg(language)),
+             "the program depends on translations of Qt that may not be installed");
+    speakLanguage(QStringLiteral("en"));
+    const auto cancel = [] { return QCoreApplication::translate("QPlatformTheme", "Cancel"); };
+    QCOMPARE(cancel(), QStringLiteral("Cancel"));
+    speakLanguage(language);
+    QCOMPARE(cancel(), translator.translate("QPlatformTheme", "Cancel"));
+    QVERIFY(cancel() != QStringLiteral("Cancel"));
+    speakLanguage(QStringLiteral("en"));
 }
 
 } // namespace espalier

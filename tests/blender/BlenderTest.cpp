@@ -124,8 +124,8 @@ private:
 void BlenderTest::initTestCase()
 {
     m_blender = QStandardPaths::findExecutable(QStringLiteral("blender"));
-    if (m_blender.isEmpty())
-        QSKIP("there is no Blender here to read the exports with: scripts/setup.sh test installs it");
+    QVERIFY2(!m_blender.isEmpty(),
+             "Blender, which reads the exports back, is not installed: scripts/setup.sh test installs it");
 }
 
 void BlenderTest::blender_readsAndRendersEveryFormat_data()

@@ -24,7 +24,10 @@ import math
 import sys
 from pathlib import Path
 
-import numpy as np
+try:
+    import numpy as np
+except ImportError:
+    sys.exit(f"yardsticks: {sys.executable} has no NumPy; on Debian, scripts/setup.sh test installs it for /usr/bin/python3")
 
 # measure: (least, greatest) of real trees; where trees differ by place or species the whole span.
 RANGES = {

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/envelope/EnvelopeSet.h"
 #include "tests/model/envelope/Silhouettes.h"
+#include "tests/support/Sketches.h"
 #include "tests/support/TestClasses.h"
 
-#include <QDir>
-#include <QFile>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QtTest>
 
 #include <tbb/global_control.h>
@@ -25,8 +21,8 @@ private Q_SLOTS:
     void bar_becomesARoundBar();
     void silhouette_isKept_data();
     void silhouette_isKept();
-    void silhouette_ofPeoplesDrawings_isKept_data();
-    void silhouette_ofPeoplesDrawings_isKept();
+    void silhouette_drawnByHand_isKept_data();
+    void silhouette_drawnByHand_isKept();
     void surface_isAtLeastAsHighAsTheOutlineIsFar();
     void surface_isZeroOnTheOutline();
     void envelope_isSymmetricAboutItsPlane();
@@ -106,11 +102,6 @@ std::vector<std::pair<QString, Points>> shapes()
             {"triangle", {{0, 0}, {4, 0}, {0, 3}}}};
 }
 
-QDir sketches()
-{
-    return QDir(QStringLiteral(SOURCE_DIR "/../shared/sketches"));
-}
-
 } // namespace
 
 void EnvelopeTest::disc_becomesABall()
@@ -159,59 +150,29 @@ void EnvelopeTest::silhouette_isKept()
     QVERIFY(kept >= 0.98);
 }
 
-void EnvelopeTest::silhouette_ofPeoplesDrawings_isKept_data()
+void EnvelopeTest::silhouette_drawnByHand_isKept_data()
 {
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<int>("least");
-    QTest::newRow("clouds") << "cloud.ndjson" << 18;
-    QTest::newRow("trees") << "tree.ndjson" << 8;
+    QTest::addColumn<Points>("points");
+    std::vector<Sketch> sketches = drawnCrowns();
+    for (const char* kind : {"tree", "cloud"}) {
+        for (Sketch& sketch : givenSketches(QString::fromLatin1(kind))) {
+            if (isClosed(sketch.points, 0.1F))
+                sketches.push_back(std::move(sketch));
+        }
+    }
+    for (const Sketch& sketch : sketches)
+        QTest::newRow(qPrintable(sketch.name)) << sketch.points;
 }
 
-void EnvelopeTest::silhouette_ofPeoplesDrawings_isKept()
+void EnvelopeTest::silhouette_drawnByHand_isKept()
 {
-    if (!sketches().exists())
-        QSKIP("There is no folder of sketches beside the project.");
-    QFETCH(const QString, file);
-    QFETCH(const int, least);
-    QFile drawings(sketches().filePath(file));
-    QVERIFY(drawings.open(QIODevice::ReadOnly));
-    int closed = 0;
-    double worst = 1.0;
-    double sum = 0.0;
-    while (!drawings.atEnd()) {
-        const QJsonArray strokes =
-            QJsonDocument::fromJson(drawings.readLine()).object().value("drawing").toArray();
-        Points largest;
-        double longest = 0.0;
-        for (const QJsonValue stroke : strokes) {
-            const QJsonArray x = stroke[0].toArray();
-            const QJsonArray y = stroke[1].toArray();
-            Points points;
-            double length = 0.0;
-            for (int i = 0; i < x.size(); ++i) {
-                points.emplace_back(static_cast<float>(x[i].toDouble()),
-                                    static_cast<float>(255.0 - y[i].toDouble()));
-                if (i > 0)
-                    length += double{(points.back() - points[points.size() - 2]).norm()};
-            }
-            if (length > longest) {
-                longest = length;
-                largest = points;
-            }
-        }
-        if (double{(largest.front() - largest.back()).norm()} > 0.1 * longest)
-            continue;
-        ++closed;
-        const Envelope envelope = envelopeOf(largest);
-        const double kept = overlap(
-            largest, 200, [&](double x, double y) { return containsAt(envelope, x, y); },
-            [&](double x, double y) { return encloses(largest, x, y); });
-        worst = std::min(worst, kept);
-        sum += kept;
-        QVERIFY2(kept >= 0.97, qPrintable(QString::number(kept)));
-    }
-    qInfo("%d drawings, intersection over union: worst %.4f, mean %.4f", closed, worst, sum / closed);
-    QVERIFY(closed >= least);
+    QFETCH(const Points, points);
+    const Envelope envelope = envelopeOf(points);
+    const double kept = overlap(
+        points, 200, [&](double x, double y) { return containsAt(envelope, x, y); },
+        [&](double x, double y) { return encloses(points, x, y); });
+    qInfo("intersection over union: %.4f", kept);
+    QVERIFY2(kept >= 0.97, qPrintable(QString::number(kept)));
 }
 
 void EnvelopeTest::surface_isAtLeastAsHighAsTheOutlineIsFar()
