@@ -36,6 +36,7 @@ BudReference::Found BudReference::resolve(const TreeDocument& document) const
 {
     if (!internode)
         return {};
+    // Where it is missing, a node that no tree has: then no bud may grow.
     Found found{{internode->number(), slot}, {}};
     const Result<InternodeId> node = internode->resolve(document);
     if (!node) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/InternodeReference.h"
 
+#include "commands/recipe/RecipeJson.h"
+#include "commands/recipe/RecipeLimits.h"
+
 #include <QCoreApplication>
 
 #include <cmath>
@@ -13,18 +16,107 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Recipe)
 };
 
+constexpr QLatin1StringView kKeyKey("key");
+constexpr QLatin1StringView kAtKey("at");
+constexpr int kKeyDigits = 16;
+
+std::optional<InternodeId> livingWithKey(const Tree& tree, InternodeKey key)
+{
+    const QList<InternodeKey>& keys = tree.columns().key;
+    for (auto id = static_cast<InternodeId>(0); id < tree.size(); ++id) {
+        if (keys[id] == key && tree.isAlive(id))
+            return id;
+    }
+    return {};
+}
+
+/// The living internode whose node is nearest to @p place, within @p reach, m.
+std::optional<InternodeId> nearestLiving(const TreeDocument& document, const Vec3& place, float reach)
+{
+    std::optional<InternodeId> nearest;
+    float least = reach * reach;
+    for (InternodeId id = 0; id < document.tree().size(); ++id) {
+        const float squared = (document.index().nodePosition(id) - place).squaredNorm();
+        if (squared <= least && document.tree().isAlive(id)) {
+            least = squared;
+            nearest = id;
+        }
+    }
+    return nearest;
+}
+
+QString keyText(InternodeKey key)
+{
+    return QStringLiteral("%1").arg(key, kKeyDigits, 16, QLatin1Char('0'));
+}
+
+Result<InternodeReference> fromObject(const QJsonObject& object)
+{
+    JsonReader reader(object, {});
+    std::optional<InternodeKey> key;
+    if (reader.has(kKeyKey)) {
+        const QString text = reader.text(kKeyKey);
+        bool isNumber = false;
+        key = text.toULongLong(&isNumber, 16);
+        if (!isNumber || text.size() != kKeyDigits)
+            reader.fail(kKeyKey, Text::tr("%1 hexadecimal digits are expected").arg(kKeyDigits));
+    }
+    std::optional<Vec3> place;
+    if (reader.has(kAtKey)) {
+        place = vectorFromJson<3>(reader.array(kAtKey), recipeLimits::kCoordinate);
+        if (!place)
+            reader.fail(
+                kAtKey,
+                Text::tr("an array of three numbers within ±%1 is expected").arg(recipeLimits::kCoordinate));
+    }
+    if (!key && !place)
+        reader.fail(inputError({}, Text::tr("a key (“key”) or a place (“at”) is expected")));
+    if (const Result<void> end = reader.finish(); !end)
+        return end.error();
+    return InternodeReference(key, place);
+}
+
 } // namespace
+
+InternodeReference InternodeReference::to(const TreeDocument& document, InternodeId id)
+{
+    return {document.tree().key(id), document.index().nodePosition(id)};
+}
 
 Result<InternodeId> InternodeReference::resolve(const TreeDocument& document) const
 {
     const Tree& tree = document.tree();
-    if (m_number >= tree.size() || !tree.isAlive(m_number))
-        return inputError({}, Text::tr("there is no internode %1").arg(m_number));
-    return m_number;
+    std::optional<InternodeId> found;
+    if (isNumber() && tree.isAlive(m_number))
+        found = m_number;
+    if (m_key)
+        found = livingWithKey(tree, *m_key);
+    if (!found && m_place) {
+        const auto length = static_cast<float>(tree.parameters().growth.internodeLength);
+        found = nearestLiving(document, *m_place, kReach * length);
+    }
+    if (!found)
+        return inputError({}, text());
+    return *found;
+}
+
+QString InternodeReference::text() const
+{
+    if (isNumber())
+        return Text::tr("there is no internode %1").arg(m_number);
+    if (!m_place)
+        return Text::tr("there is no internode with the key %1").arg(keyText(*m_key));
+    const auto coordinate = [this](int axis) {
+        return QString::number(static_cast<double>((*m_place)[axis]), 'g', 4);
+    };
+    return Text::tr("there is no internode near (%1, %2, %3) m")
+        .arg(coordinate(0), coordinate(1), coordinate(2));
 }
 
 Result<InternodeReference> InternodeReference::fromJson(const QJsonValue& value)
 {
+    if (value.isObject())
+        return fromObject(value.toObject());
     const double number = value.toDouble(-1.0);
     if (!(number >= 0.0 && number <= static_cast<double>(kGreatestNumber) && number == std::floor(number)))
         return inputError({}, Text::tr("a whole number from 0 to %1 is expected").arg(kGreatestNumber));
@@ -42,7 +134,14 @@ InternodeReference InternodeReference::read(JsonReader& reader, QLatin1StringVie
 
 QJsonValue InternodeReference::toJson() const
 {
-    return static_cast<qint64>(m_number);
+    if (isNumber())
+        return static_cast<qint64>(m_number);
+    QJsonObject json;
+    if (m_key)
+        json[kKeyKey] = keyText(*m_key);
+    if (m_place)
+        json[kAtKey] = espalier::toJson(*m_place);
+    return json;
 }
 
 } // namespace espalier

@@ -4,6 +4,7 @@
 #include "model/base/Parallel.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
+#include "model/mesh/LeafPlacer.h"
 #include "model/mesh/UvWrap.h"
 #include "model/texture/OwnTextures.h"
 
