@@ -335,6 +335,13 @@
     </message>
 </context>
 <context>
+    <name>CommandLine</name>
+    <message>
+        <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Brush Stroke</source>
@@ -387,7 +394,7 @@
         <translation>Es gibt keinen Lassostrich.</translation>
     </message>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>Die Zeichenebene des Lassos ist ungültig.</translation>
     </message>
     <message>
@@ -404,6 +411,25 @@
     </message>
 </context>
 <context>
+    <name>ExportFormat</name>
+    <message>
+        <source>FBX</source>
+        <translation type="unfinished">FBX</translation>
+    </message>
+    <message>
+        <source>Binary glTF</source>
+        <translation type="unfinished">Binäres glTF</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation type="unfinished">Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Skeleton as a table</source>
+        <translation type="unfinished">Skelett als Tabelle</translation>
+    </message>
+</context>
+<context>
     <name>Exporter</name>
     <message>
         <source>the meshes could not be written: %1</source>
@@ -417,12 +443,134 @@
         <source>The export was cancelled.</source>
         <translation>Der Export wurde abgebrochen.</translation>
     </message>
+    <message>
+        <source>there are too many files of similar names in its folder; choose another name or another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program made this file during the export; export again, and another name will be chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FbxRepair</name>
     <message>
         <source>this is no sound binary FBX file</source>
         <translation>dies ist keine einwandfreie binäre FBX-Datei</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">Öffnen</translation>
+    </message>
+    <message>
+        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
+        <translation type="unfinished">Bäume und Rezepte (*.espalier *.json);;Bäume (*.espalier);;Rezepte (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">Speichern</translation>
+    </message>
+    <message>
+        <source>Trees (*.espalier)</source>
+        <translation type="unfinished">Bäume (*.espalier)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Exportieren</translation>
+    </message>
+    <message>
+        <source>Espalier</source>
+        <translation type="unfinished">Espalier</translation>
+    </message>
+    <message>
+        <source>%1 is still growing. What has grown so far is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation type="unfinished">%1 enthält ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation type="unfinished">Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileWriter</name>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a folder of this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not write into the folder %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not change this file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your share of the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk can only be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not write here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is too large for this disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is faulty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system does not say why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file needs a name</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -475,27 +623,27 @@
     </message>
     <message>
         <source>it changes buds that were not there</source>
-        <translation>ändert Knospen, die nicht da waren</translation>
+        <translation type="vanished">ändert Knospen, die nicht da waren</translation>
     </message>
     <message>
         <source>it changes buds in a way that cannot be</source>
-        <translation>ändert Knospen auf unmögliche Weise</translation>
+        <translation type="vanished">ändert Knospen auf unmögliche Weise</translation>
     </message>
     <message>
         <source>it bends an internode that was not there</source>
-        <translation>biegt ein Internodium, das nicht da war</translation>
+        <translation type="vanished">biegt ein Internodium, das nicht da war</translation>
     </message>
     <message>
         <source>it bends an internode in a way that cannot be</source>
-        <translation>biegt ein Internodium auf unmögliche Weise</translation>
+        <translation type="vanished">biegt ein Internodium auf unmögliche Weise</translation>
     </message>
     <message>
         <source>it sets a width in a way that cannot be</source>
-        <translation>legt eine Dicke auf unmögliche Weise fest</translation>
+        <translation type="vanished">legt eine Dicke auf unmögliche Weise fest</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that cannot be</source>
-        <translation>ändert eine Hülle auf unmögliche Weise</translation>
+        <translation type="vanished">ändert eine Hülle auf unmögliche Weise</translation>
     </message>
     <message>
         <source>it lets an internode die that did not</source>
@@ -511,7 +659,7 @@
     </message>
     <message>
         <source>it bears an internode after what grows on it</source>
-        <translation>bringt ein Internodium nach dem hervor, was darauf wächst</translation>
+        <translation type="vanished">bringt ein Internodium nach dem hervor, was darauf wächst</translation>
     </message>
     <message>
         <source>before it, an internode would live on a dead one</source>
@@ -523,11 +671,11 @@
     </message>
     <message>
         <source>it changes the buds of a dead internode</source>
-        <translation>ändert die Knospen eines toten Internodiums</translation>
+        <translation type="vanished">ändert die Knospen eines toten Internodiums</translation>
     </message>
     <message>
         <source>internode %1 has no beginning or no end in the history</source>
-        <translation>Internodium %1 hat in der Geschichte keinen Anfang oder kein Ende</translation>
+        <translation type="vanished">Internodium %1 hat in der Geschichte keinen Anfang oder kein Ende</translation>
     </message>
     <message>
         <source>step %1 of the history</source>
@@ -535,7 +683,31 @@
     </message>
     <message>
         <source>the history</source>
-        <translation>die Geschichte</translation>
+        <translation type="vanished">die Geschichte</translation>
+    </message>
+    <message>
+        <source>it brings strokes that are not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it places a leaf on an internode that is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it sets “%1” in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes an envelope in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something is set before it on what it brings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the beginning of the history</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -600,7 +772,7 @@
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>Die Zeichenebene des Lassos ist ungültig.</translation>
     </message>
     <message>
@@ -642,8 +814,8 @@
         <translation>Ein Name darf nicht mit einem Punkt beginnen.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
-        <translation>Ein Name darf keines der Zeichen / \ : * ? " &lt; &gt; | enthalten.</translation>
+        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <translation>Ein Name darf keines der Zeichen / \ : * ? &quot; &lt; &gt; | enthalten.</translation>
     </message>
     <message>
         <source>This name is too long.</source>
@@ -1006,7 +1178,7 @@
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf's stalk.</source>
+        <source>Between a shoot and the leaf&apos;s stalk.</source>
         <translation>Zwischen einem Trieb und dem Blattstiel.</translation>
     </message>
     <message>
@@ -1050,7 +1222,7 @@
         <translation>Exponent</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
         <translation>Wie sich die Dicken addieren, wo Äste zusammentreffen: 2 ist Leonardos Regel; weniger ergibt dickere Stämme.</translation>
     </message>
     <message>
@@ -1082,7 +1254,7 @@
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
         <translation>Stammlänge, nach der sich das Rindenmuster wiederholt.</translation>
     </message>
     <message>
@@ -1162,7 +1334,7 @@
         <translation>Boden</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree's shadow.</source>
+        <source>Ground below the tree, with the tree&apos;s shadow.</source>
         <translation>Boden unter dem Baum, mit dem Schatten des Baums.</translation>
     </message>
     <message>
@@ -1226,7 +1398,7 @@
         <translation>Nach rechts</translation>
     </message>
     <message>
-        <source>Where the picture's middle is beside the seedling.</source>
+        <source>Where the picture&apos;s middle is beside the seedling.</source>
         <translation>Wo die Mitte des Bilds neben dem Sämling liegt.</translation>
     </message>
     <message>
@@ -1234,7 +1406,7 @@
         <translation>Nach oben</translation>
     </message>
     <message>
-        <source>Where the picture's middle is above the seedling.</source>
+        <source>Where the picture&apos;s middle is above the seedling.</source>
         <translation>Wo die Mitte des Bilds über dem Sämling liegt.</translation>
     </message>
     <message>
@@ -1494,7 +1666,7 @@
         <translation>Druck</translation>
     </message>
     <message>
-        <source>A pen's pressure scales the brush: the radius is what a firm hand reaches.</source>
+        <source>A pen&apos;s pressure scales the brush: the radius is what a firm hand reaches.</source>
         <translation>Der Stiftdruck bestimmt die Größe des Pinsels mit: Den ganzen Radius erreicht eine feste Hand.</translation>
     </message>
     <message>
@@ -1592,11 +1764,11 @@
     </message>
     <message>
         <source>internode %1</source>
-        <translation>Internodium %1</translation>
+        <translation type="vanished">Internodium %1</translation>
     </message>
     <message>
         <source>it lies further than %1 m away</source>
-        <translation>liegt weiter als %1 m entfernt</translation>
+        <translation type="vanished">liegt weiter als %1 m entfernt</translation>
     </message>
     <message>
         <source>the lassos</source>
@@ -1630,12 +1802,27 @@
         <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
         <translation>das Bild „%1“ fehlt darin oder ist beschädigt; stattdessen erscheint das von Espalier gezeichnete Aussehen</translation>
     </message>
+    <message>
+        <source>they have too many points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>indices of strokes are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PruneTool</name>
     <message>
         <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
         <translation>Einen Ast antippen, um ihn abzunehmen, oder quer über die Äste ziehen, die fallen sollen</translation>
+    </message>
+</context>
+<context>
+    <name>QTimer</name>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1654,7 +1841,7 @@
     </message>
     <message>
         <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation>es gibt keine Operation „%1“; es gibt setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow und removeLasso</translation>
+        <translation type="vanished">es gibt keine Operation „%1“; es gibt setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow und removeLasso</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1689,8 +1876,8 @@
         <translation>1 bis %1 Internodien werden erwartet</translation>
     </message>
     <message>
-        <source>a list of internodes' numbers is expected</source>
-        <translation>eine Liste von Internodiennummern wird erwartet</translation>
+        <source>a list of internodes&apos; numbers is expected</source>
+        <translation type="vanished">eine Liste von Internodiennummern wird erwartet</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
@@ -1748,6 +1935,78 @@
         <source>a path relative to the recipe is expected</source>
         <translation>ein Pfad relativ zum Rezept wird erwartet</translation>
     </message>
+    <message>
+        <source>internode %1 is not on the branch above internode %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing grew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1 has no bud %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hexadecimal digits are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a key (“key”) or a place (“at”) is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode with the key %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode near (%1, %2, %3) m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1 is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode 0 is the seedling, which cannot be pruned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no operation “%1”; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 commands to redo only, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1 has no width to take away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the history goes back by %1 only, not by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the history goes on by %1 only, not by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 commands to undo only, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -1772,6 +2031,76 @@
     <message>
         <source>Drag the sun about the tree.</source>
         <translation>Die Sonne um den Baum ziehen.</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>it changes “%1”, which never changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes “%1” of a row that was not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes “%1” in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation type="unfinished">Internodium %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation type="unfinished">liegt weiter als %1 m entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>Tree</name>
+    <message>
+        <source>its internode is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is out of order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its place of attachment is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its rotation is not one</source>
+        <translation type="unfinished">die Drehung ist keine</translation>
+    </message>
+    <message>
+        <source>its length is out of range</source>
+        <translation type="unfinished">die Länge liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>its vigour is out of range</source>
+        <translation type="unfinished">die Wuchskraft liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>it grows from a bud that does not exist</source>
+        <translation type="unfinished">wächst aus einer Knospe, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>it has a bud that does not exist</source>
+        <translation type="unfinished">hat eine Knospe, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>its kind is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its width is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its root lies too far away</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1820,27 +2149,27 @@
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation>die Drehung ist keine</translation>
+        <translation type="vanished">die Drehung ist keine</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation>die Länge liegt außerhalb des Bereichs</translation>
+        <translation type="vanished">die Länge liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation>die Wuchskraft liegt außerhalb des Bereichs</translation>
+        <translation type="vanished">die Wuchskraft liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation>wächst aus einer Knospe, die es nicht gibt</translation>
+        <translation type="vanished">wächst aus einer Knospe, die es nicht gibt</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation>hat eine Knospe, die es nicht gibt</translation>
+        <translation type="vanished">hat eine Knospe, die es nicht gibt</translation>
     </message>
     <message>
         <source>it is neither there nor away</source>
-        <translation>ist weder da noch weg</translation>
+        <translation type="vanished">ist weder da noch weg</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
@@ -1852,27 +2181,27 @@
     </message>
     <message>
         <source>it died before it was born</source>
-        <translation>starb vor der eigenen Geburt</translation>
+        <translation type="vanished">starb vor der eigenen Geburt</translation>
     </message>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
-        <translation>--size verlangt BREITExHÖHE von bis zu %1 Pixeln je Kante, nicht "%2"</translation>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <translation>--size verlangt BREITExHÖHE von bis zu %1 Pixeln je Kante, nicht &quot;%2&quot;</translation>
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation>%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .obj .fbx .glb .csv</translation>
+        <translation type="vanished">%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .obj .fbx .glb .csv</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not "%1"</source>
-        <translation>--camera ist front, side, top oder three-quarter, nicht "%1"</translation>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <translation>--camera ist front, side, top oder three-quarter, nicht &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not "%2"</source>
-        <translation>--threads verlangt eine Zahl von 1 bis %1, nicht "%2"</translation>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <translation>--threads verlangt eine Zahl von 1 bis %1, nicht &quot;%2&quot;</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
-        <translation>--seed verlangt eine ganze Zahl von 0 bis 18446744073709551615, nicht "%1"</translation>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <translation>--seed verlangt eine ganze Zahl von 0 bis 18446744073709551615, nicht &quot;%1&quot;</translation>
     </message>
     <message>
         <source>%1 knows no option %2</source>
@@ -1911,8 +2240,8 @@
         <translation>info verlangt eine Datei</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is "%1"?</source>
-        <translation>ein Fenster zeigt eine Datei, was ist also "%1"?</translation>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <translation>ein Fenster zeigt eine Datei, was ist also &quot;%1&quot;?</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -1950,7 +2279,7 @@ textures) or .csv (skeleton).
 Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier: Bäume mit dem Pinsel wachsen lassen.
+        <translation type="vanished">Espalier: Bäume mit dem Pinsel wachsen lassen.
 
 espalier [PROJEKT]
     Öffnet das Fenster.
@@ -1987,6 +2316,109 @@ Endet mit 0, wenn alles getan ist, mit 2, wenn die Befehlszeile falsch ist, mit
 geschrieben werden konnte.
 </translation>
     </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+    What operations do not find in the tree is printed; with --strict it is an
+    error, and nothing is written.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project) or in the ending of a format:
+%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it died before it was born, or in the future</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it lives on a dead internode</source>
+        <translation type="unfinished">lebt auf einem toten Internodium</translation>
+    </message>
+    <message>
+        <source>the columns of the tree have different lengths</source>
+        <translation type="unfinished">die Spalten des Baums sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>the tree is empty or lacks its parameters</source>
+        <translation type="unfinished">der Baum ist leer, oder ihm fehlen seine Parameter</translation>
+    </message>
+    <message>
+        <source>the tree has more than %1 parameter sets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the seedling must stand at the base</source>
+        <translation type="unfinished">der Sämling muss an der Basis stehen</translation>
+    </message>
+    <message>
+        <source>two internodes continue the same axis</source>
+        <translation type="unfinished">zwei Internodien setzen dieselbe Achse fort</translation>
+    </message>
+    <message>
+        <source>another internode has its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1: %2</source>
+        <translation type="unfinished">Internodium %1: %2</translation>
+    </message>
+    <message>
+        <source>the columns of the placed leaves have different lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its internode is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed leaf %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>entry %1 of “%2”: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lasso %1: its plane or its points are not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lassos in force are out of order</source>
+        <translation type="unfinished">die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
+    </message>
 </context>
 <context>
     <name>espalier::ArchitecturePanel</name>
@@ -2005,6 +2437,13 @@ geschrieben werden konnte.
     <message>
         <source>‹ Less</source>
         <translation>‹ Weniger</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Autosave</name>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation type="unfinished">Ein nie gespeicherter Baum</translation>
     </message>
 </context>
 <context>
@@ -2196,19 +2635,19 @@ geschrieben werden konnte.
     <name>espalier::FileController</name>
     <message>
         <source>Binary glTF</source>
-        <translation>Binäres glTF</translation>
+        <translation type="vanished">Binäres glTF</translation>
     </message>
     <message>
         <source>FBX</source>
-        <translation>FBX</translation>
+        <translation type="vanished">FBX</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation>Wavefront OBJ</translation>
+        <translation type="vanished">Wavefront OBJ</translation>
     </message>
     <message>
         <source>Skeleton as a table</source>
-        <translation>Skelett als Tabelle</translation>
+        <translation type="vanished">Skelett als Tabelle</translation>
     </message>
     <message>
         <source>Not saved. %1</source>
@@ -2220,11 +2659,11 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Open</source>
-        <translation>Öffnen</translation>
+        <translation type="vanished">Öffnen</translation>
     </message>
     <message>
         <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation>Bäume und Rezepte (*.espalier *.json);;Bäume (*.espalier);;Rezepte (*.json);;Alle Dateien (*)</translation>
+        <translation type="vanished">Bäume und Rezepte (*.espalier *.json);;Bäume (*.espalier);;Rezepte (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -2232,15 +2671,15 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Save</source>
-        <translation>Speichern</translation>
+        <translation type="vanished">Speichern</translation>
     </message>
     <message>
         <source>Trees (*.espalier)</source>
-        <translation>Bäume (*.espalier)</translation>
+        <translation type="vanished">Bäume (*.espalier)</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation>Exportieren</translation>
+        <translation type="vanished">Exportieren</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -2264,27 +2703,27 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Espalier</source>
-        <translation>Espalier</translation>
+        <translation type="vanished">Espalier</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation>%1 enthält ungespeicherte Änderungen.</translation>
+        <translation type="vanished">%1 enthält ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>A tree that was never saved</source>
-        <translation>Ein nie gespeicherter Baum</translation>
+        <translation type="vanished">Ein nie gespeicherter Baum</translation>
     </message>
     <message>
         <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
-        <translation>Espalier wurde unerwartet beendet. %1 kann im letzten Zustand zurückgeholt werden.</translation>
+        <translation type="vanished">Espalier wurde unerwartet beendet. %1 kann im letzten Zustand zurückgeholt werden.</translation>
     </message>
     <message>
         <source>Bring Back</source>
-        <translation>Zurückholen</translation>
+        <translation type="vanished">Zurückholen</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation>Verwerfen</translation>
+        <translation type="vanished">Verwerfen</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -2293,6 +2732,22 @@ geschrieben werden konnte.
     <message>
         <source>Forget Them</source>
         <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>%1 was moved or deleted by another program. The tree is still here; save it to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep This</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2638,6 +3093,10 @@ geschrieben werden konnte.
         <source>Growing %1</source>
         <translation>%1 wächst</translation>
     </message>
+    <message>
+        <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>espalier::Notice</name>
@@ -2677,6 +3136,29 @@ geschrieben werden konnte.
     <message>
         <source>Brush radius</source>
         <translation>Pinselradius</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Recovery</name>
+    <message>
+        <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring Back</source>
+        <translation type="unfinished">Zurückholen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished">Verwerfen</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2805,7 +3287,7 @@ geschrieben werden konnte.
         <translation>Bibliothek</translation>
     </message>
     <message>
-        <source>In a folder of Espalier's own</source>
+        <source>In a folder of Espalier&apos;s own</source>
         <translation>In Espaliers eigenem Ordner</translation>
     </message>
     <message>
@@ -2926,39 +3408,39 @@ geschrieben werden konnte.
     <name>espalier::Tree</name>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation>die Spalten des Baums sind verschieden lang</translation>
+        <translation type="vanished">die Spalten des Baums sind verschieden lang</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation>der Baum ist leer, oder ihm fehlen seine Parameter</translation>
+        <translation type="vanished">der Baum ist leer, oder ihm fehlen seine Parameter</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation>der Sämling muss an der Basis stehen</translation>
+        <translation type="vanished">der Sämling muss an der Basis stehen</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation>lebt auf einem toten Internodium</translation>
+        <translation type="vanished">lebt auf einem toten Internodium</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation>zwei Internodien setzen dieselbe Achse fort</translation>
+        <translation type="vanished">zwei Internodien setzen dieselbe Achse fort</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation>Internodium %1: %2</translation>
+        <translation type="vanished">Internodium %1: %2</translation>
     </message>
     <message>
         <source>width %1 cannot be</source>
-        <translation>Dicke %1 ist unmöglich</translation>
+        <translation type="vanished">Dicke %1 ist unmöglich</translation>
     </message>
     <message>
         <source>lasso %1 cannot be</source>
-        <translation>Lasso %1 ist unmöglich</translation>
+        <translation type="vanished">Lasso %1 ist unmöglich</translation>
     </message>
     <message>
         <source>the lassos in force are out of order</source>
-        <translation>die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
+        <translation type="vanished">die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
     </message>
 </context>
 <context>

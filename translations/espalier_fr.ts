@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>Write the tree for other programs: GLB, FBX, OBJ, or its skeleton as CSV.</source>
-        <translation>Écrire l’arbre pour d’autres programmes : GLB, FBX, OBJ, ou son squelette en CSV.</translation>
+        <translation>Écrire l’arbre pour d’autres programmes&#xa0;: GLB, FBX, OBJ, ou son squelette en CSV.</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
-        <translation>Faire glisser depuis l’arbre vers l’extérieur : il pousse dans l’espace où passe le pinceau.</translation>
+        <translation>Faire glisser depuis l’arbre vers l’extérieur&#xa0;: il pousse dans l’espace où passe le pinceau.</translation>
     </message>
     <message>
         <source>Grow</source>
@@ -81,7 +81,7 @@
     </message>
     <message>
         <source>Press anywhere and hold: the tree grows on its own, competing for light and space.</source>
-        <translation>Appuyer n’importe où et maintenir : l’arbre pousse seul, en concurrence pour la lumière et l’espace.</translation>
+        <translation>Appuyer n’importe où et maintenir&#xa0;: l’arbre pousse seul, en concurrence pour la lumière et l’espace.</translation>
     </message>
     <message>
         <source>Prune</source>
@@ -97,7 +97,7 @@
     </message>
     <message>
         <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
-        <translation>Toucher un bourgeon : lui seul pousse désormais, avec ce qui en naît.</translation>
+        <translation>Toucher un bourgeon&#xa0;: lui seul pousse désormais, avec ce qui en naît.</translation>
     </message>
     <message>
         <source>Bend</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
-        <translation>Tirer sur une branche pour la courber ; la toucher pour l’épingler là où elle est tenue.</translation>
+        <translation>Tirer sur une branche pour la courber&#xa0;; la toucher pour l’épingler là où elle est tenue.</translation>
     </message>
     <message>
         <source>Width</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
-        <translation>Dessiner la silhouette d’un houppier : l’arbre pousse jusqu’à le remplir.</translation>
+        <translation>Dessiner la silhouette d’un houppier&#xa0;: l’arbre pousse jusqu’à le remplir.</translation>
     </message>
     <message>
         <source>Grow One Step</source>
@@ -237,7 +237,7 @@
     </message>
     <message>
         <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
-        <translation>Ce qui entoure l’arbre : fond, sol, soleil, image modèle.</translation>
+        <translation>Ce qui entoure l’arbre&#xa0;: fond, sol, soleil, image modèle.</translation>
     </message>
     <message>
         <source>History</source>
@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>All that you did, step by step; a click goes there.</source>
-        <translation>Tout ce qui a été fait, étape par étape ; un clic y ramène.</translation>
+        <translation>Tout ce qui a été fait, étape par étape&#xa0;; un clic y ramène.</translation>
     </message>
     <message>
         <source>To the Panels and Back</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>Hide everything but the tree; the same key brings it back.</source>
-        <translation>Tout masquer sauf l’arbre ; la même touche fait tout revenir.</translation>
+        <translation>Tout masquer sauf l’arbre&#xa0;; la même touche fait tout revenir.</translation>
     </message>
     <message>
         <source>Full Screen</source>
@@ -324,14 +324,21 @@
     <name>BendTool</name>
     <message>
         <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
-        <translation>Tirer sur une branche pour la courber ; toucher pour épingler sa base, puis là où elle est tenue</translation>
+        <translation>Tirer sur une branche pour la courber&#xa0;; toucher pour épingler sa base, puis là où elle est tenue</translation>
     </message>
 </context>
 <context>
     <name>BrushTool</name>
     <message>
         <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
-        <translation>Faire glisser pour peindre un arbre ; partir d’une branche pour continuer à sa profondeur</translation>
+        <translation>Faire glisser pour peindre un arbre&#xa0;; partir d’une branche pour continuer à sa profondeur</translation>
+    </message>
+</context>
+<context>
+    <name>CommandLine</name>
+    <message>
+        <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -373,7 +380,7 @@
     <name>Display</name>
     <message>
         <source>there is no display (DISPLAY is not set); xvfb-run provides a virtual one</source>
-        <translation>aucun affichage (DISPLAY n’est pas défini) ; xvfb-run en fournit un virtuel</translation>
+        <translation>aucun affichage (DISPLAY n’est pas défini)&#xa0;; xvfb-run en fournit un virtuel</translation>
     </message>
     <message>
         <source>the display %1 does not answer</source>
@@ -387,7 +394,7 @@
         <translation>Il n’y a pas de tracé de lasso.</translation>
     </message>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>Le plan de dessin du lasso n’est pas valable.</translation>
     </message>
     <message>
@@ -404,18 +411,49 @@
     </message>
 </context>
 <context>
+    <name>ExportFormat</name>
+    <message>
+        <source>FBX</source>
+        <translation type="unfinished">FBX</translation>
+    </message>
+    <message>
+        <source>Binary glTF</source>
+        <translation type="unfinished">glTF binaire</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation type="unfinished">Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Skeleton as a table</source>
+        <translation type="unfinished">Squelette en tableau</translation>
+    </message>
+</context>
+<context>
     <name>Exporter</name>
     <message>
         <source>the meshes could not be written: %1</source>
-        <translation>les maillages n’ont pas pu être écrits : %1</translation>
+        <translation>les maillages n’ont pas pu être écrits&#xa0;: %1</translation>
     </message>
     <message>
         <source>there is no export to “.%1”; there are %2</source>
-        <translation>il n’y a pas d’exportation vers « .%1 » ; il y a %2</translation>
+        <translation>il n’y a pas d’exportation vers «&#xa0;.%1&#xa0;»&#xa0;; il y a %2</translation>
     </message>
     <message>
         <source>The export was cancelled.</source>
         <translation>L’exportation a été annulée.</translation>
+    </message>
+    <message>
+        <source>there are too many files of similar names in its folder; choose another name or another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program made this file during the export; export again, and another name will be chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -426,10 +464,120 @@
     </message>
 </context>
 <context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">Ouvrir</translation>
+    </message>
+    <message>
+        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
+        <translation type="unfinished">Arbres et recettes (*.espalier *.json);;Arbres (*.espalier);;Recettes (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">Enregistrer</translation>
+    </message>
+    <message>
+        <source>Trees (*.espalier)</source>
+        <translation type="unfinished">Arbres (*.espalier)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Exporter</translation>
+    </message>
+    <message>
+        <source>Espalier</source>
+        <translation type="unfinished">Espalier</translation>
+    </message>
+    <message>
+        <source>%1 is still growing. What has grown so far is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation type="unfinished">%1 a des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation type="unfinished">Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileWriter</name>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a folder of this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not write into the folder %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not change this file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your share of the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk can only be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not write here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is too large for this disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is faulty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system does not say why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file needs a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>GrowTool</name>
     <message>
         <source>Press and hold: the tree grows until you let go.</source>
-        <translation>Appuyer et maintenir : l’arbre pousse jusqu’au relâchement.</translation>
+        <translation>Appuyer et maintenir&#xa0;: l’arbre pousse jusqu’au relâchement.</translation>
     </message>
 </context>
 <context>
@@ -448,7 +596,7 @@
     </message>
     <message>
         <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
-        <translation>l’image fait %1 × %2 pixels ; le maximum par côté est %3</translation>
+        <translation>l’image fait %1 × %2 pixels&#xa0;; le maximum par côté est %3</translation>
     </message>
     <message>
         <source>it has only %1 × %2 pixels</source>
@@ -475,27 +623,27 @@
     </message>
     <message>
         <source>it changes buds that were not there</source>
-        <translation>elle change des bourgeons qui n’existaient pas</translation>
+        <translation type="vanished">elle change des bourgeons qui n’existaient pas</translation>
     </message>
     <message>
         <source>it changes buds in a way that cannot be</source>
-        <translation>elle change des bourgeons d’une façon impossible</translation>
+        <translation type="vanished">elle change des bourgeons d’une façon impossible</translation>
     </message>
     <message>
         <source>it bends an internode that was not there</source>
-        <translation>elle courbe un entre-nœud qui n’existait pas</translation>
+        <translation type="vanished">elle courbe un entre-nœud qui n’existait pas</translation>
     </message>
     <message>
         <source>it bends an internode in a way that cannot be</source>
-        <translation>elle courbe un entre-nœud d’une façon impossible</translation>
+        <translation type="vanished">elle courbe un entre-nœud d’une façon impossible</translation>
     </message>
     <message>
         <source>it sets a width in a way that cannot be</source>
-        <translation>elle fixe une épaisseur d’une façon impossible</translation>
+        <translation type="vanished">elle fixe une épaisseur d’une façon impossible</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that cannot be</source>
-        <translation>elle change une enveloppe d’une façon impossible</translation>
+        <translation type="vanished">elle change une enveloppe d’une façon impossible</translation>
     </message>
     <message>
         <source>it lets an internode die that did not</source>
@@ -511,7 +659,7 @@
     </message>
     <message>
         <source>it bears an internode after what grows on it</source>
-        <translation>elle fait naître un entre-nœud après ce qui pousse sur lui</translation>
+        <translation type="vanished">elle fait naître un entre-nœud après ce qui pousse sur lui</translation>
     </message>
     <message>
         <source>before it, an internode would live on a dead one</source>
@@ -523,11 +671,11 @@
     </message>
     <message>
         <source>it changes the buds of a dead internode</source>
-        <translation>elle change les bourgeons d’un entre-nœud mort</translation>
+        <translation type="vanished">elle change les bourgeons d’un entre-nœud mort</translation>
     </message>
     <message>
         <source>internode %1 has no beginning or no end in the history</source>
-        <translation>l’entre-nœud %1 n’a pas de début ou pas de fin dans l’historique</translation>
+        <translation type="vanished">l’entre-nœud %1 n’a pas de début ou pas de fin dans l’historique</translation>
     </message>
     <message>
         <source>step %1 of the history</source>
@@ -535,14 +683,38 @@
     </message>
     <message>
         <source>the history</source>
-        <translation>l’historique</translation>
+        <translation type="vanished">l’historique</translation>
+    </message>
+    <message>
+        <source>it brings strokes that are not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it places a leaf on an internode that is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it sets “%1” in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes an envelope in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something is set before it on what it brings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the beginning of the history</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>JsonReader</name>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>it is larger than %1 MB</source>
@@ -558,7 +730,7 @@
     </message>
     <message>
         <source>not valid JSON: %1</source>
-        <translation>JSON non valable : %1</translation>
+        <translation>JSON non valable&#xa0;: %1</translation>
     </message>
     <message>
         <source>a JSON object is expected</source>
@@ -594,13 +766,13 @@
     </message>
     <message>
         <source>“%1” is not known here</source>
-        <translation>« %1 » est inconnu ici</translation>
+        <translation>«&#xa0;%1&#xa0;» est inconnu ici</translation>
     </message>
 </context>
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>Le plan de dessin du lasso n’est pas valable.</translation>
     </message>
     <message>
@@ -628,7 +800,7 @@
     <name>LassoTool</name>
     <message>
         <source>Draw the silhouette of a crown; the tree fills it. Begin at a branch to draw at its depth</source>
-        <translation>Dessiner la silhouette d’un houppier ; l’arbre la remplit. Partir d’une branche pour dessiner à sa profondeur</translation>
+        <translation>Dessiner la silhouette d’un houppier&#xa0;; l’arbre la remplit. Partir d’une branche pour dessiner à sa profondeur</translation>
     </message>
 </context>
 <context>
@@ -642,8 +814,8 @@
         <translation>Un nom ne peut pas commencer par un point.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
-        <translation>Un nom ne peut contenir aucun des caractères / \ : * ? " &lt; &gt; |.</translation>
+        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <translation>Un nom ne peut contenir aucun des caractères / \ : * ? &quot; &lt; &gt; |.</translation>
     </message>
     <message>
         <source>This name is too long.</source>
@@ -663,11 +835,11 @@
     </message>
     <message>
         <source>%1 cannot be renamed: %2</source>
-        <translation>Impossible de renommer %1 : %2</translation>
+        <translation>Impossible de renommer %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 cannot be copied: %2</source>
-        <translation>Impossible de copier %1 : %2</translation>
+        <translation>Impossible de copier %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 is not there any more.</source>
@@ -675,32 +847,32 @@
     </message>
     <message>
         <source>%1 cannot be moved to the trash: %2</source>
-        <translation>Impossible de mettre %1 à la corbeille : %2</translation>
+        <translation>Impossible de mettre %1 à la corbeille&#xa0;: %2</translation>
     </message>
 </context>
 <context>
     <name>OffscreenRenderer</name>
     <message>
         <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
-        <translation>Impossible de dessiner une image : aucun affichage n’offre OpenGL 3.3 ; un affichage virtuel (Xvfb) convient.</translation>
+        <translation>Impossible de dessiner une image&#xa0;: aucun affichage n’offre OpenGL 3.3&#xa0;; un affichage virtuel (Xvfb) convient.</translation>
     </message>
     <message>
         <source>A picture of %1 × %2 pixels is too large; %3 along an edge is the most.</source>
-        <translation>Une image de %1 × %2 pixels est trop grande ; le maximum par côté est %3.</translation>
+        <translation>Une image de %1 × %2 pixels est trop grande&#xa0;; le maximum par côté est %3.</translation>
     </message>
 </context>
 <context>
     <name>Outputs</name>
     <message>
         <source>%1: the picture could not be packed</source>
-        <translation>%1 : l’image n’a pas pu être compressée</translation>
+        <translation>%1&#xa0;: l’image n’a pas pu être compressée</translation>
     </message>
 </context>
 <context>
     <name>OwnTextures</name>
     <message>
         <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
-        <translation>%1 : impossible de distinguer la feuille de ce qui est derrière elle ; l’image a besoin d’un fond transparent ou uni</translation>
+        <translation>%1&#xa0;: impossible de distinguer la feuille de ce qui est derrière elle&#xa0;; l’image a besoin d’un fond transparent ou uni</translation>
     </message>
 </context>
 <context>
@@ -714,7 +886,7 @@
         <translation>Sol</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree's shadow.</source>
+        <source>Ground below the tree, with the tree&apos;s shadow.</source>
         <translation>Le sol sous l’arbre, avec l’ombre de l’arbre.</translation>
     </message>
     <message>
@@ -747,7 +919,7 @@
     </message>
     <message>
         <source>The sun stays where it is on the screen when the tree is turned; otherwise it turns with the tree.</source>
-        <translation>Le soleil reste à sa place à l’écran quand on tourne l’arbre ; sinon, il tourne avec l’arbre.</translation>
+        <translation>Le soleil reste à sa place à l’écran quand on tourne l’arbre&#xa0;; sinon, il tourne avec l’arbre.</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -755,7 +927,7 @@
     </message>
     <message>
         <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
-        <translation>Où se trouve le soleil : 0° devant l’arbre, 90° à sa droite ; s’il est épinglé, par rapport au regard.</translation>
+        <translation>Où se trouve le soleil&#xa0;: 0° devant l’arbre, 90° à sa droite&#xa0;; s’il est épinglé, par rapport au regard.</translation>
     </message>
     <message>
         <source>Height</source>
@@ -782,7 +954,7 @@
         <translation>Vers la droite</translation>
     </message>
     <message>
-        <source>Where the picture's middle is beside the seedling.</source>
+        <source>Where the picture&apos;s middle is beside the seedling.</source>
         <translation>Où se trouve le milieu de l’image à côté de la plantule.</translation>
     </message>
     <message>
@@ -790,7 +962,7 @@
         <translation>Vers le haut</translation>
     </message>
     <message>
-        <source>Where the picture's middle is above the seedling.</source>
+        <source>Where the picture&apos;s middle is above the seedling.</source>
         <translation>Où se trouve le milieu de l’image au-dessus de la plantule.</translation>
     </message>
     <message>
@@ -815,11 +987,11 @@
     </message>
     <message>
         <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
-        <translation>Où se tournent les pousses : 0° vers le haut, 90° à l’horizontale, et davantage les fait pleurer.</translation>
+        <translation>Où se tournent les pousses&#xa0;: 0° vers le haut, 90° à l’horizontale, et davantage les fait pleurer.</translation>
     </message>
     <message>
         <source>Gravitropic set-point angle: orthotropic at 0°, plagiotropic near 90°, positively gravitropic beyond.</source>
-        <translation>Angle de consigne gravitropique : orthotrope à 0°, plagiotrope près de 90°, gravitropisme positif au-delà.</translation>
+        <translation>Angle de consigne gravitropique&#xa0;: orthotrope à 0°, plagiotrope près de 90°, gravitropisme positif au-delà.</translation>
     </message>
     <message>
         <source>Buds above and below</source>
@@ -843,7 +1015,7 @@
     </message>
     <message>
         <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
-        <translation>Demi-axe parallèle au sol ; le plus grand correspond à l’amphitonie.</translation>
+        <translation>Demi-axe parallèle au sol&#xa0;; le plus grand correspond à l’amphitonie.</translation>
     </message>
     <message>
         <source>Upper or lower buds</source>
@@ -851,11 +1023,11 @@
     </message>
     <message>
         <source>Above 0 the buds on the upper side are stronger, as in fruit trees; below 0 those on the lower side.</source>
-        <translation>Au-dessus de 0, les bourgeons de la face supérieure sont plus forts, comme chez les arbres fruitiers ; en dessous de 0, ceux de la face inférieure.</translation>
+        <translation>Au-dessus de 0, les bourgeons de la face supérieure sont plus forts, comme chez les arbres fruitiers&#xa0;; en dessous de 0, ceux de la face inférieure.</translation>
     </message>
     <message>
         <source>Displacement of the ellipse: epitony above 0, hypotony below.</source>
-        <translation>Décalage de l’ellipse : épitonie au-dessus de 0, hypotonie en dessous.</translation>
+        <translation>Décalage de l’ellipse&#xa0;: épitonie au-dessus de 0, hypotonie en dessous.</translation>
     </message>
     <message>
         <source>Branching angle</source>
@@ -875,7 +1047,7 @@
     </message>
     <message>
         <source>How far an axis turns away from a branch that it bears: 0 keeps it straight, more makes it zigzag.</source>
-        <translation>À quel point un axe s’écarte d’une branche qu’il porte : 0 le garde droit, davantage le fait zigzaguer.</translation>
+        <translation>À quel point un axe s’écarte d’une branche qu’il porte&#xa0;: 0 le garde droit, davantage le fait zigzaguer.</translation>
     </message>
     <message>
         <source>The main axis yields to a lateral, as toward sympodial growth.</source>
@@ -915,7 +1087,7 @@
     </message>
     <message>
         <source>Weight of the environment E: the mean direction of the free space that a bud perceives.</source>
-        <translation>Poids de l’environnement E : la direction moyenne de l’espace libre que perçoit un bourgeon.</translation>
+        <translation>Poids de l’environnement E&#xa0;: la direction moyenne de l’espace libre que perçoit un bourgeon.</translation>
     </message>
     <message>
         <source>Occupied radius</source>
@@ -959,7 +1131,7 @@
     </message>
     <message>
         <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
-        <translation>Qui reçoit la vigueur : au-dessus de 0,5 l’axe principal, comme chez les conifères ; en dessous les branches, comme chez les arbustes.</translation>
+        <translation>Qui reçoit la vigueur&#xa0;: au-dessus de 0,5 l’axe principal, comme chez les conifères&#xa0;; en dessous les branches, comme chez les arbustes.</translation>
     </message>
     <message>
         <source>Excurrent forms above 0.5, decurrent ones below.</source>
@@ -975,7 +1147,7 @@
     </message>
     <message>
         <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
-        <translation>Exposant de la réponse à la lumière : élevé pour les essences de lumière, bas pour les essences d’ombre.</translation>
+        <translation>Exposant de la réponse à la lumière&#xa0;: élevé pour les essences de lumière, bas pour les essences d’ombre.</translation>
     </message>
     <message>
         <source>Shedding</source>
@@ -983,11 +1155,11 @@
     </message>
     <message>
         <source>Branches with less vigour than this die: 0 keeps them all.</source>
-        <translation>Les branches moins vigoureuses que cela meurent : 0 les garde toutes.</translation>
+        <translation>Les branches moins vigoureuses que cela meurent&#xa0;: 0 les garde toutes.</translation>
     </message>
     <message>
         <source>Threshold of cladoptosis: vigour per internode, relative to that of the whole tree.</source>
-        <translation>Seuil de cladoptose : vigueur par entre-nœud, relative à celle de l’arbre entier.</translation>
+        <translation>Seuil de cladoptose&#xa0;: vigueur par entre-nœud, relative à celle de l’arbre entier.</translation>
     </message>
     <message>
         <source>Shoot length</source>
@@ -1007,11 +1179,11 @@
     </message>
     <message>
         <source>Turn around the axis from one bud to the next: 137.5° is a spiral, 180° two rows, 90° crossed pairs.</source>
-        <translation>Rotation autour de l’axe d’un bourgeon au suivant : 137,5° donne une spirale, 180° deux rangs, 90° des paires croisées.</translation>
+        <translation>Rotation autour de l’axe d’un bourgeon au suivant&#xa0;: 137,5° donne une spirale, 180° deux rangs, 90° des paires croisées.</translation>
     </message>
     <message>
         <source>Divergence angle: spiral, distichous, decussate.</source>
-        <translation>Angle de divergence : spiralé, distique, décussé.</translation>
+        <translation>Angle de divergence&#xa0;: spiralé, distique, décussé.</translation>
     </message>
     <message>
         <source>Follow the stroke</source>
@@ -1043,7 +1215,7 @@
     </message>
     <message>
         <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
-        <translation>Longueur d’un entre-nœud. C’est la mesure de tout ce qui pousse : plus court, il donne des arbres plus fins.</translation>
+        <translation>Longueur d’un entre-nœud. C’est la mesure de tout ce qui pousse&#xa0;: plus court, il donne des arbres plus fins.</translation>
     </message>
     <message>
         <source>Length of a metamer.</source>
@@ -1055,7 +1227,7 @@
     </message>
     <message>
         <source>One is alternate, two opposite, more a whorl, as in pines.</source>
-        <translation>Un : alterne ; deux : opposé ; davantage : un verticille, comme chez les pins.</translation>
+        <translation>Un&#xa0;: alterne&#xa0;; deux&#xa0;: opposé&#xa0;; davantage&#xa0;: un verticille, comme chez les pins.</translation>
     </message>
     <message>
         <source>Alternate, opposite or verticillate.</source>
@@ -1067,7 +1239,7 @@
     </message>
     <message>
         <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
-        <translation>Dispersion des angles et des longueurs : 0 donne un schéma, 1 est aussi libre que la nature.</translation>
+        <translation>Dispersion des angles et des longueurs&#xa0;: 0 donne un schéma, 1 est aussi libre que la nature.</translation>
     </message>
     <message>
         <source>Variance of the angles and of the metamers.</source>
@@ -1139,7 +1311,7 @@
     </message>
     <message>
         <source>When the tree grows on its own: the room to grow that each bud finds around itself in each step.</source>
-        <translation>Quand l’arbre pousse seul : la place que chaque bourgeon trouve autour de lui à chaque étape.</translation>
+        <translation>Quand l’arbre pousse seul&#xa0;: la place que chaque bourgeon trouve autour de lui à chaque étape.</translation>
     </message>
     <message>
         <source>Markers generated in each volume of perception.</source>
@@ -1242,7 +1414,7 @@
         <translation>Angle</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf's stalk.</source>
+        <source>Between a shoot and the leaf&apos;s stalk.</source>
         <translation>Entre une pousse et le pétiole de la feuille.</translation>
     </message>
     <message>
@@ -1283,7 +1455,7 @@
     </message>
     <message>
         <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
-        <translation>L’intensité de la couleur : faible, elle donne des fleurs et des feuilles argentées.</translation>
+        <translation>L’intensité de la couleur&#xa0;: faible, elle donne des fleurs et des feuilles argentées.</translation>
     </message>
     <message>
         <source>Brightness</source>
@@ -1306,8 +1478,8 @@
         <translation>Exposant</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
-        <translation>Comment les épaisseurs s’additionnent là où les branches se rejoignent : 2 est la règle de Léonard ; moins donne des troncs plus épais.</translation>
+        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
+        <translation>Comment les épaisseurs s’additionnent là où les branches se rejoignent&#xa0;: 2 est la règle de Léonard&#xa0;; moins donne des troncs plus épais.</translation>
     </message>
     <message>
         <source>Tips</source>
@@ -1323,7 +1495,7 @@
     </message>
     <message>
         <source>Diameter of the trunk at the ground; at 0 it follows from the exponent.</source>
-        <translation>Diamètre du tronc au sol ; à 0, il découle de l’exposant.</translation>
+        <translation>Diamètre du tronc au sol&#xa0;; à 0, il découle de l’exposant.</translation>
     </message>
     <message>
         <source>automatic</source>
@@ -1350,7 +1522,7 @@
         <translation>Échelle</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
         <translation>Longueur de tronc après laquelle le motif de l’écorce se répète.</translation>
     </message>
     <message>
@@ -1494,8 +1666,8 @@
         <translation>Pression</translation>
     </message>
     <message>
-        <source>A pen's pressure scales the brush: the radius is what a firm hand reaches.</source>
-        <translation>La pression d’un stylet modifie la taille du pinceau : le rayon entier est ce qu’atteint une main ferme.</translation>
+        <source>A pen&apos;s pressure scales the brush: the radius is what a firm hand reaches.</source>
+        <translation>La pression d’un stylet modifie la taille du pinceau&#xa0;: le rayon entier est ce qu’atteint une main ferme.</translation>
     </message>
     <message>
         <source>Markers</source>
@@ -1511,7 +1683,7 @@
     </message>
     <message>
         <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
-        <translation>Montrer à quelle profondeur de l’arbre le pinceau dessine : une grille pâle autour de lui.</translation>
+        <translation>Montrer à quelle profondeur de l’arbre le pinceau dessine&#xa0;: une grille pâle autour de lui.</translation>
     </message>
 </context>
 <context>
@@ -1522,7 +1694,7 @@
     </message>
     <message>
         <source>one of these is expected: %1</source>
-        <translation>l’une de ces valeurs est attendue : %1</translation>
+        <translation>l’une de ces valeurs est attendue&#xa0;: %1</translation>
     </message>
     <message>
         <source>a whole number is expected</source>
@@ -1565,7 +1737,7 @@
     <name>Program</name>
     <message>
         <source>%1; see espalier --help</source>
-        <translation>%1 ; voir espalier --help</translation>
+        <translation>%1&#xa0;; voir espalier --help</translation>
     </message>
 </context>
 <context>
@@ -1584,7 +1756,7 @@
     </message>
     <message>
         <source>Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads versions up to %4</source>
-        <translation>Espalier %1 l’a écrit dans la version %2 du format ; ceci est Espalier %3, qui lit les versions jusqu’à %4</translation>
+        <translation>Espalier %1 l’a écrit dans la version %2 du format&#xa0;; ceci est Espalier %3, qui lit les versions jusqu’à %4</translation>
     </message>
     <message>
         <source>1 to %1 sets are expected</source>
@@ -1592,11 +1764,11 @@
     </message>
     <message>
         <source>internode %1</source>
-        <translation>entre-nœud %1</translation>
+        <translation type="vanished">entre-nœud %1</translation>
     </message>
     <message>
         <source>it lies further than %1 m away</source>
-        <translation>il se trouve à plus de %1 m</translation>
+        <translation type="vanished">il se trouve à plus de %1 m</translation>
     </message>
     <message>
         <source>the lassos</source>
@@ -1628,7 +1800,15 @@
     </message>
     <message>
         <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
-        <translation>l’image « %1 » y manque ou est endommagée ; l’aspect dessiné par Espalier apparaît à sa place</translation>
+        <translation>l’image «&#xa0;%1&#xa0;» y manque ou est endommagée&#xa0;; l’aspect dessiné par Espalier apparaît à sa place</translation>
+    </message>
+    <message>
+        <source>they have too many points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>indices of strokes are expected</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1636,6 +1816,13 @@
     <message>
         <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
         <translation>Toucher une branche pour l’ôter, ou tracer à travers les branches qui doivent tomber</translation>
+    </message>
+</context>
+<context>
+    <name>QTimer</name>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1654,7 +1841,7 @@
     </message>
     <message>
         <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation>il n’y a pas d’opération « %1 » ; il y a setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow et removeLasso</translation>
+        <translation type="vanished">il n’y a pas d’opération «&#xa0;%1&#xa0;»&#xa0;; il y a setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow et removeLasso</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1689,12 +1876,12 @@
         <translation>de 1 à %1 entre-nœuds sont attendus</translation>
     </message>
     <message>
-        <source>a list of internodes' numbers is expected</source>
-        <translation>une liste de numéros d’entre-nœuds est attendue</translation>
+        <source>a list of internodes&apos; numbers is expected</source>
+        <translation type="vanished">une liste de numéros d’entre-nœuds est attendue</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
-        <translation>un tableau de cinq nombres est attendu : temps, x, y, z, rayon</translation>
+        <translation>un tableau de cinq nombres est attendu&#xa0;: temps, x, y, z, rayon</translation>
     </message>
     <message>
         <source>the time is not within 0…%1 s</source>
@@ -1722,11 +1909,11 @@
     </message>
     <message>
         <source>there is no view “%1”; there are front, side, top and three-quarter</source>
-        <translation>il n’y a pas de vue « %1 » ; il y a front, side, top et three-quarter</translation>
+        <translation>il n’y a pas de vue «&#xa0;%1&#xa0;»&#xa0;; il y a front, side, top et three-quarter</translation>
     </message>
     <message>
         <source>this is no recipe: one begins with “%1”: %2</source>
-        <translation>ce n’est pas une recette : une recette commence par « %1 » : %2</translation>
+        <translation>ce n’est pas une recette&#xa0;: une recette commence par «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
     </message>
     <message>
         <source>the recipe is of version %1, this program reads versions up to %2</source>
@@ -1748,19 +1935,91 @@
         <source>a path relative to the recipe is expected</source>
         <translation>un chemin relatif à la recette est attendu</translation>
     </message>
+    <message>
+        <source>internode %1 is not on the branch above internode %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing grew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1 has no bud %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hexadecimal digits are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a key (“key”) or a place (“at”) is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode with the key %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode near (%1, %2, %3) m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1 is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode 0 is the seedling, which cannot be pruned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no operation “%1”; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 commands to redo only, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1 has no width to take away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the history goes back by %1 only, not by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the history goes on by %1 only, not by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 commands to undo only, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
     <message>
         <source>A recipe is playing; Escape hands the brush to you.</source>
-        <translation>Une recette se joue ; Échap rend le pinceau.</translation>
+        <translation>Une recette se joue&#xa0;; Échap rend le pinceau.</translation>
     </message>
 </context>
 <context>
     <name>SelectBudTool</name>
     <message>
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
-        <translation>Toucher un bourgeon, et lui seul pousse désormais ; toucher à côté de l’arbre pour que tous poussent à nouveau</translation>
+        <translation>Toucher un bourgeon, et lui seul pousse désormais&#xa0;; toucher à côté de l’arbre pour que tous poussent à nouveau</translation>
     </message>
 </context>
 <context>
@@ -1775,17 +2034,87 @@
     </message>
 </context>
 <context>
+    <name>Text</name>
+    <message>
+        <source>it changes “%1”, which never changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes “%1” of a row that was not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes “%1” in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation type="unfinished">entre-nœud %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation type="unfinished">il se trouve à plus de %1 m</translation>
+    </message>
+</context>
+<context>
+    <name>Tree</name>
+    <message>
+        <source>its internode is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is out of order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its place of attachment is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its rotation is not one</source>
+        <translation type="unfinished">sa rotation n’en est pas une</translation>
+    </message>
+    <message>
+        <source>its length is out of range</source>
+        <translation type="unfinished">sa longueur est hors limites</translation>
+    </message>
+    <message>
+        <source>its vigour is out of range</source>
+        <translation type="unfinished">sa vigueur est hors limites</translation>
+    </message>
+    <message>
+        <source>it grows from a bud that does not exist</source>
+        <translation type="unfinished">il pousse d’un bourgeon qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>it has a bud that does not exist</source>
+        <translation type="unfinished">il a un bourgeon qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>its kind is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its width is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its root lies too far away</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>WidthTool</name>
     <message>
         <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
-        <translation>Toucher une branche pour fixer son épaisseur ; tirer les bouts de la poignée pour la changer</translation>
+        <translation>Toucher une branche pour fixer son épaisseur&#xa0;; tirer les bouts de la poignée pour la changer</translation>
     </message>
 </context>
 <context>
     <name>ZipArchive</name>
     <message>
         <source>the archive could not be packed: %1</source>
-        <translation>l’archive n’a pas pu être compressée : %1</translation>
+        <translation>l’archive n’a pas pu être compressée&#xa0;: %1</translation>
     </message>
     <message>
         <source>it is damaged</source>
@@ -1797,7 +2126,7 @@
     </message>
     <message>
         <source>it is no project file: it is empty</source>
-        <translation>ce n’est pas un fichier de projet : il est vide</translation>
+        <translation>ce n’est pas un fichier de projet&#xa0;: il est vide</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1815,24 +2144,24 @@
 <context>
     <name>espalier</name>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
-        <translation>--size attend LARGEURxHAUTEUR jusqu’à %1 pixels chacune, pas « %2 »</translation>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <translation>--size attend LARGEURxHAUTEUR jusqu’à %1 pixels chacune, pas «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation>%1 : le suffixe d’une sortie indique son format, et c’est l’un de .espalier .obj .fbx .glb .csv</translation>
+        <translation type="vanished">%1&#xa0;: le suffixe d’une sortie indique son format, et c’est l’un de .espalier .obj .fbx .glb .csv</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not "%1"</source>
-        <translation>--camera vaut front, side, top ou three-quarter, pas « %1 »</translation>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <translation>--camera vaut front, side, top ou three-quarter, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not "%2"</source>
-        <translation>--threads attend un nombre de 1 à %1, pas « %2 »</translation>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <translation>--threads attend un nombre de 1 à %1, pas «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
-        <translation>--seed attend un nombre entier de 0 à 18446744073709551615, pas « %1 »</translation>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <translation>--seed attend un nombre entier de 0 à 18446744073709551615, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>%1 knows no option %2</source>
@@ -1871,8 +2200,8 @@
         <translation>info attend un fichier</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is "%1"?</source>
-        <translation>une fenêtre montre un seul fichier ; qu’est donc « %1 » ?</translation>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <translation>une fenêtre montre un seul fichier&#xa0;; qu’est donc «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -1910,20 +2239,20 @@ textures) or .csv (skeleton).
 Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier : peindre des arbres et les voir naître.
+        <translation type="vanished">Espalier&#xa0;: peindre des arbres et les voir naître.
 
 espalier [PROJET]
     Ouvre la fenêtre.
 
 espalier --demo [RECETTE]
-    Ouvre la fenêtre et y peint un arbre ; ensuite il est à vous.
+    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
 
 espalier replay RECETTE... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats FICHIER] [--threads N] [--seed N]
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
-    De plusieurs recettes, chacune continue l’arbre de la précédente : la
+    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
 
 espalier export PROJET [-o SORTIE]...
@@ -1931,8 +2260,8 @@ espalier export PROJET [-o SORTIE]...
 
 espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
                 [--transparent [--ground-shadow]]
-    Prend une image. Il faut un affichage ; un affichage virtuel convient.
-    --transparent : l’arbre seul, avec un alpha non prémultiplié ;
+    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
+    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
     --ground-shadow garde son ombre, en noir plus ou moins opaque.
 
 espalier info FICHIER
@@ -1952,27 +2281,27 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation>sa rotation n’en est pas une</translation>
+        <translation type="vanished">sa rotation n’en est pas une</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation>sa longueur est hors limites</translation>
+        <translation type="vanished">sa longueur est hors limites</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation>sa vigueur est hors limites</translation>
+        <translation type="vanished">sa vigueur est hors limites</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation>il pousse d’un bourgeon qui n’existe pas</translation>
+        <translation type="vanished">il pousse d’un bourgeon qui n’existe pas</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation>il a un bourgeon qui n’existe pas</translation>
+        <translation type="vanished">il a un bourgeon qui n’existe pas</translation>
     </message>
     <message>
         <source>it is neither there nor away</source>
-        <translation>il n’est ni là ni parti</translation>
+        <translation type="vanished">il n’est ni là ni parti</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
@@ -1984,7 +2313,110 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>it died before it was born</source>
-        <translation>il est mort avant d’être né</translation>
+        <translation type="vanished">il est mort avant d’être né</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+    What operations do not find in the tree is printed; with --strict it is an
+    error, and nothing is written.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project) or in the ending of a format:
+%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it died before it was born, or in the future</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it lives on a dead internode</source>
+        <translation type="unfinished">il vit sur un entre-nœud mort</translation>
+    </message>
+    <message>
+        <source>the columns of the tree have different lengths</source>
+        <translation type="unfinished">les colonnes de l’arbre ont des longueurs différentes</translation>
+    </message>
+    <message>
+        <source>the tree is empty or lacks its parameters</source>
+        <translation type="unfinished">l’arbre est vide ou ses paramètres manquent</translation>
+    </message>
+    <message>
+        <source>the tree has more than %1 parameter sets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the seedling must stand at the base</source>
+        <translation type="unfinished">la plantule doit se trouver à la base</translation>
+    </message>
+    <message>
+        <source>two internodes continue the same axis</source>
+        <translation type="unfinished">deux entre-nœuds prolongent le même axe</translation>
+    </message>
+    <message>
+        <source>another internode has its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1: %2</source>
+        <translation type="unfinished">entre-nœud %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the columns of the placed leaves have different lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its internode is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed leaf %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>entry %1 of “%2”: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lasso %1: its plane or its points are not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lassos in force are out of order</source>
+        <translation type="unfinished">les lassos en vigueur sont dans le désordre</translation>
     </message>
 </context>
 <context>
@@ -1999,11 +2431,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>The rest of what steers growth: shoots, shade, room to grow</source>
-        <translation>Le reste de ce qui guide la croissance : pousses, ombrage, place disponible</translation>
+        <translation>Le reste de ce qui guide la croissance&#xa0;: pousses, ombrage, place disponible</translation>
     </message>
     <message>
         <source>‹ Less</source>
         <translation>‹ Moins</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Autosave</name>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation type="unfinished">Un arbre jamais enregistré</translation>
     </message>
 </context>
 <context>
@@ -2081,7 +2520,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
-        <translation>&lt;b&gt;Courbure&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à la courbure : raide, elle fait une large courbe et s’étire plus tôt.</translation>
+        <translation>&lt;b&gt;Courbure&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à la courbure&#xa0;: raide, elle fait une large courbe et s’étire plus tôt.</translation>
     </message>
     <message>
         <source>Stretching</source>
@@ -2089,7 +2528,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
-        <translation>&lt;b&gt;Étirement&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement : elle garde sa longueur, ou suit la main plus loin.</translation>
+        <translation>&lt;b&gt;Étirement&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement&#xa0;: elle garde sa longueur, ou suit la main plus loin.</translation>
     </message>
 </context>
 <context>
@@ -2138,7 +2577,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <name>espalier::BrushRadius</name>
     <message>
         <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
-        <translation>&lt;b&gt;Rayon du pinceau&lt;/b&gt; [ ]&lt;br&gt;Un grand pinceau fait pousser un houppier dans l’espace où il passe ; près de zéro, il trace une seule branche en suivant exactement le trait.</translation>
+        <translation>&lt;b&gt;Rayon du pinceau&lt;/b&gt; [ ]&lt;br&gt;Un grand pinceau fait pousser un houppier dans l’espace où il passe&#xa0;; près de zéro, il trace une seule branche en suivant exactement le trait.</translation>
     </message>
     <message>
         <source>draws a branch</source>
@@ -2195,19 +2634,19 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <name>espalier::FileController</name>
     <message>
         <source>Binary glTF</source>
-        <translation>glTF binaire</translation>
+        <translation type="vanished">glTF binaire</translation>
     </message>
     <message>
         <source>FBX</source>
-        <translation>FBX</translation>
+        <translation type="vanished">FBX</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation>Wavefront OBJ</translation>
+        <translation type="vanished">Wavefront OBJ</translation>
     </message>
     <message>
         <source>Skeleton as a table</source>
-        <translation>Squelette en tableau</translation>
+        <translation type="vanished">Squelette en tableau</translation>
     </message>
     <message>
         <source>Not saved. %1</source>
@@ -2215,15 +2654,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>The tree cannot be kept safe from a crash: %1</source>
-        <translation>L’arbre ne peut pas être protégé d’un plantage : %1</translation>
+        <translation>L’arbre ne peut pas être protégé d’un plantage&#xa0;: %1</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation>Ouvrir</translation>
+        <translation type="vanished">Ouvrir</translation>
     </message>
     <message>
         <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation>Arbres et recettes (*.espalier *.json);;Arbres (*.espalier);;Recettes (*.json);;Tous les fichiers (*)</translation>
+        <translation type="vanished">Arbres et recettes (*.espalier *.json);;Arbres (*.espalier);;Recettes (*.json);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -2231,15 +2670,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Save</source>
-        <translation>Enregistrer</translation>
+        <translation type="vanished">Enregistrer</translation>
     </message>
     <message>
         <source>Trees (*.espalier)</source>
-        <translation>Arbres (*.espalier)</translation>
+        <translation type="vanished">Arbres (*.espalier)</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation>Exporter</translation>
+        <translation type="vanished">Exporter</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -2263,27 +2702,27 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Espalier</source>
-        <translation>Espalier</translation>
+        <translation type="vanished">Espalier</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation>%1 a des modifications non enregistrées.</translation>
+        <translation type="vanished">%1 a des modifications non enregistrées.</translation>
     </message>
     <message>
         <source>A tree that was never saved</source>
-        <translation>Un arbre jamais enregistré</translation>
+        <translation type="vanished">Un arbre jamais enregistré</translation>
     </message>
     <message>
         <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
-        <translation>Espalier s’est arrêté de façon inattendue. %1 peut être récupéré tel qu’il était.</translation>
+        <translation type="vanished">Espalier s’est arrêté de façon inattendue. %1 peut être récupéré tel qu’il était.</translation>
     </message>
     <message>
         <source>Bring Back</source>
-        <translation>Récupérer</translation>
+        <translation type="vanished">Récupérer</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation>Abandonner</translation>
+        <translation type="vanished">Abandonner</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -2292,6 +2731,22 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Forget Them</source>
         <translation>Les oublier</translation>
+    </message>
+    <message>
+        <source>%1 was moved or deleted by another program. The tree is still here; save it to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep This</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2333,7 +2788,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
-        <translation>En arrière : l’arbre décroît, à travers tout ce qui a été fait. En avant : il revient, et au-delà du repère il pousse.</translation>
+        <translation>En arrière&#xa0;: l’arbre décroît, à travers tout ce qui a été fait. En avant&#xa0;: il revient, et au-delà du repère il pousse.</translation>
     </message>
     <message>
         <source>Play</source>
@@ -2349,7 +2804,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>A tap grows one step; hold to grow on. One hold is one undo step.</source>
-        <translation>Un appui bref fait croître d’une étape ; un appui prolongé continue. Chaque appui forme une seule étape d’annulation.</translation>
+        <translation>Un appui bref fait croître d’une étape&#xa0;; un appui prolongé continue. Chaque appui forme une seule étape d’annulation.</translation>
     </message>
     <message>
         <source>Steps to grow</source>
@@ -2469,7 +2924,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Remove&lt;/b&gt;&lt;br&gt;Take the envelope away; the tree stays as it grew.</source>
-        <translation>&lt;b&gt;Retirer&lt;/b&gt;&lt;br&gt;Ôter l’enveloppe ; l’arbre reste tel qu’il a poussé.</translation>
+        <translation>&lt;b&gt;Retirer&lt;/b&gt;&lt;br&gt;Ôter l’enveloppe&#xa0;; l’arbre reste tel qu’il a poussé.</translation>
     </message>
     <message>
         <source>Keep what has grown. Escape takes it back instead.</source>
@@ -2558,7 +3013,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
-        <translation>Aucun encore. « Garder cet arbre » enregistre ici l’arbre ouvert.</translation>
+        <translation>Aucun encore. «&#xa0;Garder cet arbre&#xa0;» enregistre ici l’arbre ouvert.</translation>
     </message>
     <message>
         <source>Rename</source>
@@ -2585,11 +3040,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
-        <translation>Un PNG ou un JPEG d’écorce ; les cartes de normales et de rugosité placées à côté sont prises aussi</translation>
+        <translation>Un PNG ou un JPEG d’écorce&#xa0;; les cartes de normales et de rugosité placées à côté sont prises aussi</translation>
     </message>
     <message>
         <source>Image of your own: %1</source>
-        <translation>Image personnelle : %1</translation>
+        <translation>Image personnelle&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -2608,7 +3063,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>What shall %1 be?</source>
-        <translation>Que doit devenir %1 ?</translation>
+        <translation>Que doit devenir %1&#xa0;?</translation>
     </message>
     <message>
         <source>Leaves</source>
@@ -2635,7 +3090,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Growing %1</source>
-        <translation>Croissance : %1</translation>
+        <translation>Croissance&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2676,6 +3135,29 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Brush radius</source>
         <translation>Rayon du pinceau</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Recovery</name>
+    <message>
+        <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring Back</source>
+        <translation type="unfinished">Récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished">Abandonner</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2804,7 +3286,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Bibliothèque</translation>
     </message>
     <message>
-        <source>In a folder of Espalier's own</source>
+        <source>In a folder of Espalier&apos;s own</source>
         <translation>Dans un dossier propre à Espalier</translation>
     </message>
     <message>
@@ -2851,11 +3333,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>Voici une plantule. &lt;b&gt;Appuyez dessus et tracez vers le haut, lentement&lt;/b&gt; ; relâchez quand ce qui pousse vous plaît.</translation>
+        <translation>Voici une plantule. &lt;b&gt;Appuyez dessus et tracez vers le haut, lentement&lt;/b&gt;&#xa0;; relâchez quand ce qui pousse vous plaît.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>&lt;b&gt;Appuyez sur une branche et tracez vers l’extérieur, lentement&lt;/b&gt; ; relâchez quand ce qui pousse vous plaît.</translation>
+        <translation>&lt;b&gt;Appuyez sur une branche et tracez vers l’extérieur, lentement&lt;/b&gt;&#xa0;; relâchez quand ce qui pousse vous plaît.</translation>
     </message>
     <message>
         <source>Large and small</source>
@@ -2871,7 +3353,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
-        <translation>Tailler, courber, dessiner au lasso : tout ce qu’il faut à un jardinier est ici. &lt;b&gt;Prenez Croître&lt;/b&gt;.</translation>
+        <translation>Tailler, courber, dessiner au lasso&#xa0;: tout ce qu’il faut à un jardinier est ici. &lt;b&gt;Prenez Croître&lt;/b&gt;.</translation>
     </message>
     <message>
         <source>Back in time</source>
@@ -2879,7 +3361,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
-        <translation>&lt;b&gt;Tirez ce curseur vers la gauche&lt;/b&gt;, et l’arbre décroît ; vers la droite, il revient et continue de pousser.</translation>
+        <translation>&lt;b&gt;Tirez ce curseur vers la gauche&lt;/b&gt;, et l’arbre décroît&#xa0;; vers la droite, il revient et continue de pousser.</translation>
     </message>
     <message>
         <source>All around</source>
@@ -2895,7 +3377,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
-        <translation>&lt;b&gt;F1&lt;/b&gt; ou ce bouton parle de l’outil en main. &lt;b&gt;Ctrl+Z&lt;/b&gt; annule tout ce que vous avez fait : essayez donc.</translation>
+        <translation>&lt;b&gt;F1&lt;/b&gt; ou ce bouton parle de l’outil en main. &lt;b&gt;Ctrl+Z&lt;/b&gt; annule tout ce que vous avez fait&#xa0;: essayez donc.</translation>
     </message>
 </context>
 <context>
@@ -2925,39 +3407,39 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <name>espalier::Tree</name>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation>les colonnes de l’arbre ont des longueurs différentes</translation>
+        <translation type="vanished">les colonnes de l’arbre ont des longueurs différentes</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation>l’arbre est vide ou ses paramètres manquent</translation>
+        <translation type="vanished">l’arbre est vide ou ses paramètres manquent</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation>la plantule doit se trouver à la base</translation>
+        <translation type="vanished">la plantule doit se trouver à la base</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation>il vit sur un entre-nœud mort</translation>
+        <translation type="vanished">il vit sur un entre-nœud mort</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation>deux entre-nœuds prolongent le même axe</translation>
+        <translation type="vanished">deux entre-nœuds prolongent le même axe</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation>entre-nœud %1 : %2</translation>
+        <translation type="vanished">entre-nœud %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>width %1 cannot be</source>
-        <translation>l’épaisseur %1 est impossible</translation>
+        <translation type="vanished">l’épaisseur %1 est impossible</translation>
     </message>
     <message>
         <source>lasso %1 cannot be</source>
-        <translation>le lasso %1 est impossible</translation>
+        <translation type="vanished">le lasso %1 est impossible</translation>
     </message>
     <message>
         <source>the lassos in force are out of order</source>
-        <translation>les lassos en vigueur sont dans le désordre</translation>
+        <translation type="vanished">les lassos en vigueur sont dans le désordre</translation>
     </message>
 </context>
 <context>

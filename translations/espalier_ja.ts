@@ -335,6 +335,13 @@
     </message>
 </context>
 <context>
+    <name>CommandLine</name>
+    <message>
+        <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Bend</source>
@@ -387,7 +394,7 @@
         <translation>投げ縄のストロークがありません。</translation>
     </message>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>投げ縄の描画面が正しくありません。</translation>
     </message>
     <message>
@@ -404,6 +411,25 @@
     </message>
 </context>
 <context>
+    <name>ExportFormat</name>
+    <message>
+        <source>FBX</source>
+        <translation type="unfinished">FBX</translation>
+    </message>
+    <message>
+        <source>Binary glTF</source>
+        <translation type="unfinished">バイナリ glTF</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation type="unfinished">Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Skeleton as a table</source>
+        <translation type="unfinished">骨格の表</translation>
+    </message>
+</context>
+<context>
     <name>Exporter</name>
     <message>
         <source>the meshes could not be written: %1</source>
@@ -417,12 +443,134 @@
         <source>The export was cancelled.</source>
         <translation>書き出しをキャンセルしました。</translation>
     </message>
+    <message>
+        <source>there are too many files of similar names in its folder; choose another name or another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program made this file during the export; export again, and another name will be chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FbxRepair</name>
     <message>
         <source>this is no sound binary FBX file</source>
         <translation>正しいバイナリ FBX ファイルではありません</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">開く</translation>
+    </message>
+    <message>
+        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
+        <translation type="unfinished">木とレシピ (*.espalier *.json);;木 (*.espalier);;レシピ (*.json);;すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">保存</translation>
+    </message>
+    <message>
+        <source>Trees (*.espalier)</source>
+        <translation type="unfinished">木 (*.espalier)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">書き出し</translation>
+    </message>
+    <message>
+        <source>Espalier</source>
+        <translation type="unfinished">Espalier</translation>
+    </message>
+    <message>
+        <source>%1 is still growing. What has grown so far is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation type="unfinished">%1 には保存していない変更があります。</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation type="unfinished">別名で保存…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileWriter</name>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a folder of this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not write into the folder %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not change this file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your share of the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk can only be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not write here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is too large for this disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is faulty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system does not say why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file needs a name</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -475,27 +623,27 @@
     </message>
     <message>
         <source>it changes buds that were not there</source>
-        <translation>存在しなかった芽が変えられています</translation>
+        <translation type="vanished">存在しなかった芽が変えられています</translation>
     </message>
     <message>
         <source>it changes buds in a way that cannot be</source>
-        <translation>芽がありえない状態に変えられています</translation>
+        <translation type="vanished">芽がありえない状態に変えられています</translation>
     </message>
     <message>
         <source>it bends an internode that was not there</source>
-        <translation>存在しなかった節間が曲げられています</translation>
+        <translation type="vanished">存在しなかった節間が曲げられています</translation>
     </message>
     <message>
         <source>it bends an internode in a way that cannot be</source>
-        <translation>節間がありえない形に曲げられています</translation>
+        <translation type="vanished">節間がありえない形に曲げられています</translation>
     </message>
     <message>
         <source>it sets a width in a way that cannot be</source>
-        <translation>ありえない太さが設定されています</translation>
+        <translation type="vanished">ありえない太さが設定されています</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that cannot be</source>
-        <translation>外形がありえない形に変えられています</translation>
+        <translation type="vanished">外形がありえない形に変えられています</translation>
     </message>
     <message>
         <source>it lets an internode die that did not</source>
@@ -511,7 +659,7 @@
     </message>
     <message>
         <source>it bears an internode after what grows on it</source>
-        <translation>節間が、その上に育つものより後に生まれています</translation>
+        <translation type="vanished">節間が、その上に育つものより後に生まれています</translation>
     </message>
     <message>
         <source>before it, an internode would live on a dead one</source>
@@ -523,11 +671,11 @@
     </message>
     <message>
         <source>it changes the buds of a dead internode</source>
-        <translation>枯れた節間の芽が変えられています</translation>
+        <translation type="vanished">枯れた節間の芽が変えられています</translation>
     </message>
     <message>
         <source>internode %1 has no beginning or no end in the history</source>
-        <translation>節間 %1 の始まりか終わりが履歴にありません</translation>
+        <translation type="vanished">節間 %1 の始まりか終わりが履歴にありません</translation>
     </message>
     <message>
         <source>step %1 of the history</source>
@@ -535,7 +683,31 @@
     </message>
     <message>
         <source>the history</source>
-        <translation>履歴</translation>
+        <translation type="vanished">履歴</translation>
+    </message>
+    <message>
+        <source>it brings strokes that are not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it places a leaf on an internode that is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it sets “%1” in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes an envelope in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something is set before it on what it brings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the beginning of the history</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -600,7 +772,7 @@
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>投げ縄の描画面が正しくありません。</translation>
     </message>
     <message>
@@ -642,8 +814,8 @@
         <translation>名前の先頭にピリオドは使えません。</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
-        <translation>名前に次の文字は使えません: / \ : * ? " &lt; &gt; |</translation>
+        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <translation>名前に次の文字は使えません: / \ : * ? &quot; &lt; &gt; |</translation>
     </message>
     <message>
         <source>This name is too long.</source>
@@ -714,7 +886,7 @@
         <translation>地面</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree's shadow.</source>
+        <source>Ground below the tree, with the tree&apos;s shadow.</source>
         <translation>木の下の地面です。木の影が落ちます。</translation>
     </message>
     <message>
@@ -782,7 +954,7 @@
         <translation>右へ</translation>
     </message>
     <message>
-        <source>Where the picture's middle is beside the seedling.</source>
+        <source>Where the picture&apos;s middle is beside the seedling.</source>
         <translation>苗から見た下絵の中心の左右位置です。</translation>
     </message>
     <message>
@@ -790,7 +962,7 @@
         <translation>上へ</translation>
     </message>
     <message>
-        <source>Where the picture's middle is above the seedling.</source>
+        <source>Where the picture&apos;s middle is above the seedling.</source>
         <translation>苗から見た下絵の中心の高さです。</translation>
     </message>
     <message>
@@ -1242,7 +1414,7 @@
         <translation>角度</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf's stalk.</source>
+        <source>Between a shoot and the leaf&apos;s stalk.</source>
         <translation>シュートと葉柄の間の角度です。</translation>
     </message>
     <message>
@@ -1306,7 +1478,7 @@
         <translation>指数</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
         <translation>枝の合流点で太さをどう足し合わせるかです。2 はレオナルドの法則で、小さいほど幹が太くなります。</translation>
     </message>
     <message>
@@ -1350,7 +1522,7 @@
         <translation>スケール</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
         <translation>樹皮の模様が繰り返すまでの幹の長さです。</translation>
     </message>
     <message>
@@ -1494,7 +1666,7 @@
         <translation>筆圧</translation>
     </message>
     <message>
-        <source>A pen's pressure scales the brush: the radius is what a firm hand reaches.</source>
+        <source>A pen&apos;s pressure scales the brush: the radius is what a firm hand reaches.</source>
         <translation>筆圧でブラシの大きさを変えます。半径は、強く押したときの大きさです。</translation>
     </message>
     <message>
@@ -1592,11 +1764,11 @@
     </message>
     <message>
         <source>internode %1</source>
-        <translation>節間 %1</translation>
+        <translation type="vanished">節間 %1</translation>
     </message>
     <message>
         <source>it lies further than %1 m away</source>
-        <translation>%1 m より遠くにあります</translation>
+        <translation type="vanished">%1 m より遠くにあります</translation>
     </message>
     <message>
         <source>the lassos</source>
@@ -1630,12 +1802,27 @@
         <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
         <translation>画像「%1」がファイルにないか、壊れています。代わりに Espalier の描いた見た目で表示します</translation>
     </message>
+    <message>
+        <source>they have too many points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>indices of strokes are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PruneTool</name>
     <message>
         <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
         <translation>枝をタップして切り落とすか、落とす枝を横切る線を引きます</translation>
+    </message>
+</context>
+<context>
+    <name>QTimer</name>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1654,7 +1841,7 @@
     </message>
     <message>
         <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation>「%1」という操作はありません。使えるのは setParameters、brushStroke、grow、prune、travel、undo、redo、bend、setWidth、lasso、regrow、removeLasso です</translation>
+        <translation type="vanished">「%1」という操作はありません。使えるのは setParameters、brushStroke、grow、prune、travel、undo、redo、bend、setWidth、lasso、regrow、removeLasso です</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1689,8 +1876,8 @@
         <translation>1 から %1 個までの節間が必要です</translation>
     </message>
     <message>
-        <source>a list of internodes' numbers is expected</source>
-        <translation>節間の番号のリストが必要です</translation>
+        <source>a list of internodes&apos; numbers is expected</source>
+        <translation type="vanished">節間の番号のリストが必要です</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
@@ -1748,6 +1935,78 @@
         <source>a path relative to the recipe is expected</source>
         <translation>レシピからの相対パスが必要です</translation>
     </message>
+    <message>
+        <source>internode %1 is not on the branch above internode %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing grew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1 has no bud %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hexadecimal digits are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a key (“key”) or a place (“at”) is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode with the key %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode near (%1, %2, %3) m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1 is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode 0 is the seedling, which cannot be pruned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no operation “%1”; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 commands to redo only, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1 has no width to take away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the history goes back by %1 only, not by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the history goes on by %1 only, not by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 commands to undo only, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -1772,6 +2031,76 @@
     <message>
         <source>Drag the sun about the tree.</source>
         <translation>太陽を木のまわりでドラッグします。</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>it changes “%1”, which never changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes “%1” of a row that was not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes “%1” in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation type="unfinished">節間 %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation type="unfinished">%1 m より遠くにあります</translation>
+    </message>
+</context>
+<context>
+    <name>Tree</name>
+    <message>
+        <source>its internode is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is out of order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its place of attachment is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its rotation is not one</source>
+        <translation type="unfinished">回転の値が正しくありません</translation>
+    </message>
+    <message>
+        <source>its length is out of range</source>
+        <translation type="unfinished">長さが範囲外です</translation>
+    </message>
+    <message>
+        <source>its vigour is out of range</source>
+        <translation type="unfinished">樹勢が範囲外です</translation>
+    </message>
+    <message>
+        <source>it grows from a bud that does not exist</source>
+        <translation type="unfinished">存在しない芽から伸びています</translation>
+    </message>
+    <message>
+        <source>it has a bud that does not exist</source>
+        <translation type="unfinished">存在しない芽があります</translation>
+    </message>
+    <message>
+        <source>its kind is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its width is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its root lies too far away</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1815,24 +2144,24 @@
 <context>
     <name>espalier</name>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
-        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです ("%2" は使えません)</translation>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです (&quot;%2&quot; は使えません)</translation>
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation>%1: 出力の形式は拡張子で決まります。使えるのは .espalier .obj .fbx .glb .csv です</translation>
+        <translation type="vanished">%1: 出力の形式は拡張子で決まります。使えるのは .espalier .obj .fbx .glb .csv です</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not "%1"</source>
-        <translation>--camera は front、side、top、three-quarter のいずれかです ("%1" は使えません)</translation>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <translation>--camera は front、side、top、three-quarter のいずれかです (&quot;%1&quot; は使えません)</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not "%2"</source>
-        <translation>--threads は 1 から %1 までの数値です ("%2" は使えません)</translation>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <translation>--threads は 1 から %1 までの数値です (&quot;%2&quot; は使えません)</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
-        <translation>--seed は 0 から 18446744073709551615 までの整数です ("%1" は使えません)</translation>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <translation>--seed は 0 から 18446744073709551615 までの整数です (&quot;%1&quot; は使えません)</translation>
     </message>
     <message>
         <source>%1 knows no option %2</source>
@@ -1871,8 +2200,8 @@
         <translation>info にはファイルを 1 つ指定します</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is "%1"?</source>
-        <translation>1 つのウィンドウで開けるファイルは 1 つです。"%1" は余分です</translation>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <translation>1 つのウィンドウで開けるファイルは 1 つです。&quot;%1&quot; は余分です</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -1910,7 +2239,7 @@ textures) or .csv (skeleton).
 Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier: ブラシで木を描きます。
+        <translation type="vanished">Espalier: ブラシで木を描きます。
 
 espalier [PROJECT]
     ウィンドウを開きます。
@@ -1952,27 +2281,27 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation>回転の値が正しくありません</translation>
+        <translation type="vanished">回転の値が正しくありません</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation>長さが範囲外です</translation>
+        <translation type="vanished">長さが範囲外です</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation>樹勢が範囲外です</translation>
+        <translation type="vanished">樹勢が範囲外です</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation>存在しない芽から伸びています</translation>
+        <translation type="vanished">存在しない芽から伸びています</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation>存在しない芽があります</translation>
+        <translation type="vanished">存在しない芽があります</translation>
     </message>
     <message>
         <source>it is neither there nor away</source>
-        <translation>有無がはっきりしません</translation>
+        <translation type="vanished">有無がはっきりしません</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
@@ -1984,7 +2313,110 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>it died before it was born</source>
-        <translation>生まれる前に枯れています</translation>
+        <translation type="vanished">生まれる前に枯れています</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+    What operations do not find in the tree is printed; with --strict it is an
+    error, and nothing is written.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project) or in the ending of a format:
+%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it died before it was born, or in the future</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it lives on a dead internode</source>
+        <translation type="unfinished">枯れた節間の上に生きています</translation>
+    </message>
+    <message>
+        <source>the columns of the tree have different lengths</source>
+        <translation type="unfinished">木のデータ列の長さがそろっていません</translation>
+    </message>
+    <message>
+        <source>the tree is empty or lacks its parameters</source>
+        <translation type="unfinished">木が空か、パラメーターがありません</translation>
+    </message>
+    <message>
+        <source>the tree has more than %1 parameter sets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the seedling must stand at the base</source>
+        <translation type="unfinished">苗は根元になければなりません</translation>
+    </message>
+    <message>
+        <source>two internodes continue the same axis</source>
+        <translation type="unfinished">2 つの節間が同じ軸を継いでいます</translation>
+    </message>
+    <message>
+        <source>another internode has its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1: %2</source>
+        <translation type="unfinished">節間 %1: %2</translation>
+    </message>
+    <message>
+        <source>the columns of the placed leaves have different lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its internode is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed leaf %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>entry %1 of “%2”: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lasso %1: its plane or its points are not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lassos in force are out of order</source>
+        <translation type="unfinished">有効な投げ縄の順序が正しくありません</translation>
     </message>
 </context>
 <context>
@@ -2004,6 +2436,13 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <message>
         <source>‹ Less</source>
         <translation>‹ 簡易</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Autosave</name>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation type="unfinished">未保存の木</translation>
     </message>
 </context>
 <context>
@@ -2195,19 +2634,19 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <name>espalier::FileController</name>
     <message>
         <source>Binary glTF</source>
-        <translation>バイナリ glTF</translation>
+        <translation type="vanished">バイナリ glTF</translation>
     </message>
     <message>
         <source>FBX</source>
-        <translation>FBX</translation>
+        <translation type="vanished">FBX</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation>Wavefront OBJ</translation>
+        <translation type="vanished">Wavefront OBJ</translation>
     </message>
     <message>
         <source>Skeleton as a table</source>
-        <translation>骨格の表</translation>
+        <translation type="vanished">骨格の表</translation>
     </message>
     <message>
         <source>Not saved. %1</source>
@@ -2219,11 +2658,11 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>Open</source>
-        <translation>開く</translation>
+        <translation type="vanished">開く</translation>
     </message>
     <message>
         <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation>木とレシピ (*.espalier *.json);;木 (*.espalier);;レシピ (*.json);;すべてのファイル (*)</translation>
+        <translation type="vanished">木とレシピ (*.espalier *.json);;木 (*.espalier);;レシピ (*.json);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -2231,15 +2670,15 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>Save</source>
-        <translation>保存</translation>
+        <translation type="vanished">保存</translation>
     </message>
     <message>
         <source>Trees (*.espalier)</source>
-        <translation>木 (*.espalier)</translation>
+        <translation type="vanished">木 (*.espalier)</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation>書き出し</translation>
+        <translation type="vanished">書き出し</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -2263,27 +2702,27 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>Espalier</source>
-        <translation>Espalier</translation>
+        <translation type="vanished">Espalier</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation>%1 には保存していない変更があります。</translation>
+        <translation type="vanished">%1 には保存していない変更があります。</translation>
     </message>
     <message>
         <source>A tree that was never saved</source>
-        <translation>未保存の木</translation>
+        <translation type="vanished">未保存の木</translation>
     </message>
     <message>
         <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
-        <translation>Espalier が予期せず終了しました。%1 を元の状態に復元できます。</translation>
+        <translation type="vanished">Espalier が予期せず終了しました。%1 を元の状態に復元できます。</translation>
     </message>
     <message>
         <source>Bring Back</source>
-        <translation>復元</translation>
+        <translation type="vanished">復元</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation>破棄</translation>
+        <translation type="vanished">破棄</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -2292,6 +2731,22 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <message>
         <source>Forget Them</source>
         <translation>一覧を消去</translation>
+    </message>
+    <message>
+        <source>%1 was moved or deleted by another program. The tree is still here; save it to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep This</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2637,6 +3092,10 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
         <source>Growing %1</source>
         <translation>%1 を成長中</translation>
     </message>
+    <message>
+        <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>espalier::Notice</name>
@@ -2676,6 +3135,29 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <message>
         <source>Brush radius</source>
         <translation>ブラシの半径</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Recovery</name>
+    <message>
+        <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring Back</source>
+        <translation type="unfinished">復元</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished">破棄</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2804,7 +3286,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
         <translation>ライブラリ</translation>
     </message>
     <message>
-        <source>In a folder of Espalier's own</source>
+        <source>In a folder of Espalier&apos;s own</source>
         <translation>Espalier 専用のフォルダー</translation>
     </message>
     <message>
@@ -2925,39 +3407,39 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <name>espalier::Tree</name>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation>木のデータ列の長さがそろっていません</translation>
+        <translation type="vanished">木のデータ列の長さがそろっていません</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation>木が空か、パラメーターがありません</translation>
+        <translation type="vanished">木が空か、パラメーターがありません</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation>苗は根元になければなりません</translation>
+        <translation type="vanished">苗は根元になければなりません</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation>枯れた節間の上に生きています</translation>
+        <translation type="vanished">枯れた節間の上に生きています</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation>2 つの節間が同じ軸を継いでいます</translation>
+        <translation type="vanished">2 つの節間が同じ軸を継いでいます</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation>節間 %1: %2</translation>
+        <translation type="vanished">節間 %1: %2</translation>
     </message>
     <message>
         <source>width %1 cannot be</source>
-        <translation>太さ %1 の内容が正しくありません</translation>
+        <translation type="vanished">太さ %1 の内容が正しくありません</translation>
     </message>
     <message>
         <source>lasso %1 cannot be</source>
-        <translation>投げ縄 %1 の内容が正しくありません</translation>
+        <translation type="vanished">投げ縄 %1 の内容が正しくありません</translation>
     </message>
     <message>
         <source>the lassos in force are out of order</source>
-        <translation>有効な投げ縄の順序が正しくありません</translation>
+        <translation type="vanished">有効な投げ縄の順序が正しくありません</translation>
     </message>
 </context>
 <context>

@@ -335,6 +335,13 @@
     </message>
 </context>
 <context>
+    <name>CommandLine</name>
+    <message>
+        <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Commands</name>
     <message>
         <source>Bend</source>
@@ -387,7 +394,7 @@
         <translation>Nie ma obrysu lassa.</translation>
     </message>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>Płaszczyzna rysowania lassa jest nieprawidłowa.</translation>
     </message>
     <message>
@@ -404,6 +411,25 @@
     </message>
 </context>
 <context>
+    <name>ExportFormat</name>
+    <message>
+        <source>FBX</source>
+        <translation type="unfinished">FBX</translation>
+    </message>
+    <message>
+        <source>Binary glTF</source>
+        <translation type="unfinished">Binarny glTF</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation type="unfinished">Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Skeleton as a table</source>
+        <translation type="unfinished">Szkielet jako tabela</translation>
+    </message>
+</context>
+<context>
     <name>Exporter</name>
     <message>
         <source>the meshes could not be written: %1</source>
@@ -417,12 +443,134 @@
         <source>The export was cancelled.</source>
         <translation>Eksport anulowano.</translation>
     </message>
+    <message>
+        <source>there are too many files of similar names in its folder; choose another name or another folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program made this file during the export; export again, and another name will be chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FbxRepair</name>
     <message>
         <source>this is no sound binary FBX file</source>
         <translation>to nie jest poprawny binarny plik FBX</translation>
+    </message>
+</context>
+<context>
+    <name>FileDialogs</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
+        <translation type="unfinished">Drzewa i przepisy (*.espalier *.json);;Drzewa (*.espalier);;Przepisy (*.json);;Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trees (*.espalier)</source>
+        <translation type="unfinished">Drzewa (*.espalier)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished">Eksport</translation>
+    </message>
+    <message>
+        <source>Espalier</source>
+        <translation type="unfinished">Espalier</translation>
+    </message>
+    <message>
+        <source>%1 is still growing. What has grown so far is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved.</source>
+        <translation type="unfinished">„%1” ma niezapisane zmiany.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save As…</source>
+        <translation type="unfinished">Zapisz jako…</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileWriter</name>
+    <message>
+        <source>the folder %1 does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is a folder of this name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not write into the folder %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not change this file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>your share of the disk is full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk can only be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>you may not write here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is too large for this disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the disk is faulty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many files are open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the system does not say why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a file needs a name</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -475,27 +623,27 @@
     </message>
     <message>
         <source>it changes buds that were not there</source>
-        <translation>zmienia pąki, których nie było</translation>
+        <translation type="vanished">zmienia pąki, których nie było</translation>
     </message>
     <message>
         <source>it changes buds in a way that cannot be</source>
-        <translation>zmienia pąki w niemożliwy sposób</translation>
+        <translation type="vanished">zmienia pąki w niemożliwy sposób</translation>
     </message>
     <message>
         <source>it bends an internode that was not there</source>
-        <translation>wygina międzywęźle, którego nie było</translation>
+        <translation type="vanished">wygina międzywęźle, którego nie było</translation>
     </message>
     <message>
         <source>it bends an internode in a way that cannot be</source>
-        <translation>wygina międzywęźle w niemożliwy sposób</translation>
+        <translation type="vanished">wygina międzywęźle w niemożliwy sposób</translation>
     </message>
     <message>
         <source>it sets a width in a way that cannot be</source>
-        <translation>ustala grubość w niemożliwy sposób</translation>
+        <translation type="vanished">ustala grubość w niemożliwy sposób</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that cannot be</source>
-        <translation>zmienia obwiednię w niemożliwy sposób</translation>
+        <translation type="vanished">zmienia obwiednię w niemożliwy sposób</translation>
     </message>
     <message>
         <source>it lets an internode die that did not</source>
@@ -511,7 +659,7 @@
     </message>
     <message>
         <source>it bears an internode after what grows on it</source>
-        <translation>tworzy międzywęźle później niż to, co na nim rośnie</translation>
+        <translation type="vanished">tworzy międzywęźle później niż to, co na nim rośnie</translation>
     </message>
     <message>
         <source>before it, an internode would live on a dead one</source>
@@ -523,11 +671,11 @@
     </message>
     <message>
         <source>it changes the buds of a dead internode</source>
-        <translation>zmienia pąki martwego międzywęźla</translation>
+        <translation type="vanished">zmienia pąki martwego międzywęźla</translation>
     </message>
     <message>
         <source>internode %1 has no beginning or no end in the history</source>
-        <translation>międzywęźle %1 nie ma w historii początku lub końca</translation>
+        <translation type="vanished">międzywęźle %1 nie ma w historii początku lub końca</translation>
     </message>
     <message>
         <source>step %1 of the history</source>
@@ -535,7 +683,31 @@
     </message>
     <message>
         <source>the history</source>
-        <translation>historia</translation>
+        <translation type="vanished">historia</translation>
+    </message>
+    <message>
+        <source>it brings strokes that are not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it places a leaf on an internode that is not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it sets “%1” in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes an envelope in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something is set before it on what it brings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the beginning of the history</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -600,7 +772,7 @@
 <context>
     <name>Lasso</name>
     <message>
-        <source>The lasso's drawing plane is not valid.</source>
+        <source>The lasso&apos;s drawing plane is not valid.</source>
         <translation>Płaszczyzna rysowania lassa jest nieprawidłowa.</translation>
     </message>
     <message>
@@ -642,8 +814,8 @@
         <translation>Nazwa nie może zaczynać się od kropki.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? " &lt; &gt; |.</source>
-        <translation>Nazwa nie może zawierać żadnego ze znaków / \ : * ? " &lt; &gt; |.</translation>
+        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <translation>Nazwa nie może zawierać żadnego ze znaków / \ : * ? &quot; &lt; &gt; |.</translation>
     </message>
     <message>
         <source>This name is too long.</source>
@@ -714,7 +886,7 @@
         <translation>Podłoże</translation>
     </message>
     <message>
-        <source>Ground below the tree, with the tree's shadow.</source>
+        <source>Ground below the tree, with the tree&apos;s shadow.</source>
         <translation>Podłoże pod drzewem, z jego cieniem.</translation>
     </message>
     <message>
@@ -782,7 +954,7 @@
         <translation>W prawo</translation>
     </message>
     <message>
-        <source>Where the picture's middle is beside the seedling.</source>
+        <source>Where the picture&apos;s middle is beside the seedling.</source>
         <translation>Położenie środka obrazu obok siewki.</translation>
     </message>
     <message>
@@ -790,7 +962,7 @@
         <translation>W górę</translation>
     </message>
     <message>
-        <source>Where the picture's middle is above the seedling.</source>
+        <source>Where the picture&apos;s middle is above the seedling.</source>
         <translation>Położenie środka obrazu nad siewką.</translation>
     </message>
     <message>
@@ -1242,7 +1414,7 @@
         <translation>Kąt</translation>
     </message>
     <message>
-        <source>Between a shoot and the leaf's stalk.</source>
+        <source>Between a shoot and the leaf&apos;s stalk.</source>
         <translation>Między pędem a ogonkiem liścia.</translation>
     </message>
     <message>
@@ -1306,7 +1478,7 @@
         <translation>Wykładnik</translation>
     </message>
     <message>
-        <source>How widths add up where branches meet: 2 is Leonardo's rule; less makes thicker trunks.</source>
+        <source>How widths add up where branches meet: 2 is Leonardo&apos;s rule; less makes thicker trunks.</source>
         <translation>Jak sumują się grubości w miejscu rozgałęzienia: 2 to reguła Leonarda; mniej daje grubsze pnie.</translation>
     </message>
     <message>
@@ -1350,7 +1522,7 @@
         <translation>Skala</translation>
     </message>
     <message>
-        <source>Length of trunk after which the bark's pattern repeats.</source>
+        <source>Length of trunk after which the bark&apos;s pattern repeats.</source>
         <translation>Długość pnia, po której wzór kory się powtarza.</translation>
     </message>
     <message>
@@ -1494,7 +1666,7 @@
         <translation>Nacisk</translation>
     </message>
     <message>
-        <source>A pen's pressure scales the brush: the radius is what a firm hand reaches.</source>
+        <source>A pen&apos;s pressure scales the brush: the radius is what a firm hand reaches.</source>
         <translation>Nacisk pióra zmienia rozmiar pędzla: pełny promień osiąga się mocnym naciskiem.</translation>
     </message>
     <message>
@@ -1592,11 +1764,11 @@
     </message>
     <message>
         <source>internode %1</source>
-        <translation>międzywęźle %1</translation>
+        <translation type="vanished">międzywęźle %1</translation>
     </message>
     <message>
         <source>it lies further than %1 m away</source>
-        <translation>leży dalej niż %1 m od początku układu</translation>
+        <translation type="vanished">leży dalej niż %1 m od początku układu</translation>
     </message>
     <message>
         <source>the lassos</source>
@@ -1630,12 +1802,27 @@
         <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
         <translation>brakuje w nim obrazu „%1” albo jest on uszkodzony; zamiast niego widać wygląd, który rysuje Espalier</translation>
     </message>
+    <message>
+        <source>they have too many points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>indices of strokes are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PruneTool</name>
     <message>
         <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
         <translation>Stuknąć gałąź, aby ją odciąć, albo przeciągnąć przez gałęzie, które mają spaść</translation>
+    </message>
+</context>
+<context>
+    <name>QTimer</name>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1654,7 +1841,7 @@
     </message>
     <message>
         <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation>nie ma operacji „%1”; są setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow i removeLasso</translation>
+        <translation type="vanished">nie ma operacji „%1”; są setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow i removeLasso</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1689,8 +1876,8 @@
         <translation>oczekiwano od 1 do %1 międzywęźli</translation>
     </message>
     <message>
-        <source>a list of internodes' numbers is expected</source>
-        <translation>oczekiwano listy numerów międzywęźli</translation>
+        <source>a list of internodes&apos; numbers is expected</source>
+        <translation type="vanished">oczekiwano listy numerów międzywęźli</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
@@ -1748,6 +1935,78 @@
         <source>a path relative to the recipe is expected</source>
         <translation>oczekiwano ścieżki względem przepisu</translation>
     </message>
+    <message>
+        <source>internode %1 is not on the branch above internode %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing grew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1 has no bud %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 hexadecimal digits are expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a key (“key”) or a place (“at”) is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode with the key %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no internode near (%1, %2, %3) m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to %1 is expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1; and %2 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode 0 is the seedling, which cannot be pruned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no operation “%1”; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 commands to redo only, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no envelope</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1 has no width to take away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the history goes back by %1 only, not by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the history goes on by %1 only, not by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are %1 commands to undo only, not %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -1772,6 +2031,76 @@
     <message>
         <source>Drag the sun about the tree.</source>
         <translation>Przeciągnąć słońce wokół drzewa.</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>it changes “%1”, which never changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes “%1” of a row that was not there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it changes “%1” in a way that is not possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation type="unfinished">międzywęźle %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation type="unfinished">leży dalej niż %1 m od początku układu</translation>
+    </message>
+</context>
+<context>
+    <name>Tree</name>
+    <message>
+        <source>its internode is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is out of order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its place of attachment is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its rotation is not one</source>
+        <translation type="unfinished">jego obrót nie jest obrotem</translation>
+    </message>
+    <message>
+        <source>its length is out of range</source>
+        <translation type="unfinished">jego długość jest poza zakresem</translation>
+    </message>
+    <message>
+        <source>its vigour is out of range</source>
+        <translation type="unfinished">jego wigor jest poza zakresem</translation>
+    </message>
+    <message>
+        <source>it grows from a bud that does not exist</source>
+        <translation type="unfinished">wyrasta z pąka, który nie istnieje</translation>
+    </message>
+    <message>
+        <source>it has a bud that does not exist</source>
+        <translation type="unfinished">ma pąk, który nie istnieje</translation>
+    </message>
+    <message>
+        <source>its kind is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its width is out of range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its root lies too far away</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1815,23 +2144,23 @@
 <context>
     <name>espalier</name>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not "%2"</source>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
         <translation>--size wymaga SZEROKOŚĆxWYSOKOŚĆ, najwyżej po %1 pikseli, a nie „%2”</translation>
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation>%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .obj .fbx .glb .csv</translation>
+        <translation type="vanished">%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .obj .fbx .glb .csv</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not "%1"</source>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
         <translation>--camera to front, side, top lub three-quarter, a nie „%1”</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not "%2"</source>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
         <translation>--threads wymaga liczby od 1 do %1, a nie „%2”</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not "%1"</source>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
         <translation>--seed wymaga liczby całkowitej od 0 do 18446744073709551615, a nie „%1”</translation>
     </message>
     <message>
@@ -1871,7 +2200,7 @@
         <translation>info wymaga jednego pliku</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is "%1"?</source>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
         <translation>okno pokazuje jeden plik, czym więc jest „%1”?</translation>
     </message>
     <message>
@@ -1910,7 +2239,7 @@ textures) or .csv (skeleton).
 Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier: malowanie drzew.
+        <translation type="vanished">Espalier: malowanie drzew.
 
 espalier [PROJEKT]
     Otwiera okno.
@@ -1952,27 +2281,27 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation>jego obrót nie jest obrotem</translation>
+        <translation type="vanished">jego obrót nie jest obrotem</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation>jego długość jest poza zakresem</translation>
+        <translation type="vanished">jego długość jest poza zakresem</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation>jego wigor jest poza zakresem</translation>
+        <translation type="vanished">jego wigor jest poza zakresem</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation>wyrasta z pąka, który nie istnieje</translation>
+        <translation type="vanished">wyrasta z pąka, który nie istnieje</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation>ma pąk, który nie istnieje</translation>
+        <translation type="vanished">ma pąk, który nie istnieje</translation>
     </message>
     <message>
         <source>it is neither there nor away</source>
-        <translation>nie jest ani obecne, ani nieobecne</translation>
+        <translation type="vanished">nie jest ani obecne, ani nieobecne</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
@@ -1984,7 +2313,110 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>it died before it was born</source>
-        <translation>obumarło, zanim powstało</translation>
+        <translation type="vanished">obumarło, zanim powstało</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+    What operations do not find in the tree is printed; with --strict it is an
+    error, and nothing is written.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project) or in the ending of a format:
+%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it died before it was born, or in the future</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it lives on a dead internode</source>
+        <translation type="unfinished">żyje na martwym międzywęźlu</translation>
+    </message>
+    <message>
+        <source>the columns of the tree have different lengths</source>
+        <translation type="unfinished">kolumny drzewa mają różne długości</translation>
+    </message>
+    <message>
+        <source>the tree is empty or lacks its parameters</source>
+        <translation type="unfinished">drzewo jest puste lub nie ma parametrów</translation>
+    </message>
+    <message>
+        <source>the tree has more than %1 parameter sets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the seedling must stand at the base</source>
+        <translation type="unfinished">siewka musi stać u podstawy</translation>
+    </message>
+    <message>
+        <source>two internodes continue the same axis</source>
+        <translation type="unfinished">dwa międzywęźla przedłużają tę samą oś</translation>
+    </message>
+    <message>
+        <source>another internode has its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>internode %1: %2</source>
+        <translation type="unfinished">międzywęźle %1: %2</translation>
+    </message>
+    <message>
+        <source>the columns of the placed leaves have different lengths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its internode is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed leaf %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>entry %1 of “%2”: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lasso %1: its plane or its points are not valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lassos in force are out of order</source>
+        <translation type="unfinished">obowiązujące obrysy lassa są w złej kolejności</translation>
     </message>
 </context>
 <context>
@@ -2004,6 +2436,13 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>‹ Less</source>
         <translation>‹ Mniej</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Autosave</name>
+    <message>
+        <source>A tree that was never saved</source>
+        <translation type="unfinished">drzewo, którego nigdy nie zapisano</translation>
     </message>
 </context>
 <context>
@@ -2195,19 +2634,19 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <name>espalier::FileController</name>
     <message>
         <source>Binary glTF</source>
-        <translation>Binarny glTF</translation>
+        <translation type="vanished">Binarny glTF</translation>
     </message>
     <message>
         <source>FBX</source>
-        <translation>FBX</translation>
+        <translation type="vanished">FBX</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation>Wavefront OBJ</translation>
+        <translation type="vanished">Wavefront OBJ</translation>
     </message>
     <message>
         <source>Skeleton as a table</source>
-        <translation>Szkielet jako tabela</translation>
+        <translation type="vanished">Szkielet jako tabela</translation>
     </message>
     <message>
         <source>Not saved. %1</source>
@@ -2219,11 +2658,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Open</source>
-        <translation>Otwieranie</translation>
+        <translation type="vanished">Otwieranie</translation>
     </message>
     <message>
         <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation>Drzewa i przepisy (*.espalier *.json);;Drzewa (*.espalier);;Przepisy (*.json);;Wszystkie pliki (*)</translation>
+        <translation type="vanished">Drzewa i przepisy (*.espalier *.json);;Drzewa (*.espalier);;Przepisy (*.json);;Wszystkie pliki (*)</translation>
     </message>
     <message>
         <source>Saving %1</source>
@@ -2231,15 +2670,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Save</source>
-        <translation>Zapisywanie</translation>
+        <translation type="vanished">Zapisywanie</translation>
     </message>
     <message>
         <source>Trees (*.espalier)</source>
-        <translation>Drzewa (*.espalier)</translation>
+        <translation type="vanished">Drzewa (*.espalier)</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation>Eksport</translation>
+        <translation type="vanished">Eksport</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -2263,27 +2702,27 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Espalier</source>
-        <translation>Espalier</translation>
+        <translation type="vanished">Espalier</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation>„%1” ma niezapisane zmiany.</translation>
+        <translation type="vanished">„%1” ma niezapisane zmiany.</translation>
     </message>
     <message>
         <source>A tree that was never saved</source>
-        <translation>drzewo, którego nigdy nie zapisano</translation>
+        <translation type="vanished">drzewo, którego nigdy nie zapisano</translation>
     </message>
     <message>
         <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
-        <translation>Espalier niespodziewanie zakończył pracę. Można przywrócić poprzedni stan: %1.</translation>
+        <translation type="vanished">Espalier niespodziewanie zakończył pracę. Można przywrócić poprzedni stan: %1.</translation>
     </message>
     <message>
         <source>Bring Back</source>
-        <translation>Przywróć</translation>
+        <translation type="vanished">Przywróć</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation>Odrzuć</translation>
+        <translation type="vanished">Odrzuć</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -2292,6 +2731,22 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Forget Them</source>
         <translation>Wyczyść listę</translation>
+    </message>
+    <message>
+        <source>%1 was moved or deleted by another program. The tree is still here; save it to keep it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open Again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep This</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2637,6 +3092,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Growing %1</source>
         <translation>Rośnie: %1</translation>
     </message>
+    <message>
+        <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>espalier::Notice</name>
@@ -2676,6 +3135,29 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Brush radius</source>
         <translation>Promień pędzla</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::Recovery</name>
+    <message>
+        <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring Back</source>
+        <translation type="unfinished">Przywróć</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished">Odrzuć</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2804,7 +3286,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Biblioteka</translation>
     </message>
     <message>
-        <source>In a folder of Espalier's own</source>
+        <source>In a folder of Espalier&apos;s own</source>
         <translation>We własnym folderze programu</translation>
     </message>
     <message>
@@ -2925,39 +3407,39 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <name>espalier::Tree</name>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation>kolumny drzewa mają różne długości</translation>
+        <translation type="vanished">kolumny drzewa mają różne długości</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation>drzewo jest puste lub nie ma parametrów</translation>
+        <translation type="vanished">drzewo jest puste lub nie ma parametrów</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation>siewka musi stać u podstawy</translation>
+        <translation type="vanished">siewka musi stać u podstawy</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation>żyje na martwym międzywęźlu</translation>
+        <translation type="vanished">żyje na martwym międzywęźlu</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation>dwa międzywęźla przedłużają tę samą oś</translation>
+        <translation type="vanished">dwa międzywęźla przedłużają tę samą oś</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation>międzywęźle %1: %2</translation>
+        <translation type="vanished">międzywęźle %1: %2</translation>
     </message>
     <message>
         <source>width %1 cannot be</source>
-        <translation>grubość %1 jest niemożliwa</translation>
+        <translation type="vanished">grubość %1 jest niemożliwa</translation>
     </message>
     <message>
         <source>lasso %1 cannot be</source>
-        <translation>lasso %1 jest niemożliwe</translation>
+        <translation type="vanished">lasso %1 jest niemożliwe</translation>
     </message>
     <message>
         <source>the lassos in force are out of order</source>
-        <translation>obowiązujące obrysy lassa są w złej kolejności</translation>
+        <translation type="vanished">obowiązujące obrysy lassa są w złej kolejności</translation>
     </message>
 </context>
 <context>
