@@ -89,11 +89,11 @@ Result<InternodeId> InternodeReference::resolve(const TreeDocument& document) co
     std::optional<InternodeId> found;
     if (isNumber() && tree.isAlive(m_number))
         found = m_number;
-    if (m_key)
-        found = livingWithKey(tree, *m_key);
-    if (!found && m_place) {
+    if (m_hasKey)
+        found = livingWithKey(tree, m_key);
+    if (!found && m_hasPlace) {
         const auto length = static_cast<float>(tree.parameters().growth.internodeLength);
-        found = nearestLiving(document, *m_place, kReach * length);
+        found = nearestLiving(document, m_place, kReach * length);
     }
     if (!found)
         return inputError({}, text());
@@ -104,10 +104,10 @@ QString InternodeReference::text() const
 {
     if (isNumber())
         return Text::tr("there is no internode %1").arg(m_number);
-    if (!m_place)
-        return Text::tr("there is no internode with the key %1").arg(keyText(*m_key));
+    if (!m_hasPlace)
+        return Text::tr("there is no internode with the key %1").arg(keyText(m_key));
     const auto coordinate = [this](int axis) {
-        return QString::number(static_cast<double>((*m_place)[axis]), 'g', 4);
+        return QString::number(static_cast<double>(m_place[axis]), 'g', 4);
     };
     return Text::tr("there is no internode near (%1, %2, %3) m")
         .arg(coordinate(0), coordinate(1), coordinate(2));
@@ -137,10 +137,10 @@ QJsonValue InternodeReference::toJson() const
     if (isNumber())
         return static_cast<qint64>(m_number);
     QJsonObject json;
-    if (m_key)
-        json[kKeyKey] = keyText(*m_key);
-    if (m_place)
-        json[kAtKey] = espalier::toJson(*m_place);
+    if (m_hasKey)
+        json[kKeyKey] = keyText(m_key);
+    if (m_hasPlace)
+        json[kAtKey] = espalier::toJson(m_place);
     return json;
 }
 

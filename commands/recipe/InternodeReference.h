@@ -21,7 +21,11 @@ public:
     InternodeReference(InternodeId number = 0) : m_number(number) {}
     /// @p place is the world position of the internode's node, m.
     InternodeReference(std::optional<InternodeKey> key, std::optional<Vec3> place)
-        : m_number(static_cast<InternodeId>(kGreatestNumber)), m_key(key), m_place(place)
+        : m_number(static_cast<InternodeId>(kGreatestNumber)),
+          m_hasKey(key.has_value()),
+          m_hasPlace(place.has_value()),
+          m_key(key.value_or(0)),
+          m_place(place.value_or(Vec3(Vec3::Zero())))
     {
     }
     /// By key and place. Precondition: the document has the internode.
@@ -29,7 +33,7 @@ public:
 
     /// kGreatestNumber for a reference by key or place.
     InternodeId number() const { return m_number; }
-    bool isNumber() const { return !m_key && !m_place; }
+    bool isNumber() const { return !m_hasKey && !m_hasPlace; }
 
     /// The living internode, or an Error that says which one is missing.
     Result<InternodeId> resolve(const TreeDocument& document) const;
@@ -47,8 +51,10 @@ private:
     QString text() const;
 
     InternodeId m_number;
-    std::optional<InternodeKey> m_key;
-    std::optional<Vec3> m_place;
+    bool m_hasKey = false;
+    bool m_hasPlace = false;
+    InternodeKey m_key = 0;
+    Vec3 m_place = Vec3::Zero(); ///< m
 };
 
 } // namespace espalier

@@ -8,7 +8,9 @@ namespace espalier {
 QStringList Preferences::languages()
 {
     QStringList codes{QStringLiteral("en")};
-    for (const QString& file : QDir(QStringLiteral(":/translations")).entryList(QDir::Files, QDir::Name))
+    // Beside them lie the texts of Qt itself.
+    const QDir folder(QStringLiteral(":/translations"));
+    for (const QString& file : folder.entryList({QStringLiteral("espalier_*")}, QDir::Files, QDir::Name))
         codes << file.section(QLatin1Char('_'), 1).section(QLatin1Char('.'), 0, 0);
     return codes;
 }

@@ -641,7 +641,7 @@ void BrushGestureTest::parametersChangedBetweenStrokes_leaveWhatStood()
         QVERIFY(after.rotation[id].coeffs() == before.rotation[id].coeffs());
         QCOMPARE(document.index().nodePosition(id), indexBefore.nodePosition(id));
         // Buds may only have been used.
-        QCOMPARE(static_cast<int>(after.buds[id] & ~before.buds[id]), 0);
+        QCOMPARE(after.buds[id].active() & ~before.buds[id].active(), 0);
     }
     for (const InternodeId id : bornSince(document, size)) {
         QVERIFY(document.tree().parametersOf(id) == with);

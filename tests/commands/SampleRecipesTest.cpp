@@ -3,6 +3,7 @@
 #include "model/io/project/ProjectFile.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
+#include "model/mesh/LeafPlacer.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
 

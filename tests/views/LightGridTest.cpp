@@ -2,6 +2,7 @@
 #include "views/render/LightGrid.h"
 
 #include "model/document/TreeDocument.h"
+#include "tests/support/Documents.h"
 #include "tests/support/TreeBuilder.h"
 
 #include <QtTest>

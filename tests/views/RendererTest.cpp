@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/Documents.h"
 #include "tests/support/TreeBuilder.h"
 #include "views/render/OffscreenRenderer.h"
 
@@ -18,7 +19,7 @@ std::unique_ptr<TreeDocument> grownDocument(std::uint32_t count)
     auto document = std::make_unique<TreeDocument>();
     document->reset(3);
     while (document->index().livingCount() < count)
-        document->apply(std::make_shared<TreeDelta>(test::randomGrowth(document->tree(), 60)));
+        test::apply(*document, test::randomGrowth(document->tree(), 60));
     return document;
 }
 
@@ -201,7 +202,7 @@ void RendererTest::scene_followsDeltasBothWays()
         if (size > 20 && size < 150)
             limb = id;
     }
-    document->apply(std::make_shared<TreeDelta>(test::death(document->tree(), document->index(), limb)));
+    test::apply(*document, test::death(document->tree(), document->index(), limb));
     const QImage pruned = draw(scene);
     QVERIFY(difference(before, pruned) > 50);
     document->revertLast();

@@ -37,7 +37,7 @@ InternodeId TrainingToolsTest::plantBranch()
     internodes.push_back({.parent = 5, .slot = 0, .rotation = branching(radians(60)), .length = 0.2F});
     for (InternodeId i = 9; i < 11; ++i)
         internodes.push_back({.parent = i, .length = 0.2F});
-    m_document->apply(std::make_shared<TreeDelta>(births(m_document->tree(), internodes)));
+    apply(*m_document, births(m_document->tree(), internodes));
     return 9;
 }
 

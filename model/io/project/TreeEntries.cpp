@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/io/project/TreeEntries.h"
 
+#include "model/base/Random.h"
 #include "model/io/project/ColumnEntries.h"
 
 namespace espalier {
@@ -39,6 +40,35 @@ Result<void> readTable(const ZipReader& archive, const char* folder, std::uint32
     return read;
 }
 
+/// Keys as files have them: against what follows from the parent's key, the slot and the step of birth.
+/// Nearly all differences are zero, so the column takes no room. @p known gives the key of a row before @p
+/// id.
+template <class KnownKey>
+InternodeKey expectedKey(const TreeContent& content, InternodeId id, const KnownKey& known)
+{
+    const InternodeColumns& c = content.internodes;
+    const InternodeId parent = c.parent[id];
+    if (parent == kNoInternode || parent >= id)
+        return rootKey(content.seed);
+    return childKey(known(parent), c.slot[id], c.birth[id]);
+}
+
+QList<InternodeKey> keyDifferences(const TreeContent& content)
+{
+    const QList<InternodeKey>& keys = content.internodes.key;
+    QList<InternodeKey> differences(keys.size());
+    for (InternodeId id = 0; id < content.internodes.size(); ++id)
+        differences[id] = keys[id] ^ expectedKey(content, id, [&](InternodeId row) { return keys[row]; });
+    return differences;
+}
+
+void restoreKeys(TreeContent& content)
+{
+    QList<InternodeKey>& keys = content.internodes.key;
+    for (InternodeId id = 0; id < content.internodes.size(); ++id)
+        keys[id] ^= expectedKey(content, id, [&](InternodeId row) { return keys[row]; });
+}
+
 template <class T>
 Result<void> readSparse(const ZipReader& archive, const QByteArray& name, std::uint32_t internodes,
                         SparseColumn<T>& column)
@@ -70,7 +100,9 @@ Result<void> readSparse(const ZipReader& archive, const QByteArray& name, std::u
 
 void addTree(ZipWriter& archive, const TreeContent& content)
 {
-    addTable<InternodeTable>(archive, "internodes", content.internodes);
+    InternodeColumns internodes = content.internodes;
+    internodes.key = keyDifferences(content);
+    addTable<InternodeTable>(archive, "internodes", internodes);
     if (content.leaves.size() > 0)
         addTable<LeafTable>(archive, "leaves", content.leaves);
     SparseTable::visit(
@@ -94,6 +126,8 @@ Result<void> readTree(const ZipReader& archive, std::uint32_t internodes, std::u
                       TreeContent& content)
 {
     Result<void> read = readTable<InternodeTable>(archive, "internodes", internodes, content.internodes);
+    if (read)
+        restoreKeys(content);
     if (read)
         read = readTable<LeafTable>(archive, "leaves", leaves, content.leaves);
     SparseTable::visit(

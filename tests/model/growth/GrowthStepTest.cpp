@@ -5,6 +5,7 @@
 #include "model/growth/BorchertHonda.h"
 #include "model/growth/Buds.h"
 #include "tests/support/BruteForce.h"
+#include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
@@ -232,11 +233,11 @@ void GrowthStepTest::shoots_withMarkersInPlenty_areExactlyAsLong()
             int sum = 0;
             for (const EnabledBud& bud : enabled)
                 sum += shootLength(flow.ofBud(bud.bud.node, bud.bud.slot), greatest, p.maxShootLength);
-            auto delta = std::make_shared<TreeDelta>(growthStep(
-                document.tree(), document.index(), document.growthIndex(), markers, options, workspace));
-            QCOMPARE(static_cast<int>(delta->born.count), sum);
+            TreeDelta delta = growthStep(document.tree(), document.index(), document.growthIndex(), markers,
+                                         options, workspace);
+            QCOMPARE(static_cast<int>(delta.born.count), sum);
             QVERIFY(sum > 0);
-            document.apply(delta);
+            apply(document, std::move(delta));
         }
     }
 }
@@ -473,7 +474,7 @@ void GrowthStepTest::leader_reachesForTheTarget()
         for (int step = 0; step < 100 && distance > 0.5F; ++step) {
             TreeDelta delta = growLeader(document.tree(), document.index(), target, 0.5F, 3, workspace);
             QVERIFY(delta.born.count > 0 && delta.born.count <= 3);
-            document.apply(std::make_shared<TreeDelta>(std::move(delta)));
+            apply(document, std::move(delta));
             distance = (target - document.index().nodePosition(trunkTip(document.index()))).norm();
         }
         QVERIFY(distance <= 0.5F);

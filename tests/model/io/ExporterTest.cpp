@@ -4,6 +4,7 @@
 #include "model/io/export/FbxNodes.h"
 #include "model/io/export/FbxRepair.h"
 #include "model/mesh/LeafCard.h"
+#include "model/mesh/LeafPlacer.h"
 #include "model/shape/Widths.h"
 #include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"

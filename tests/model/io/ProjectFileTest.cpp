@@ -498,10 +498,6 @@ void ProjectFileTest::wrongColumns_areRefused_data()
             for (const char* part : {".row", ".before", ".after"})
                 e.emplace_back(QByteArray("journal/internodes.parent") + part, QByteArray(4, '\0'));
         });
-    row("twice the same key", "internode 7: another internode has its key", [](ZipEntries& e) {
-        QByteArray& key = entry(e, "internodes/key");
-        setNumber(key, 7, numberAt<InternodeKey>(key, 5));
-    });
     row("born at another time", "step ",
         [](ZipEntries& e) { setNumber(entry(e, "internodes/birth"), 1, 2U); });
 }

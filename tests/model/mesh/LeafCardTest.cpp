@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/LeafCard.h"
 
+#include "model/mesh/LeafPlacer.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 

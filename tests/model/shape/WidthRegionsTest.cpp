@@ -58,7 +58,7 @@ double recursive(const TreeBuilder& builder, const Constraints& constraints, Int
     if (id != base) {
         const auto known = std::ranges::find(constraints, id, &WidthConstraint::id);
         if (known != constraints.end())
-            return static_cast<double>(known->diameter);
+            return static_cast<double>(known->value);
     }
     const TreeIndex& index = builder.index;
     if (index.firstChild(id) == kNoInternode)
