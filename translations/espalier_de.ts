@@ -338,7 +338,7 @@
     <name>CommandLine</name>
     <message>
         <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
-        <translation type="unfinished"></translation>
+        <translation>--strict: nichts wird geschrieben, da Operationen nichts zu tun fanden oder nicht alles, was sie nennen</translation>
     </message>
 </context>
 <context>
@@ -414,19 +414,19 @@
     <name>ExportFormat</name>
     <message>
         <source>FBX</source>
-        <translation type="unfinished">FBX</translation>
+        <translation>FBX</translation>
     </message>
     <message>
         <source>Binary glTF</source>
-        <translation type="unfinished">Binäres glTF</translation>
+        <translation>Binäres glTF</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation type="unfinished">Wavefront OBJ</translation>
+        <translation>Wavefront OBJ</translation>
     </message>
     <message>
         <source>Skeleton as a table</source>
-        <translation type="unfinished">Skelett als Tabelle</translation>
+        <translation>Skelett als Tabelle</translation>
     </message>
 </context>
 <context>
@@ -445,15 +445,15 @@
     </message>
     <message>
         <source>there are too many files of similar names in its folder; choose another name or another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>im Ordner der Datei gibt es zu viele Dateien mit ähnlichen Namen; einen anderen Namen oder einen anderen Ordner wählen</translation>
     </message>
     <message>
         <source>another program made this file during the export; export again, and another name will be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>ein anderes Programm hat diese Datei während des Exports angelegt; noch einmal exportieren, dann wird ein anderer Name gewählt</translation>
     </message>
     <message>
         <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
-        <translation type="unfinished"></translation>
+        <translation>der Baum braucht mehr als die 4 GB, die eine solche Datei fassen kann; weniger Einzelheiten exportieren</translation>
     </message>
 </context>
 <context>
@@ -467,110 +467,110 @@
     <name>FileDialogs</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Öffnen</translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation type="unfinished">Bäume und Rezepte (*.espalier *.json);;Bäume (*.espalier);;Rezepte (*.json);;Alle Dateien (*)</translation>
+        <translation>Bäume und Rezepte (*.espalier *.json);;Bäume (*.espalier);;Rezepte (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Speichern</translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Trees (*.espalier)</source>
-        <translation type="unfinished">Bäume (*.espalier)</translation>
+        <translation>Bäume (*.espalier)</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Exportieren</translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Espalier</source>
-        <translation type="unfinished">Espalier</translation>
+        <translation>Espalier</translation>
     </message>
     <message>
         <source>%1 is still growing. What has grown so far is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wächst noch. Was bisher gewachsen ist, ist nicht gespeichert.</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation type="unfinished">%1 enthält ungespeicherte Änderungen.</translation>
+        <translation>%1 enthält ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde von einem anderen Fenster oder Programm geändert, seit es hier geöffnet oder gespeichert wurde. Beim Überschreiben gehen diese Änderungen verloren.</translation>
     </message>
     <message>
         <source>Save As…</source>
-        <translation type="unfinished">Speichern unter…</translation>
+        <translation>Speichern unter…</translation>
     </message>
     <message>
         <source>Overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>Überschreiben</translation>
     </message>
 </context>
 <context>
     <name>FileWriter</name>
     <message>
         <source>the folder %1 does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>den Ordner %1 gibt es nicht</translation>
     </message>
     <message>
         <source>%1 is no folder</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist kein Ordner</translation>
     </message>
     <message>
         <source>there is a folder of this name</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt einen Ordner dieses Namens</translation>
     </message>
     <message>
         <source>you may not write into the folder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>in den Ordner %1 darf nicht geschrieben werden</translation>
     </message>
     <message>
         <source>you may not change this file</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Datei darf nicht geändert werden</translation>
     </message>
     <message>
         <source>the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger ist voll</translation>
     </message>
     <message>
         <source>your share of the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>der zugeteilte Anteil am Datenträger ist voll</translation>
     </message>
     <message>
         <source>the disk can only be read</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger kann nur gelesen werden</translation>
     </message>
     <message>
         <source>you may not write here</source>
-        <translation type="unfinished"></translation>
+        <translation>hier darf nicht geschrieben werden</translation>
     </message>
     <message>
         <source>the file is too large for this disk</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei ist zu groß für diesen Datenträger</translation>
     </message>
     <message>
         <source>the disk is faulty</source>
-        <translation type="unfinished"></translation>
+        <translation>der Datenträger ist fehlerhaft</translation>
     </message>
     <message>
         <source>the name is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name ist zu lang</translation>
     </message>
     <message>
         <source>too many files are open</source>
-        <translation type="unfinished"></translation>
+        <translation>zu viele Dateien sind geöffnet</translation>
     </message>
     <message>
         <source>the system does not say why</source>
-        <translation type="unfinished"></translation>
+        <translation>das System nennt keinen Grund</translation>
     </message>
     <message>
         <source>a file needs a name</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Datei braucht einen Namen</translation>
     </message>
 </context>
 <context>
@@ -687,27 +687,27 @@
     </message>
     <message>
         <source>it brings strokes that are not there</source>
-        <translation type="unfinished"></translation>
+        <translation>bringt Striche mit, die es nicht gibt</translation>
     </message>
     <message>
         <source>it places a leaf on an internode that is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>setzt ein Blatt auf ein Internodium, das es nicht gibt</translation>
     </message>
     <message>
         <source>it sets “%1” in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>legt „%1“ auf unmögliche Weise fest</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>ändert eine Hülle auf unmögliche Weise</translation>
     </message>
     <message>
         <source>something is set before it on what it brings</source>
-        <translation type="unfinished"></translation>
+        <translation>davor ist etwas an dem festgelegt, was erst mit diesem Schritt kommt</translation>
     </message>
     <message>
         <source>the beginning of the history</source>
-        <translation type="unfinished"></translation>
+        <translation>der Anfang der Geschichte</translation>
     </message>
 </context>
 <context>
@@ -1804,11 +1804,11 @@
     </message>
     <message>
         <source>they have too many points</source>
-        <translation type="unfinished"></translation>
+        <translation>haben zu viele Punkte</translation>
     </message>
     <message>
         <source>indices of strokes are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Indizes von Strichen werden erwartet</translation>
     </message>
 </context>
 <context>
@@ -1822,7 +1822,7 @@
     <name>QTimer</name>
     <message>
         <source>Opening %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird geöffnet</translation>
     </message>
 </context>
 <context>
@@ -1937,75 +1937,75 @@
     </message>
     <message>
         <source>internode %1 is not on the branch above internode %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Internodium %1 liegt nicht auf dem Ast oberhalb von Internodium %2</translation>
     </message>
     <message>
         <source>nothing grew</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist gewachsen</translation>
     </message>
     <message>
         <source>internode %1 has no bud %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Internodium %1 hat keine Knospe %2</translation>
     </message>
     <message>
         <source>%1 hexadecimal digits are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hexadezimale Ziffern werden erwartet</translation>
     </message>
     <message>
         <source>a key (“key”) or a place (“at”) is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Schlüssel („key“) oder ein Ort („at“) wird erwartet</translation>
     </message>
     <message>
         <source>there is no internode %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein Internodium %1</translation>
     </message>
     <message>
         <source>there is no internode with the key %1</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein Internodium mit dem Schlüssel %1</translation>
     </message>
     <message>
         <source>there is no internode near (%1, %2, %3) m</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt kein Internodium nahe (%1, %2, %3) m</translation>
     </message>
     <message>
         <source>a whole number from 0 to %1 is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl von 0 bis %1 wird erwartet</translation>
     </message>
     <message>
         <source>%1; and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; und %2 weitere</translation>
     </message>
     <message>
         <source>internode 0 is the seedling, which cannot be pruned</source>
-        <translation type="unfinished"></translation>
+        <translation>Internodium 0 ist der Sämling, der nicht geschnitten werden kann</translation>
     </message>
     <message>
         <source>there is no operation “%1”; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Operation „%1“; es gibt %2</translation>
     </message>
     <message>
         <source>there are %1 commands to redo only, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle zum Wiederherstellen: nur %1, nicht %2</translation>
     </message>
     <message>
         <source>there is no envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Hülle</translation>
     </message>
     <message>
         <source>internode %1 has no width to take away</source>
-        <translation type="unfinished"></translation>
+        <translation>Internodium %1 hat keine Dicke, die sich freigeben lässt</translation>
     </message>
     <message>
         <source>the history goes back by %1 only, not by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>die Geschichte reicht nur um %1 zurück, nicht um %2</translation>
     </message>
     <message>
         <source>the history goes on by %1 only, not by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>die Geschichte geht nur um %1 weiter, nicht um %2</translation>
     </message>
     <message>
         <source>there are %1 commands to undo only, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle zum Rückgängigmachen: nur %1, nicht %2</translation>
     </message>
 </context>
 <context>
@@ -2037,70 +2037,70 @@
     <name>Text</name>
     <message>
         <source>it changes “%1”, which never changes</source>
-        <translation type="unfinished"></translation>
+        <translation>ändert „%1“, was sich nie ändert</translation>
     </message>
     <message>
         <source>it changes “%1” of a row that was not there</source>
-        <translation type="unfinished"></translation>
+        <translation>ändert „%1“ einer Zeile, die nicht da war</translation>
     </message>
     <message>
         <source>it changes “%1” in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>ändert „%1“ auf unmögliche Weise</translation>
     </message>
     <message>
         <source>internode %1</source>
-        <translation type="unfinished">Internodium %1</translation>
+        <translation>Internodium %1</translation>
     </message>
     <message>
         <source>it lies further than %1 m away</source>
-        <translation type="unfinished">liegt weiter als %1 m entfernt</translation>
+        <translation>liegt weiter als %1 m entfernt</translation>
     </message>
 </context>
 <context>
     <name>Tree</name>
     <message>
         <source>its internode is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>das Internodium fehlt</translation>
     </message>
     <message>
         <source>it is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>ist nicht in der richtigen Reihenfolge</translation>
     </message>
     <message>
         <source>its place of attachment is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>die Ansatzstelle liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation type="unfinished">die Drehung ist keine</translation>
+        <translation>die Drehung ist keine</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation type="unfinished">die Länge liegt außerhalb des Bereichs</translation>
+        <translation>die Länge liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation type="unfinished">die Wuchskraft liegt außerhalb des Bereichs</translation>
+        <translation>die Wuchskraft liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation type="unfinished">wächst aus einer Knospe, die es nicht gibt</translation>
+        <translation>wächst aus einer Knospe, die es nicht gibt</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation type="unfinished">hat eine Knospe, die es nicht gibt</translation>
+        <translation>hat eine Knospe, die es nicht gibt</translation>
     </message>
     <message>
         <source>its kind is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>die Art ist nicht bekannt</translation>
     </message>
     <message>
         <source>its width is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dicke liegt außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>its root lies too far away</source>
-        <translation type="unfinished"></translation>
+        <translation>die Wurzel liegt zu weit entfernt</translation>
     </message>
 </context>
 <context>
@@ -2318,7 +2318,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .%2</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -2357,67 +2357,103 @@ OUT ends in .espalier (project) or in the ending of a format:
 %1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Espalier: Bäume mit dem Pinsel wachsen lassen.
+
+espalier [PROJEKT]
+    Öffnet das Fenster.
+
+espalier --demo [REZEPT]
+    Öffnet das Fenster und pinselt einen Baum darin; danach gehört er Ihnen.
+
+espalier replay REZEPT... [-o AUSGABE]... [--png DATEI] [--size BxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats DATEI] [--threads N] [--seed N] [--strict]
+    Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
+    Von mehreren Rezepten setzt jedes den Baum des vorigen fort: das erste
+    bestimmt den Startwert, und jedes setzt zu Beginn seine Parameter in Kraft.
+    Was Operationen im Baum nicht finden, wird ausgegeben; mit --strict ist es
+    ein Fehler, und nichts wird geschrieben.
+
+espalier export PROJEKT [-o AUSGABE]...
+    Schreibt ein Projekt in anderen Formaten.
+
+espalier render PROJEKT --png DATEI [--size BxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Nimmt ein Bild auf. Das verlangt eine Anzeige; eine virtuelle genügt.
+    --transparent: der Baum allein, mit nicht vormultipliziertem Alpha;
+    --ground-shadow behält seinen Schatten, als Schwarz mit etwas Deckkraft.
+
+espalier info DATEI
+    Sagt als JSON, was in einem Projekt ist.
+
+espalier --help, --version
+
+AUSGABE endet auf .espalier (Projekt) oder auf die Endung eines Formats:
+%1Endet mit 0, wenn alles getan ist, mit 2, wenn die Befehlszeile falsch ist, mit
+3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
+geschrieben werden konnte.
+</translation>
     </message>
     <message>
         <source>it died before it was born, or in the future</source>
-        <translation type="unfinished"></translation>
+        <translation>starb vor der eigenen Geburt oder in der Zukunft</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation type="unfinished">lebt auf einem toten Internodium</translation>
+        <translation>lebt auf einem toten Internodium</translation>
     </message>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation type="unfinished">die Spalten des Baums sind verschieden lang</translation>
+        <translation>die Spalten des Baums sind verschieden lang</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation type="unfinished">der Baum ist leer, oder ihm fehlen seine Parameter</translation>
+        <translation>der Baum ist leer, oder ihm fehlen seine Parameter</translation>
     </message>
     <message>
         <source>the tree has more than %1 parameter sets</source>
-        <translation type="unfinished"></translation>
+        <translation>der Baum hat mehr als %1 Parametersätze</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation type="unfinished">der Sämling muss an der Basis stehen</translation>
+        <translation>der Sämling muss an der Basis stehen</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation type="unfinished">zwei Internodien setzen dieselbe Achse fort</translation>
+        <translation>zwei Internodien setzen dieselbe Achse fort</translation>
     </message>
     <message>
         <source>another internode has its key</source>
-        <translation type="unfinished"></translation>
+        <translation>ein anderes Internodium hat denselben Schlüssel</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation type="unfinished">Internodium %1: %2</translation>
+        <translation>Internodium %1: %2</translation>
     </message>
     <message>
         <source>the columns of the placed leaves have different lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>die Spalten der gesetzten Blätter sind verschieden lang</translation>
     </message>
     <message>
         <source>its internode is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>das Internodium fehlt</translation>
     </message>
     <message>
         <source>placed leaf %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>gesetztes Blatt %1: %2</translation>
     </message>
     <message>
         <source>entry %1 of “%2”: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Eintrag %1 von „%2“: %3</translation>
     </message>
     <message>
         <source>lasso %1: its plane or its points are not valid</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasso %1: die Ebene oder die Punkte sind ungültig</translation>
     </message>
     <message>
         <source>the lassos in force are out of order</source>
-        <translation type="unfinished">die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
+        <translation>die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
     </message>
 </context>
 <context>
@@ -2443,7 +2479,7 @@ unreadable or wrong, 4 when an output could not be written.
     <name>espalier::Autosave</name>
     <message>
         <source>A tree that was never saved</source>
-        <translation type="unfinished">Ein nie gespeicherter Baum</translation>
+        <translation>Ein nie gespeicherter Baum</translation>
     </message>
 </context>
 <context>
@@ -2735,19 +2771,19 @@ unreadable or wrong, 4 when an output could not be written.
     </message>
     <message>
         <source>%1 was moved or deleted by another program. The tree is still here; save it to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde von einem anderen Programm verschoben oder gelöscht. Der Baum ist noch hier; speichern, um ihn zu behalten.</translation>
     </message>
     <message>
         <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde von einem anderen Fenster oder Programm geändert. Das Speichern fragt hier nach, bevor es diese Änderungen ersetzt.</translation>
     </message>
     <message>
         <source>Open Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu öffnen</translation>
     </message>
     <message>
         <source>Keep This</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen behalten</translation>
     </message>
 </context>
 <context>
@@ -3095,7 +3131,7 @@ unreadable or wrong, 4 when an output could not be written.
     </message>
     <message>
         <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Operationen des Rezepts, die nichts zu tun fanden oder nicht alles, was sie nennen (%1 von %2): %3</translation>
     </message>
 </context>
 <context>
@@ -3142,23 +3178,23 @@ unreadable or wrong, 4 when an output could not be written.
     <name>espalier::Recovery</name>
     <message>
         <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sicherheitskopie kann nicht gelesen werden (%1). Sie wird als %3 aufbewahrt. %2</translation>
     </message>
     <message>
         <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Espalier wurde unerwartet beendet. %1 kann im Zustand vom %2 zurückgeholt werden.</translation>
     </message>
     <message>
         <source>Bring Back</source>
-        <translation type="unfinished">Zurückholen</translation>
+        <translation>Zurückholen</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished">Verwerfen</translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Später</translation>
     </message>
 </context>
 <context>

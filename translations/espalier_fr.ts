@@ -338,7 +338,7 @@
     <name>CommandLine</name>
     <message>
         <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
-        <translation type="unfinished"></translation>
+        <translation>--strict&#xa0;: rien n’est écrit, car des opérations n’ont rien trouvé à faire, ou pas tout ce qu’elles nomment</translation>
     </message>
 </context>
 <context>
@@ -414,19 +414,19 @@
     <name>ExportFormat</name>
     <message>
         <source>FBX</source>
-        <translation type="unfinished">FBX</translation>
+        <translation>FBX</translation>
     </message>
     <message>
         <source>Binary glTF</source>
-        <translation type="unfinished">glTF binaire</translation>
+        <translation>glTF binaire</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation type="unfinished">Wavefront OBJ</translation>
+        <translation>Wavefront OBJ</translation>
     </message>
     <message>
         <source>Skeleton as a table</source>
-        <translation type="unfinished">Squelette en tableau</translation>
+        <translation>Squelette en tableau</translation>
     </message>
 </context>
 <context>
@@ -445,15 +445,15 @@
     </message>
     <message>
         <source>there are too many files of similar names in its folder; choose another name or another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>il y a trop de fichiers aux noms semblables dans son dossier&#xa0;; choisir un autre nom ou un autre dossier</translation>
     </message>
     <message>
         <source>another program made this file during the export; export again, and another name will be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>un autre programme a créé ce fichier pendant l’exportation&#xa0;; exporter à nouveau, et un autre nom sera choisi</translation>
     </message>
     <message>
         <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
-        <translation type="unfinished"></translation>
+        <translation>l’arbre prend plus que les 4 Go que peut contenir un tel fichier&#xa0;; exporter moins de détails</translation>
     </message>
 </context>
 <context>
@@ -467,110 +467,110 @@
     <name>FileDialogs</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Ouvrir</translation>
+        <translation>Ouvrir</translation>
     </message>
     <message>
         <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation type="unfinished">Arbres et recettes (*.espalier *.json);;Arbres (*.espalier);;Recettes (*.json);;Tous les fichiers (*)</translation>
+        <translation>Arbres et recettes (*.espalier *.json);;Arbres (*.espalier);;Recettes (*.json);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Enregistrer</translation>
+        <translation>Enregistrer</translation>
     </message>
     <message>
         <source>Trees (*.espalier)</source>
-        <translation type="unfinished">Arbres (*.espalier)</translation>
+        <translation>Arbres (*.espalier)</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Exporter</translation>
+        <translation>Exporter</translation>
     </message>
     <message>
         <source>Espalier</source>
-        <translation type="unfinished">Espalier</translation>
+        <translation>Espalier</translation>
     </message>
     <message>
         <source>%1 is still growing. What has grown so far is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pousse encore. Ce qui a poussé jusqu’ici n’est pas enregistré.</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation type="unfinished">%1 a des modifications non enregistrées.</translation>
+        <translation>%1 a des modifications non enregistrées.</translation>
     </message>
     <message>
         <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a été modifié par une autre fenêtre ou un autre programme depuis son ouverture ou son enregistrement ici. L’écraser fait perdre ces modifications.</translation>
     </message>
     <message>
         <source>Save As…</source>
-        <translation type="unfinished">Enregistrer sous…</translation>
+        <translation>Enregistrer sous…</translation>
     </message>
     <message>
         <source>Overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>Écraser</translation>
     </message>
 </context>
 <context>
     <name>FileWriter</name>
     <message>
         <source>the folder %1 does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>le dossier %1 n’existe pas</translation>
     </message>
     <message>
         <source>%1 is no folder</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 n’est pas un dossier</translation>
     </message>
     <message>
         <source>there is a folder of this name</source>
-        <translation type="unfinished"></translation>
+        <translation>il y a un dossier de ce nom</translation>
     </message>
     <message>
         <source>you may not write into the folder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’est pas permis d’écrire dans le dossier %1</translation>
     </message>
     <message>
         <source>you may not change this file</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’est pas permis de modifier ce fichier</translation>
     </message>
     <message>
         <source>the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>le disque est plein</translation>
     </message>
     <message>
         <source>your share of the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>la part attribuée du disque est pleine</translation>
     </message>
     <message>
         <source>the disk can only be read</source>
-        <translation type="unfinished"></translation>
+        <translation>le disque est en lecture seule</translation>
     </message>
     <message>
         <source>you may not write here</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’est pas permis d’écrire ici</translation>
     </message>
     <message>
         <source>the file is too large for this disk</source>
-        <translation type="unfinished"></translation>
+        <translation>le fichier est trop grand pour ce disque</translation>
     </message>
     <message>
         <source>the disk is faulty</source>
-        <translation type="unfinished"></translation>
+        <translation>le disque est défectueux</translation>
     </message>
     <message>
         <source>the name is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>le nom est trop long</translation>
     </message>
     <message>
         <source>too many files are open</source>
-        <translation type="unfinished"></translation>
+        <translation>trop de fichiers sont ouverts</translation>
     </message>
     <message>
         <source>the system does not say why</source>
-        <translation type="unfinished"></translation>
+        <translation>le système ne dit pas pourquoi</translation>
     </message>
     <message>
         <source>a file needs a name</source>
-        <translation type="unfinished"></translation>
+        <translation>il faut un nom au fichier</translation>
     </message>
 </context>
 <context>
@@ -687,27 +687,27 @@
     </message>
     <message>
         <source>it brings strokes that are not there</source>
-        <translation type="unfinished"></translation>
+        <translation>elle apporte des tracés qui n’existent pas</translation>
     </message>
     <message>
         <source>it places a leaf on an internode that is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>elle place une feuille sur un entre-nœud qui n’existe pas</translation>
     </message>
     <message>
         <source>it sets “%1” in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>elle fixe «&#xa0;%1&#xa0;» d’une façon impossible</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>elle change une enveloppe d’une façon impossible</translation>
     </message>
     <message>
         <source>something is set before it on what it brings</source>
-        <translation type="unfinished"></translation>
+        <translation>avant elle, quelque chose est fixé sur ce qu’elle apporte</translation>
     </message>
     <message>
         <source>the beginning of the history</source>
-        <translation type="unfinished"></translation>
+        <translation>le début de l’historique</translation>
     </message>
 </context>
 <context>
@@ -1804,11 +1804,11 @@
     </message>
     <message>
         <source>they have too many points</source>
-        <translation type="unfinished"></translation>
+        <translation>ils ont trop de points</translation>
     </message>
     <message>
         <source>indices of strokes are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>des indices de tracés sont attendus</translation>
     </message>
 </context>
 <context>
@@ -1822,7 +1822,7 @@
     <name>QTimer</name>
     <message>
         <source>Opening %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ouverture de %1</translation>
     </message>
 </context>
 <context>
@@ -1937,75 +1937,75 @@
     </message>
     <message>
         <source>internode %1 is not on the branch above internode %2</source>
-        <translation type="unfinished"></translation>
+        <translation>l’entre-nœud %1 n’est pas sur la branche au-dessus de l’entre-nœud %2</translation>
     </message>
     <message>
         <source>nothing grew</source>
-        <translation type="unfinished"></translation>
+        <translation>rien n’a poussé</translation>
     </message>
     <message>
         <source>internode %1 has no bud %2</source>
-        <translation type="unfinished"></translation>
+        <translation>l’entre-nœud %1 n’a pas de bourgeon %2</translation>
     </message>
     <message>
         <source>%1 hexadecimal digits are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 chiffres hexadécimaux sont attendus</translation>
     </message>
     <message>
         <source>a key (“key”) or a place (“at”) is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>une clé («&#xa0;key&#xa0;») ou un lieu («&#xa0;at&#xa0;») est attendu</translation>
     </message>
     <message>
         <source>there is no internode %1</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’y a pas d’entre-nœud %1</translation>
     </message>
     <message>
         <source>there is no internode with the key %1</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’y a pas d’entre-nœud portant la clé %1</translation>
     </message>
     <message>
         <source>there is no internode near (%1, %2, %3) m</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’y a pas d’entre-nœud près de (%1, %2, %3) m</translation>
     </message>
     <message>
         <source>a whole number from 0 to %1 is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre entier de 0 à %1 est attendu</translation>
     </message>
     <message>
         <source>%1; and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;; et encore %2</translation>
     </message>
     <message>
         <source>internode 0 is the seedling, which cannot be pruned</source>
-        <translation type="unfinished"></translation>
+        <translation>l’entre-nœud 0 est la plantule, qui ne peut pas être taillée</translation>
     </message>
     <message>
         <source>there is no operation “%1”; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’y a pas d’opération «&#xa0;%1&#xa0;»&#xa0;; il y a %2</translation>
     </message>
     <message>
         <source>there are %1 commands to redo only, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>commandes à rétablir&#xa0;: %1 seulement, pas %2</translation>
     </message>
     <message>
         <source>there is no envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’y a pas d’enveloppe</translation>
     </message>
     <message>
         <source>internode %1 has no width to take away</source>
-        <translation type="unfinished"></translation>
+        <translation>l’entre-nœud %1 n’a pas d’épaisseur à retirer</translation>
     </message>
     <message>
         <source>the history goes back by %1 only, not by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>l’historique ne remonte que de %1, pas de %2</translation>
     </message>
     <message>
         <source>the history goes on by %1 only, not by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>l’historique n’avance que de %1, pas de %2</translation>
     </message>
     <message>
         <source>there are %1 commands to undo only, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>commandes à annuler&#xa0;: %1 seulement, pas %2</translation>
     </message>
 </context>
 <context>
@@ -2037,70 +2037,70 @@
     <name>Text</name>
     <message>
         <source>it changes “%1”, which never changes</source>
-        <translation type="unfinished"></translation>
+        <translation>elle change «&#xa0;%1&#xa0;», qui ne change jamais</translation>
     </message>
     <message>
         <source>it changes “%1” of a row that was not there</source>
-        <translation type="unfinished"></translation>
+        <translation>elle change «&#xa0;%1&#xa0;» d’une ligne qui n’existait pas</translation>
     </message>
     <message>
         <source>it changes “%1” in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>elle change «&#xa0;%1&#xa0;» d’une façon impossible</translation>
     </message>
     <message>
         <source>internode %1</source>
-        <translation type="unfinished">entre-nœud %1</translation>
+        <translation>entre-nœud %1</translation>
     </message>
     <message>
         <source>it lies further than %1 m away</source>
-        <translation type="unfinished">il se trouve à plus de %1 m</translation>
+        <translation>il se trouve à plus de %1 m</translation>
     </message>
 </context>
 <context>
     <name>Tree</name>
     <message>
         <source>its internode is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>son entre-nœud manque</translation>
     </message>
     <message>
         <source>it is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>elle n’est pas à sa place</translation>
     </message>
     <message>
         <source>its place of attachment is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>son point d’attache est hors limites</translation>
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation type="unfinished">sa rotation n’en est pas une</translation>
+        <translation>sa rotation n’en est pas une</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation type="unfinished">sa longueur est hors limites</translation>
+        <translation>sa longueur est hors limites</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation type="unfinished">sa vigueur est hors limites</translation>
+        <translation>sa vigueur est hors limites</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation type="unfinished">il pousse d’un bourgeon qui n’existe pas</translation>
+        <translation>il pousse d’un bourgeon qui n’existe pas</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation type="unfinished">il a un bourgeon qui n’existe pas</translation>
+        <translation>il a un bourgeon qui n’existe pas</translation>
     </message>
     <message>
         <source>its kind is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>son type est inconnu</translation>
     </message>
     <message>
         <source>its width is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>son épaisseur est hors limites</translation>
     </message>
     <message>
         <source>its root lies too far away</source>
-        <translation type="unfinished"></translation>
+        <translation>sa racine est trop éloignée</translation>
     </message>
 </context>
 <context>
@@ -2317,7 +2317,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;: le suffixe d’une sortie indique son format, et c’est l’un de .espalier .%2</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -2356,67 +2356,102 @@ OUT ends in .espalier (project) or in the ending of a format:
 %1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
+
+espalier [PROJET]
+    Ouvre la fenêtre.
+
+espalier --demo [RECETTE]
+    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
+
+espalier replay RECETTE... [-o SORTIE]... [--png FICHIER] [--size LxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FICHIER] [--threads N] [--seed N] [--strict]
+    Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
+    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
+    première donne la graine, et chacune met d’abord ses paramètres en vigueur.
+    Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
+    --strict, c’est une erreur, et rien n’est écrit.
+
+espalier export PROJET [-o SORTIE]...
+    Écrit un projet dans d’autres formats.
+
+espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
+    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
+    --ground-shadow garde son ombre, en noir plus ou moins opaque.
+
+espalier info FICHIER
+    Dit en JSON ce que contient un projet.
+
+espalier --help, --version
+
+SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
+%1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
+une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
+</translation>
     </message>
     <message>
         <source>it died before it was born, or in the future</source>
-        <translation type="unfinished"></translation>
+        <translation>sa mort précède sa naissance, ou se situe dans le futur</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation type="unfinished">il vit sur un entre-nœud mort</translation>
+        <translation>il vit sur un entre-nœud mort</translation>
     </message>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation type="unfinished">les colonnes de l’arbre ont des longueurs différentes</translation>
+        <translation>les colonnes de l’arbre ont des longueurs différentes</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation type="unfinished">l’arbre est vide ou ses paramètres manquent</translation>
+        <translation>l’arbre est vide ou ses paramètres manquent</translation>
     </message>
     <message>
         <source>the tree has more than %1 parameter sets</source>
-        <translation type="unfinished"></translation>
+        <translation>l’arbre a plus de %1 jeux de paramètres</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation type="unfinished">la plantule doit se trouver à la base</translation>
+        <translation>la plantule doit se trouver à la base</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation type="unfinished">deux entre-nœuds prolongent le même axe</translation>
+        <translation>deux entre-nœuds prolongent le même axe</translation>
     </message>
     <message>
         <source>another internode has its key</source>
-        <translation type="unfinished"></translation>
+        <translation>un autre entre-nœud a la même clé</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation type="unfinished">entre-nœud %1&#xa0;: %2</translation>
+        <translation>entre-nœud %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>the columns of the placed leaves have different lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>les colonnes des feuilles placées ont des longueurs différentes</translation>
     </message>
     <message>
         <source>its internode is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>son entre-nœud manque</translation>
     </message>
     <message>
         <source>placed leaf %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>feuille placée %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>entry %1 of “%2”: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>entrée %1 de «&#xa0;%2&#xa0;»&#xa0;: %3</translation>
     </message>
     <message>
         <source>lasso %1: its plane or its points are not valid</source>
-        <translation type="unfinished"></translation>
+        <translation>lasso %1&#xa0;: son plan ou ses points ne sont pas valables</translation>
     </message>
     <message>
         <source>the lassos in force are out of order</source>
-        <translation type="unfinished">les lassos en vigueur sont dans le désordre</translation>
+        <translation>les lassos en vigueur sont dans le désordre</translation>
     </message>
 </context>
 <context>
@@ -2442,7 +2477,7 @@ unreadable or wrong, 4 when an output could not be written.
     <name>espalier::Autosave</name>
     <message>
         <source>A tree that was never saved</source>
-        <translation type="unfinished">Un arbre jamais enregistré</translation>
+        <translation>Un arbre jamais enregistré</translation>
     </message>
 </context>
 <context>
@@ -2734,19 +2769,19 @@ unreadable or wrong, 4 when an output could not be written.
     </message>
     <message>
         <source>%1 was moved or deleted by another program. The tree is still here; save it to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a été déplacé ou supprimé par un autre programme. L’arbre est encore ici&#xa0;; l’enregistrer pour le garder.</translation>
     </message>
     <message>
         <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a été modifié par une autre fenêtre ou un autre programme. Enregistrer ici demandera confirmation avant de remplacer ces modifications.</translation>
     </message>
     <message>
         <source>Open Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Rouvrir</translation>
     </message>
     <message>
         <source>Keep This</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder celui-ci</translation>
     </message>
 </context>
 <context>
@@ -3094,7 +3129,7 @@ unreadable or wrong, 4 when an output could not be written.
     </message>
     <message>
         <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Opérations de la recette qui n’ont rien trouvé à faire, ou pas tout ce qu’elles nomment (%1 sur %2)&#xa0;: %3</translation>
     </message>
 </context>
 <context>
@@ -3141,23 +3176,23 @@ unreadable or wrong, 4 when an output could not be written.
     <name>espalier::Recovery</name>
     <message>
         <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une copie de sécurité est illisible (%1). Elle est conservée sous %3. %2</translation>
     </message>
     <message>
         <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Espalier s’est arrêté de façon inattendue. %1 peut être récupéré tel qu’il était le %2.</translation>
     </message>
     <message>
         <source>Bring Back</source>
-        <translation type="unfinished">Récupérer</translation>
+        <translation>Récupérer</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished">Abandonner</translation>
+        <translation>Abandonner</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus tard</translation>
     </message>
 </context>
 <context>

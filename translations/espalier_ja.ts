@@ -338,7 +338,7 @@
     <name>CommandLine</name>
     <message>
         <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
-        <translation type="unfinished"></translation>
+        <translation>--strict: することがないか、指定したものがすべては見つからない操作があるため、何も書き出しません</translation>
     </message>
 </context>
 <context>
@@ -414,19 +414,19 @@
     <name>ExportFormat</name>
     <message>
         <source>FBX</source>
-        <translation type="unfinished">FBX</translation>
+        <translation>FBX</translation>
     </message>
     <message>
         <source>Binary glTF</source>
-        <translation type="unfinished">バイナリ glTF</translation>
+        <translation>バイナリ glTF</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation type="unfinished">Wavefront OBJ</translation>
+        <translation>Wavefront OBJ</translation>
     </message>
     <message>
         <source>Skeleton as a table</source>
-        <translation type="unfinished">骨格の表</translation>
+        <translation>骨格の表</translation>
     </message>
 </context>
 <context>
@@ -445,15 +445,15 @@
     </message>
     <message>
         <source>there are too many files of similar names in its folder; choose another name or another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>同じフォルダーに似た名前のファイルが多すぎます。別の名前か別のフォルダーを選んでください</translation>
     </message>
     <message>
         <source>another program made this file during the export; export again, and another name will be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出し中に別のプログラムがこのファイルを作りました。もう一度書き出すと、別の名前になります</translation>
     </message>
     <message>
         <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
-        <translation type="unfinished"></translation>
+        <translation>木が、この形式のファイルに収まる 4 GB を超えています。細部を減らして書き出してください</translation>
     </message>
 </context>
 <context>
@@ -467,110 +467,110 @@
     <name>FileDialogs</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished">開く</translation>
+        <translation>開く</translation>
     </message>
     <message>
         <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation type="unfinished">木とレシピ (*.espalier *.json);;木 (*.espalier);;レシピ (*.json);;すべてのファイル (*)</translation>
+        <translation>木とレシピ (*.espalier *.json);;木 (*.espalier);;レシピ (*.json);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">保存</translation>
+        <translation>保存</translation>
     </message>
     <message>
         <source>Trees (*.espalier)</source>
-        <translation type="unfinished">木 (*.espalier)</translation>
+        <translation>木 (*.espalier)</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">書き出し</translation>
+        <translation>書き出し</translation>
     </message>
     <message>
         <source>Espalier</source>
-        <translation type="unfinished">Espalier</translation>
+        <translation>Espalier</translation>
     </message>
     <message>
         <source>%1 is still growing. What has grown so far is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 はまだ成長中です。ここまでに育った分は保存されていません。</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation type="unfinished">%1 には保存していない変更があります。</translation>
+        <translation>%1 には保存していない変更があります。</translation>
     </message>
     <message>
         <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 は、ここで開くか保存した後に、別のウィンドウかプログラムで変更されました。上書きすると、その変更は失われます。</translation>
     </message>
     <message>
         <source>Save As…</source>
-        <translation type="unfinished">別名で保存…</translation>
+        <translation>別名で保存…</translation>
     </message>
     <message>
         <source>Overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>上書き</translation>
     </message>
 </context>
 <context>
     <name>FileWriter</name>
     <message>
         <source>the folder %1 does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダー %1 がありません</translation>
     </message>
     <message>
         <source>%1 is no folder</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 はフォルダーではありません</translation>
     </message>
     <message>
         <source>there is a folder of this name</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ名前のフォルダーがあります</translation>
     </message>
     <message>
         <source>you may not write into the folder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダー %1 に書き込む権限がありません</translation>
     </message>
     <message>
         <source>you may not change this file</source>
-        <translation type="unfinished"></translation>
+        <translation>このファイルを変更する権限がありません</translation>
     </message>
     <message>
         <source>the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>ディスクがいっぱいです</translation>
     </message>
     <message>
         <source>your share of the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>ディスクの割り当て分がいっぱいです</translation>
     </message>
     <message>
         <source>the disk can only be read</source>
-        <translation type="unfinished"></translation>
+        <translation>ディスクは読み取り専用です</translation>
     </message>
     <message>
         <source>you may not write here</source>
-        <translation type="unfinished"></translation>
+        <translation>ここに書き込む権限がありません</translation>
     </message>
     <message>
         <source>the file is too large for this disk</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルがこのディスクには大きすぎます</translation>
     </message>
     <message>
         <source>the disk is faulty</source>
-        <translation type="unfinished"></translation>
+        <translation>ディスクに障害があります</translation>
     </message>
     <message>
         <source>the name is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>名前が長すぎます</translation>
     </message>
     <message>
         <source>too many files are open</source>
-        <translation type="unfinished"></translation>
+        <translation>開いているファイルが多すぎます</translation>
     </message>
     <message>
         <source>the system does not say why</source>
-        <translation type="unfinished"></translation>
+        <translation>システムが理由を示していません</translation>
     </message>
     <message>
         <source>a file needs a name</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルには名前が必要です</translation>
     </message>
 </context>
 <context>
@@ -687,27 +687,27 @@
     </message>
     <message>
         <source>it brings strokes that are not there</source>
-        <translation type="unfinished"></translation>
+        <translation>存在しないストロークが加えられています</translation>
     </message>
     <message>
         <source>it places a leaf on an internode that is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>存在しない節間に葉が配置されています</translation>
     </message>
     <message>
         <source>it sets “%1” in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」がありえない値に設定されています</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>外形がありえない形に変えられています</translation>
     </message>
     <message>
         <source>something is set before it on what it brings</source>
-        <translation type="unfinished"></translation>
+        <translation>その前の時点で、まだ加わっていないものに何かが設定されています</translation>
     </message>
     <message>
         <source>the beginning of the history</source>
-        <translation type="unfinished"></translation>
+        <translation>履歴の始まり</translation>
     </message>
 </context>
 <context>
@@ -1804,11 +1804,11 @@
     </message>
     <message>
         <source>they have too many points</source>
-        <translation type="unfinished"></translation>
+        <translation>点が多すぎます</translation>
     </message>
     <message>
         <source>indices of strokes are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>ストロークの番号が必要です</translation>
     </message>
 </context>
 <context>
@@ -1822,7 +1822,7 @@
     <name>QTimer</name>
     <message>
         <source>Opening %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 を開いています</translation>
     </message>
 </context>
 <context>
@@ -1937,75 +1937,75 @@
     </message>
     <message>
         <source>internode %1 is not on the branch above internode %2</source>
-        <translation type="unfinished"></translation>
+        <translation>節間 %1 は、節間 %2 より先の枝にありません</translation>
     </message>
     <message>
         <source>nothing grew</source>
-        <translation type="unfinished"></translation>
+        <translation>何も成長しませんでした</translation>
     </message>
     <message>
         <source>internode %1 has no bud %2</source>
-        <translation type="unfinished"></translation>
+        <translation>節間 %1 に芽 %2 はありません</translation>
     </message>
     <message>
         <source>%1 hexadecimal digits are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 桁の 16 進数が必要です</translation>
     </message>
     <message>
         <source>a key (“key”) or a place (“at”) is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>キー (「key」) か場所 (「at」) が必要です</translation>
     </message>
     <message>
         <source>there is no internode %1</source>
-        <translation type="unfinished"></translation>
+        <translation>節間 %1 はありません</translation>
     </message>
     <message>
         <source>there is no internode with the key %1</source>
-        <translation type="unfinished"></translation>
+        <translation>キー %1 の節間はありません</translation>
     </message>
     <message>
         <source>there is no internode near (%1, %2, %3) m</source>
-        <translation type="unfinished"></translation>
+        <translation>(%1, %2, %3) m の近くに節間はありません</translation>
     </message>
     <message>
         <source>a whole number from 0 to %1 is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>0 から %1 までの整数が必要です</translation>
     </message>
     <message>
         <source>%1; and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; ほか %2 件</translation>
     </message>
     <message>
         <source>internode 0 is the seedling, which cannot be pruned</source>
-        <translation type="unfinished"></translation>
+        <translation>節間 0 は苗なので、剪定できません</translation>
     </message>
     <message>
         <source>there is no operation “%1”; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」という操作はありません。使えるのは %2 です</translation>
     </message>
     <message>
         <source>there are %1 commands to redo only, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>やり直せるのは %1 回までで、%2 回はできません</translation>
     </message>
     <message>
         <source>there is no envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>外形がありません</translation>
     </message>
     <message>
         <source>internode %1 has no width to take away</source>
-        <translation type="unfinished"></translation>
+        <translation>節間 %1 に解除する太さはありません</translation>
     </message>
     <message>
         <source>the history goes back by %1 only, not by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>履歴を戻れるのは %1 までで、%2 は戻れません</translation>
     </message>
     <message>
         <source>the history goes on by %1 only, not by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>履歴を進めるのは %1 までで、%2 は進めません</translation>
     </message>
     <message>
         <source>there are %1 commands to undo only, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>元に戻せるのは %1 回までで、%2 回はできません</translation>
     </message>
 </context>
 <context>
@@ -2037,70 +2037,70 @@
     <name>Text</name>
     <message>
         <source>it changes “%1”, which never changes</source>
-        <translation type="unfinished"></translation>
+        <translation>変わるはずのない「%1」が変えられています</translation>
     </message>
     <message>
         <source>it changes “%1” of a row that was not there</source>
-        <translation type="unfinished"></translation>
+        <translation>存在しなかった行の「%1」が変えられています</translation>
     </message>
     <message>
         <source>it changes “%1” in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」がありえない値に変えられています</translation>
     </message>
     <message>
         <source>internode %1</source>
-        <translation type="unfinished">節間 %1</translation>
+        <translation>節間 %1</translation>
     </message>
     <message>
         <source>it lies further than %1 m away</source>
-        <translation type="unfinished">%1 m より遠くにあります</translation>
+        <translation>%1 m より遠くにあります</translation>
     </message>
 </context>
 <context>
     <name>Tree</name>
     <message>
         <source>its internode is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>節間がありません</translation>
     </message>
     <message>
         <source>it is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>順序が正しくありません</translation>
     </message>
     <message>
         <source>its place of attachment is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>付く位置が範囲外です</translation>
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation type="unfinished">回転の値が正しくありません</translation>
+        <translation>回転の値が正しくありません</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation type="unfinished">長さが範囲外です</translation>
+        <translation>長さが範囲外です</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation type="unfinished">樹勢が範囲外です</translation>
+        <translation>樹勢が範囲外です</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation type="unfinished">存在しない芽から伸びています</translation>
+        <translation>存在しない芽から伸びています</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation type="unfinished">存在しない芽があります</translation>
+        <translation>存在しない芽があります</translation>
     </message>
     <message>
         <source>its kind is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>種類が不明です</translation>
     </message>
     <message>
         <source>its width is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>太さが範囲外です</translation>
     </message>
     <message>
         <source>its root lies too far away</source>
-        <translation type="unfinished"></translation>
+        <translation>根の位置が遠すぎます</translation>
     </message>
 </context>
 <context>
@@ -2317,7 +2317,7 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 出力の形式は拡張子で決まります。使えるのは .espalier .%2 です</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -2356,67 +2356,102 @@ OUT ends in .espalier (project) or in the ending of a format:
 %1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Espalier: ブラシで木を描きます。
+
+espalier [PROJECT]
+    ウィンドウを開きます。
+
+espalier --demo [RECIPE]
+    ウィンドウを開いて木を 1 本描きます。その木は自由に使えます。
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    ウィンドウなしでレシピを実行し、結果を書き出します。
+    レシピが複数あるときは、それぞれが前の木の続きになります。シードは
+    最初のレシピのものを使い、パラメーターは各レシピの最初に切り替わります。
+    操作の対象が木に見つからないときは、それを表示します。--strict を付けると
+    エラーになり、何も書き出しません。
+
+espalier export PROJECT [-o OUT]...
+    プロジェクトをほかの形式で書き出します。
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    画像を保存します。ディスプレイが必要ですが、仮想のものでかまいません。
+    --transparent: 木だけを、ストレートアルファで保存します。
+    --ground-shadow を付けると、影が半透明の黒で残ります。
+
+espalier info FILE
+    プロジェクトの内容を JSON で表示します。
+
+espalier --help, --version
+
+OUT の拡張子は .espalier (プロジェクト) か、次の形式のいずれかです。
+%1終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
+正しくないときは 3、出力を書き込めないときは 4 です。
+</translation>
     </message>
     <message>
         <source>it died before it was born, or in the future</source>
-        <translation type="unfinished"></translation>
+        <translation>生まれる前か、未来に枯れています</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation type="unfinished">枯れた節間の上に生きています</translation>
+        <translation>枯れた節間の上に生きています</translation>
     </message>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation type="unfinished">木のデータ列の長さがそろっていません</translation>
+        <translation>木のデータ列の長さがそろっていません</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation type="unfinished">木が空か、パラメーターがありません</translation>
+        <translation>木が空か、パラメーターがありません</translation>
     </message>
     <message>
         <source>the tree has more than %1 parameter sets</source>
-        <translation type="unfinished"></translation>
+        <translation>木のパラメーターが %1 組を超えています</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation type="unfinished">苗は根元になければなりません</translation>
+        <translation>苗は根元になければなりません</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation type="unfinished">2 つの節間が同じ軸を継いでいます</translation>
+        <translation>2 つの節間が同じ軸を継いでいます</translation>
     </message>
     <message>
         <source>another internode has its key</source>
-        <translation type="unfinished"></translation>
+        <translation>別の節間が同じキーを持っています</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation type="unfinished">節間 %1: %2</translation>
+        <translation>節間 %1: %2</translation>
     </message>
     <message>
         <source>the columns of the placed leaves have different lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>配置した葉のデータ列の長さがそろっていません</translation>
     </message>
     <message>
         <source>its internode is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>節間がありません</translation>
     </message>
     <message>
         <source>placed leaf %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>配置した葉 %1: %2</translation>
     </message>
     <message>
         <source>entry %1 of “%2”: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>「%2」の項目 %1: %3</translation>
     </message>
     <message>
         <source>lasso %1: its plane or its points are not valid</source>
-        <translation type="unfinished"></translation>
+        <translation>投げ縄 %1: 描画面か点が正しくありません</translation>
     </message>
     <message>
         <source>the lassos in force are out of order</source>
-        <translation type="unfinished">有効な投げ縄の順序が正しくありません</translation>
+        <translation>有効な投げ縄の順序が正しくありません</translation>
     </message>
 </context>
 <context>
@@ -2442,7 +2477,7 @@ unreadable or wrong, 4 when an output could not be written.
     <name>espalier::Autosave</name>
     <message>
         <source>A tree that was never saved</source>
-        <translation type="unfinished">未保存の木</translation>
+        <translation>未保存の木</translation>
     </message>
 </context>
 <context>
@@ -2734,19 +2769,19 @@ unreadable or wrong, 4 when an output could not be written.
     </message>
     <message>
         <source>%1 was moved or deleted by another program. The tree is still here; save it to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 は別のプログラムで移動または削除されました。木はまだここにあります。残すには保存してください。</translation>
     </message>
     <message>
         <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 は別のウィンドウかプログラムで変更されました。ここで保存すると、その変更を置き換える前に確認します。</translation>
     </message>
     <message>
         <source>Open Again</source>
-        <translation type="unfinished"></translation>
+        <translation>開き直す</translation>
     </message>
     <message>
         <source>Keep This</source>
-        <translation type="unfinished"></translation>
+        <translation>今の木を残す</translation>
     </message>
 </context>
 <context>
@@ -3094,7 +3129,7 @@ unreadable or wrong, 4 when an output could not be written.
     </message>
     <message>
         <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>レシピの操作 %2 個のうち %1 個で、することがないか、指定したものがすべては見つかりませんでした: %3</translation>
     </message>
 </context>
 <context>
@@ -3141,23 +3176,23 @@ unreadable or wrong, 4 when an output could not be written.
     <name>espalier::Recovery</name>
     <message>
         <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 の控えを読み込めません。控えは %3 に残してあります。%2</translation>
     </message>
     <message>
         <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Espalier が予期せず終了しました。%1 を %2 の状態に復元できます。</translation>
     </message>
     <message>
         <source>Bring Back</source>
-        <translation type="unfinished">復元</translation>
+        <translation>復元</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished">破棄</translation>
+        <translation>破棄</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>後で</translation>
     </message>
 </context>
 <context>

@@ -338,7 +338,7 @@
     <name>CommandLine</name>
     <message>
         <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
-        <translation type="unfinished"></translation>
+        <translation>--strict: nic nie zapisano, bo operacje nie znalazły nic do zrobienia albo nie wszystko, co wymieniają</translation>
     </message>
 </context>
 <context>
@@ -414,19 +414,19 @@
     <name>ExportFormat</name>
     <message>
         <source>FBX</source>
-        <translation type="unfinished">FBX</translation>
+        <translation>FBX</translation>
     </message>
     <message>
         <source>Binary glTF</source>
-        <translation type="unfinished">Binarny glTF</translation>
+        <translation>Binarny glTF</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
-        <translation type="unfinished">Wavefront OBJ</translation>
+        <translation>Wavefront OBJ</translation>
     </message>
     <message>
         <source>Skeleton as a table</source>
-        <translation type="unfinished">Szkielet jako tabela</translation>
+        <translation>Szkielet jako tabela</translation>
     </message>
 </context>
 <context>
@@ -445,15 +445,15 @@
     </message>
     <message>
         <source>there are too many files of similar names in its folder; choose another name or another folder</source>
-        <translation type="unfinished"></translation>
+        <translation>w jego folderze jest zbyt wiele plików o podobnych nazwach; wybrać inną nazwę lub inny folder</translation>
     </message>
     <message>
         <source>another program made this file during the export; export again, and another name will be chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>inny program utworzył ten plik podczas eksportu; wyeksportować ponownie, a zostanie wybrana inna nazwa</translation>
     </message>
     <message>
         <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
-        <translation type="unfinished"></translation>
+        <translation>drzewo zajmuje więcej niż 4 GB, które mieści taki plik; wyeksportować mniej szczegółów</translation>
     </message>
 </context>
 <context>
@@ -467,110 +467,110 @@
     <name>FileDialogs</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Otwieranie</translation>
     </message>
     <message>
         <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation type="unfinished">Drzewa i przepisy (*.espalier *.json);;Drzewa (*.espalier);;Przepisy (*.json);;Wszystkie pliki (*)</translation>
+        <translation>Drzewa i przepisy (*.espalier *.json);;Drzewa (*.espalier);;Przepisy (*.json);;Wszystkie pliki (*)</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisywanie</translation>
     </message>
     <message>
         <source>Trees (*.espalier)</source>
-        <translation type="unfinished">Drzewa (*.espalier)</translation>
+        <translation>Drzewa (*.espalier)</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished">Eksport</translation>
+        <translation>Eksport</translation>
     </message>
     <message>
         <source>Espalier</source>
-        <translation type="unfinished">Espalier</translation>
+        <translation>Espalier</translation>
     </message>
     <message>
         <source>%1 is still growing. What has grown so far is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1” jeszcze rośnie. To, co dotąd wyrosło, nie jest zapisane.</translation>
     </message>
     <message>
         <source>%1 has changes that are not saved.</source>
-        <translation type="unfinished">„%1” ma niezapisane zmiany.</translation>
+        <translation>„%1” ma niezapisane zmiany.</translation>
     </message>
     <message>
         <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plik %1 zmieniono w innym oknie lub programie, odkąd go tu otwarto lub zapisano. Nadpisanie usuwa te zmiany.</translation>
     </message>
     <message>
         <source>Save As…</source>
-        <translation type="unfinished">Zapisz jako…</translation>
+        <translation>Zapisz jako…</translation>
     </message>
     <message>
         <source>Overwrite</source>
-        <translation type="unfinished"></translation>
+        <translation>Nadpisz</translation>
     </message>
 </context>
 <context>
     <name>FileWriter</name>
     <message>
         <source>the folder %1 does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>folder %1 nie istnieje</translation>
     </message>
     <message>
         <source>%1 is no folder</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nie jest folderem</translation>
     </message>
     <message>
         <source>there is a folder of this name</source>
-        <translation type="unfinished"></translation>
+        <translation>istnieje folder o tej nazwie</translation>
     </message>
     <message>
         <source>you may not write into the folder %1</source>
-        <translation type="unfinished"></translation>
+        <translation>brak uprawnień do zapisu w folderze %1</translation>
     </message>
     <message>
         <source>you may not change this file</source>
-        <translation type="unfinished"></translation>
+        <translation>brak uprawnień do zmiany tego pliku</translation>
     </message>
     <message>
         <source>the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>dysk jest pełny</translation>
     </message>
     <message>
         <source>your share of the disk is full</source>
-        <translation type="unfinished"></translation>
+        <translation>przydzielona część dysku jest pełna</translation>
     </message>
     <message>
         <source>the disk can only be read</source>
-        <translation type="unfinished"></translation>
+        <translation>dysk jest tylko do odczytu</translation>
     </message>
     <message>
         <source>you may not write here</source>
-        <translation type="unfinished"></translation>
+        <translation>brak uprawnień do zapisu w tym miejscu</translation>
     </message>
     <message>
         <source>the file is too large for this disk</source>
-        <translation type="unfinished"></translation>
+        <translation>plik jest za duży na ten dysk</translation>
     </message>
     <message>
         <source>the disk is faulty</source>
-        <translation type="unfinished"></translation>
+        <translation>dysk jest uszkodzony</translation>
     </message>
     <message>
         <source>the name is too long</source>
-        <translation type="unfinished"></translation>
+        <translation>nazwa jest za długa</translation>
     </message>
     <message>
         <source>too many files are open</source>
-        <translation type="unfinished"></translation>
+        <translation>zbyt wiele plików jest otwartych</translation>
     </message>
     <message>
         <source>the system does not say why</source>
-        <translation type="unfinished"></translation>
+        <translation>system nie podaje przyczyny</translation>
     </message>
     <message>
         <source>a file needs a name</source>
-        <translation type="unfinished"></translation>
+        <translation>plik musi mieć nazwę</translation>
     </message>
 </context>
 <context>
@@ -687,27 +687,27 @@
     </message>
     <message>
         <source>it brings strokes that are not there</source>
-        <translation type="unfinished"></translation>
+        <translation>wnosi obrysy, których nie ma</translation>
     </message>
     <message>
         <source>it places a leaf on an internode that is not there</source>
-        <translation type="unfinished"></translation>
+        <translation>umieszcza liść na międzywęźlu, którego nie ma</translation>
     </message>
     <message>
         <source>it sets “%1” in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>ustala „%1” w niemożliwy sposób</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>zmienia obwiednię w niemożliwy sposób</translation>
     </message>
     <message>
         <source>something is set before it on what it brings</source>
-        <translation type="unfinished"></translation>
+        <translation>przed nim coś ustalono na tym, co dopiero on wnosi</translation>
     </message>
     <message>
         <source>the beginning of the history</source>
-        <translation type="unfinished"></translation>
+        <translation>początek historii</translation>
     </message>
 </context>
 <context>
@@ -1804,11 +1804,11 @@
     </message>
     <message>
         <source>they have too many points</source>
-        <translation type="unfinished"></translation>
+        <translation>mają zbyt wiele punktów</translation>
     </message>
     <message>
         <source>indices of strokes are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>oczekiwano indeksów obrysów</translation>
     </message>
 </context>
 <context>
@@ -1822,7 +1822,7 @@
     <name>QTimer</name>
     <message>
         <source>Opening %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Otwieranie %1</translation>
     </message>
 </context>
 <context>
@@ -1937,75 +1937,75 @@
     </message>
     <message>
         <source>internode %1 is not on the branch above internode %2</source>
-        <translation type="unfinished"></translation>
+        <translation>międzywęźle %1 nie leży na gałęzi powyżej międzywęźla %2</translation>
     </message>
     <message>
         <source>nothing grew</source>
-        <translation type="unfinished"></translation>
+        <translation>nic nie wyrosło</translation>
     </message>
     <message>
         <source>internode %1 has no bud %2</source>
-        <translation type="unfinished"></translation>
+        <translation>międzywęźle %1 nie ma pąka %2</translation>
     </message>
     <message>
         <source>%1 hexadecimal digits are expected</source>
-        <translation type="unfinished"></translation>
+        <translation>oczekiwano %1 cyfr szesnastkowych</translation>
     </message>
     <message>
         <source>a key (“key”) or a place (“at”) is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>oczekiwano klucza („key”) lub miejsca („at”)</translation>
     </message>
     <message>
         <source>there is no internode %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma międzywęźla %1</translation>
     </message>
     <message>
         <source>there is no internode with the key %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma międzywęźla o kluczu %1</translation>
     </message>
     <message>
         <source>there is no internode near (%1, %2, %3) m</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma międzywęźla w pobliżu (%1, %2, %3) m</translation>
     </message>
     <message>
         <source>a whole number from 0 to %1 is expected</source>
-        <translation type="unfinished"></translation>
+        <translation>oczekiwano liczby całkowitej od 0 do %1</translation>
     </message>
     <message>
         <source>%1; and %2 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; i jeszcze %2</translation>
     </message>
     <message>
         <source>internode 0 is the seedling, which cannot be pruned</source>
-        <translation type="unfinished"></translation>
+        <translation>międzywęźle 0 to siewka, której nie można odciąć</translation>
     </message>
     <message>
         <source>there is no operation “%1”; there are %2</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma operacji „%1”; są %2</translation>
     </message>
     <message>
         <source>there are %1 commands to redo only, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>poleceń do ponowienia jest tylko %1, a nie %2</translation>
     </message>
     <message>
         <source>there is no envelope</source>
-        <translation type="unfinished"></translation>
+        <translation>nie ma obwiedni</translation>
     </message>
     <message>
         <source>internode %1 has no width to take away</source>
-        <translation type="unfinished"></translation>
+        <translation>międzywęźle %1 nie ma grubości do usunięcia</translation>
     </message>
     <message>
         <source>the history goes back by %1 only, not by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>historia sięga wstecz tylko o %1, a nie o %2</translation>
     </message>
     <message>
         <source>the history goes on by %1 only, not by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>historia sięga naprzód tylko o %1, a nie o %2</translation>
     </message>
     <message>
         <source>there are %1 commands to undo only, not %2</source>
-        <translation type="unfinished"></translation>
+        <translation>poleceń do cofnięcia jest tylko %1, a nie %2</translation>
     </message>
 </context>
 <context>
@@ -2037,70 +2037,70 @@
     <name>Text</name>
     <message>
         <source>it changes “%1”, which never changes</source>
-        <translation type="unfinished"></translation>
+        <translation>zmienia „%1”, co nigdy się nie zmienia</translation>
     </message>
     <message>
         <source>it changes “%1” of a row that was not there</source>
-        <translation type="unfinished"></translation>
+        <translation>zmienia „%1” w wierszu, którego nie było</translation>
     </message>
     <message>
         <source>it changes “%1” in a way that is not possible</source>
-        <translation type="unfinished"></translation>
+        <translation>zmienia „%1” w niemożliwy sposób</translation>
     </message>
     <message>
         <source>internode %1</source>
-        <translation type="unfinished">międzywęźle %1</translation>
+        <translation>międzywęźle %1</translation>
     </message>
     <message>
         <source>it lies further than %1 m away</source>
-        <translation type="unfinished">leży dalej niż %1 m od początku układu</translation>
+        <translation>leży dalej niż %1 m od początku układu</translation>
     </message>
 </context>
 <context>
     <name>Tree</name>
     <message>
         <source>its internode is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>brak jego międzywęźla</translation>
     </message>
     <message>
         <source>it is out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>jest w złej kolejności</translation>
     </message>
     <message>
         <source>its place of attachment is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>jego miejsce osadzenia jest poza zakresem</translation>
     </message>
     <message>
         <source>its rotation is not one</source>
-        <translation type="unfinished">jego obrót nie jest obrotem</translation>
+        <translation>jego obrót nie jest obrotem</translation>
     </message>
     <message>
         <source>its length is out of range</source>
-        <translation type="unfinished">jego długość jest poza zakresem</translation>
+        <translation>jego długość jest poza zakresem</translation>
     </message>
     <message>
         <source>its vigour is out of range</source>
-        <translation type="unfinished">jego wigor jest poza zakresem</translation>
+        <translation>jego wigor jest poza zakresem</translation>
     </message>
     <message>
         <source>it grows from a bud that does not exist</source>
-        <translation type="unfinished">wyrasta z pąka, który nie istnieje</translation>
+        <translation>wyrasta z pąka, który nie istnieje</translation>
     </message>
     <message>
         <source>it has a bud that does not exist</source>
-        <translation type="unfinished">ma pąk, który nie istnieje</translation>
+        <translation>ma pąk, który nie istnieje</translation>
     </message>
     <message>
         <source>its kind is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>jego rodzaj jest nieznany</translation>
     </message>
     <message>
         <source>its width is out of range</source>
-        <translation type="unfinished"></translation>
+        <translation>jego grubość jest poza zakresem</translation>
     </message>
     <message>
         <source>its root lies too far away</source>
-        <translation type="unfinished"></translation>
+        <translation>jego korzeń leży za daleko</translation>
     </message>
 </context>
 <context>
@@ -2317,7 +2317,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .%2</translation>
     </message>
     <message>
         <source>Espalier: brush trees into being.
@@ -2356,67 +2356,102 @@ OUT ends in .espalier (project) or in the ending of a format:
 %1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Espalier: malowanie drzew.
+
+espalier [PROJEKT]
+    Otwiera okno.
+
+espalier --demo [PRZEPIS]
+    Otwiera okno i maluje w nim drzewo, po czym je oddaje.
+
+espalier replay PRZEPIS... [-o WYNIK]... [--png PLIK] [--size SxW]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats PLIK] [--threads N] [--seed N] [--strict]
+    Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
+    Przy kilku przepisach każdy prowadzi dalej drzewo poprzedniego: pierwszy
+    podaje ziarno, a każdy na początku wprowadza swoje parametry.
+    To, czego operacje nie znajdują w drzewie, jest wypisywane; z --strict jest
+    to błąd i nic nie zostaje zapisane.
+
+espalier export PROJEKT [-o WYNIK]...
+    Zapisuje projekt w innych formatach.
+
+espalier render PROJEKT --png PLIK [--size SxW] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Tworzy obraz. Wymaga ekranu; wystarczy wirtualny.
+    --transparent: samo drzewo, z prostym kanałem alfa; --ground-shadow
+    zachowuje jego cień jako czerń o pewnym kryciu.
+
+espalier info PLIK
+    Podaje jako JSON, co jest w projekcie.
+
+espalier --help, --version
+
+WYNIK kończy się na .espalier (projekt) lub na rozszerzenie formatu:
+%1Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
+da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
+</translation>
     </message>
     <message>
         <source>it died before it was born, or in the future</source>
-        <translation type="unfinished"></translation>
+        <translation>obumarcie przypada przed powstaniem albo w przyszłości</translation>
     </message>
     <message>
         <source>it lives on a dead internode</source>
-        <translation type="unfinished">żyje na martwym międzywęźlu</translation>
+        <translation>żyje na martwym międzywęźlu</translation>
     </message>
     <message>
         <source>the columns of the tree have different lengths</source>
-        <translation type="unfinished">kolumny drzewa mają różne długości</translation>
+        <translation>kolumny drzewa mają różne długości</translation>
     </message>
     <message>
         <source>the tree is empty or lacks its parameters</source>
-        <translation type="unfinished">drzewo jest puste lub nie ma parametrów</translation>
+        <translation>drzewo jest puste lub nie ma parametrów</translation>
     </message>
     <message>
         <source>the tree has more than %1 parameter sets</source>
-        <translation type="unfinished"></translation>
+        <translation>drzewo ma więcej niż %1 zestawów parametrów</translation>
     </message>
     <message>
         <source>the seedling must stand at the base</source>
-        <translation type="unfinished">siewka musi stać u podstawy</translation>
+        <translation>siewka musi stać u podstawy</translation>
     </message>
     <message>
         <source>two internodes continue the same axis</source>
-        <translation type="unfinished">dwa międzywęźla przedłużają tę samą oś</translation>
+        <translation>dwa międzywęźla przedłużają tę samą oś</translation>
     </message>
     <message>
         <source>another internode has its key</source>
-        <translation type="unfinished"></translation>
+        <translation>inne międzywęźle ma ten sam klucz</translation>
     </message>
     <message>
         <source>internode %1: %2</source>
-        <translation type="unfinished">międzywęźle %1: %2</translation>
+        <translation>międzywęźle %1: %2</translation>
     </message>
     <message>
         <source>the columns of the placed leaves have different lengths</source>
-        <translation type="unfinished"></translation>
+        <translation>kolumny umieszczonych liści mają różne długości</translation>
     </message>
     <message>
         <source>its internode is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>brak jego międzywęźla</translation>
     </message>
     <message>
         <source>placed leaf %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>umieszczony liść %1: %2</translation>
     </message>
     <message>
         <source>entry %1 of “%2”: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>wpis %1 w „%2”: %3</translation>
     </message>
     <message>
         <source>lasso %1: its plane or its points are not valid</source>
-        <translation type="unfinished"></translation>
+        <translation>lasso %1: jego płaszczyzna lub punkty są nieprawidłowe</translation>
     </message>
     <message>
         <source>the lassos in force are out of order</source>
-        <translation type="unfinished">obowiązujące obrysy lassa są w złej kolejności</translation>
+        <translation>obowiązujące obrysy lassa są w złej kolejności</translation>
     </message>
 </context>
 <context>
@@ -2442,7 +2477,7 @@ unreadable or wrong, 4 when an output could not be written.
     <name>espalier::Autosave</name>
     <message>
         <source>A tree that was never saved</source>
-        <translation type="unfinished">drzewo, którego nigdy nie zapisano</translation>
+        <translation>drzewo, którego nigdy nie zapisano</translation>
     </message>
 </context>
 <context>
@@ -2734,19 +2769,19 @@ unreadable or wrong, 4 when an output could not be written.
     </message>
     <message>
         <source>%1 was moved or deleted by another program. The tree is still here; save it to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plik %1 został przeniesiony lub usunięty przez inny program. Drzewo nadal tu jest; zapisać je, aby je zachować.</translation>
     </message>
     <message>
         <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plik %1 zmieniono w innym oknie lub programie. Przy zapisie pojawi się tu pytanie, zanim te zmiany zostaną zastąpione.</translation>
     </message>
     <message>
         <source>Open Again</source>
-        <translation type="unfinished"></translation>
+        <translation>Otwórz ponownie</translation>
     </message>
     <message>
         <source>Keep This</source>
-        <translation type="unfinished"></translation>
+        <translation>Zachowaj to</translation>
     </message>
 </context>
 <context>
@@ -3094,7 +3129,7 @@ unreadable or wrong, 4 when an output could not be written.
     </message>
     <message>
         <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Operacje przepisu, które nie znalazły nic do zrobienia albo nie wszystko, co wymieniają (%1 z %2): %3</translation>
     </message>
 </context>
 <context>
@@ -3141,23 +3176,23 @@ unreadable or wrong, 4 when an output could not be written.
     <name>espalier::Recovery</name>
     <message>
         <source>The safety copy of %1 cannot be read. %2 It is kept as %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie można odczytać kopii zapasowej (%1). Zachowano ją jako %3. %2</translation>
     </message>
     <message>
         <source>Espalier ended unexpectedly. %1 can be brought back as it was on %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Espalier niespodziewanie zakończył pracę. Można przywrócić stan z %2: %1.</translation>
     </message>
     <message>
         <source>Bring Back</source>
-        <translation type="unfinished">Przywróć</translation>
+        <translation>Przywróć</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished">Odrzuć</translation>
+        <translation>Odrzuć</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Później</translation>
     </message>
 </context>
 <context>
