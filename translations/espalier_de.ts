@@ -340,6 +340,141 @@
         <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
         <translation>--strict: nichts wird geschrieben, da Operationen nichts zu tun fanden oder nicht alles, was sie nennen</translation>
     </message>
+    <message>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <translation>--size verlangt BREITExHÖHE von bis zu %1 Pixeln je Kante, nicht &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
+        <translation>%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .%2</translation>
+    </message>
+    <message>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <translation>--camera ist front, side, top oder three-quarter, nicht &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <translation>--threads verlangt eine Zahl von 1 bis %1, nicht &quot;%2&quot;</translation>
+    </message>
+    <message>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <translation>--seed verlangt eine ganze Zahl von 0 bis 18446744073709551615, nicht &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1 knows no option %2</source>
+        <translation>%1 kennt keine Option %2</translation>
+    </message>
+    <message>
+        <source>%1 wants no value</source>
+        <translation>%1 verlangt keinen Wert</translation>
+    </message>
+    <message>
+        <source>%1 wants a value after it</source>
+        <translation>%1 verlangt einen Wert dahinter</translation>
+    </message>
+    <message>
+        <source>--transparent wants --png FILE</source>
+        <translation>--transparent verlangt --png DATEI</translation>
+    </message>
+    <message>
+        <source>--ground-shadow wants --transparent</source>
+        <translation>--ground-shadow verlangt --transparent</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe</source>
+        <translation>replay verlangt mindestens ein Rezept</translation>
+    </message>
+    <message>
+        <source>%1 wants one project</source>
+        <translation>%1 verlangt ein Projekt</translation>
+    </message>
+    <message>
+        <source>render wants --png FILE</source>
+        <translation>render verlangt --png DATEI</translation>
+    </message>
+    <message>
+        <source>info wants one file</source>
+        <translation>info verlangt eine Datei</translation>
+    </message>
+    <message>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <translation>ein Fenster zeigt eine Datei, was ist also &quot;%1&quot;?</translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+    What operations do not find in the tree is printed; with --strict it is an
+    error, and nothing is written.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project) or in the ending of a format:
+%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation>Espalier: Bäume mit dem Pinsel wachsen lassen.
+
+espalier [PROJEKT]
+    Öffnet das Fenster.
+
+espalier --demo [REZEPT]
+    Öffnet das Fenster und pinselt einen Baum darin; danach gehört er Ihnen.
+
+espalier replay REZEPT... [-o AUSGABE]... [--png DATEI] [--size BxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats DATEI] [--threads N] [--seed N] [--strict]
+    Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
+    Von mehreren Rezepten setzt jedes den Baum des vorigen fort: das erste
+    bestimmt den Startwert, und jedes setzt zu Beginn seine Parameter in Kraft.
+    Was Operationen im Baum nicht finden, wird ausgegeben; mit --strict ist es
+    ein Fehler, und nichts wird geschrieben.
+
+espalier export PROJEKT [-o AUSGABE]...
+    Schreibt ein Projekt in anderen Formaten.
+
+espalier render PROJEKT --png DATEI [--size BxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Nimmt ein Bild auf. Das verlangt eine Anzeige; eine virtuelle genügt.
+    --transparent: der Baum allein, mit nicht vormultipliziertem Alpha;
+    --ground-shadow behält seinen Schatten, als Schwarz mit etwas Deckkraft.
+
+espalier info DATEI
+    Sagt als JSON, was in einem Projekt ist.
+
+espalier --help, --version
+
+AUSGABE endet auf .espalier (Projekt) oder auf die Endung eines Formats:
+%1Endet mit 0, wenn alles getan ist, mit 2, wenn die Befehlszeile falsch ist, mit
+3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
+geschrieben werden konnte.
+</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -622,30 +757,6 @@
         <translation>die Geburten sind nicht in der richtigen Reihenfolge</translation>
     </message>
     <message>
-        <source>it changes buds that were not there</source>
-        <translation type="vanished">ändert Knospen, die nicht da waren</translation>
-    </message>
-    <message>
-        <source>it changes buds in a way that cannot be</source>
-        <translation type="vanished">ändert Knospen auf unmögliche Weise</translation>
-    </message>
-    <message>
-        <source>it bends an internode that was not there</source>
-        <translation type="vanished">biegt ein Internodium, das nicht da war</translation>
-    </message>
-    <message>
-        <source>it bends an internode in a way that cannot be</source>
-        <translation type="vanished">biegt ein Internodium auf unmögliche Weise</translation>
-    </message>
-    <message>
-        <source>it sets a width in a way that cannot be</source>
-        <translation type="vanished">legt eine Dicke auf unmögliche Weise fest</translation>
-    </message>
-    <message>
-        <source>it changes an envelope in a way that cannot be</source>
-        <translation type="vanished">ändert eine Hülle auf unmögliche Weise</translation>
-    </message>
-    <message>
         <source>it lets an internode die that did not</source>
         <translation>lässt ein Internodium sterben, das nicht gestorben ist</translation>
     </message>
@@ -658,10 +769,6 @@
         <translation>bringt ein Internodium zu einer anderen Zeit hervor</translation>
     </message>
     <message>
-        <source>it bears an internode after what grows on it</source>
-        <translation type="vanished">bringt ein Internodium nach dem hervor, was darauf wächst</translation>
-    </message>
-    <message>
         <source>before it, an internode would live on a dead one</source>
         <translation>davor würde ein Internodium auf einem toten leben</translation>
     </message>
@@ -670,20 +777,8 @@
         <translation>davor würden zwei Internodien dieselbe Achse fortsetzen</translation>
     </message>
     <message>
-        <source>it changes the buds of a dead internode</source>
-        <translation type="vanished">ändert die Knospen eines toten Internodiums</translation>
-    </message>
-    <message>
-        <source>internode %1 has no beginning or no end in the history</source>
-        <translation type="vanished">Internodium %1 hat in der Geschichte keinen Anfang oder kein Ende</translation>
-    </message>
-    <message>
         <source>step %1 of the history</source>
         <translation>Schritt %1 der Geschichte</translation>
-    </message>
-    <message>
-        <source>the history</source>
-        <translation type="vanished">die Geschichte</translation>
     </message>
     <message>
         <source>it brings strokes that are not there</source>
@@ -692,10 +787,6 @@
     <message>
         <source>it places a leaf on an internode that is not there</source>
         <translation>setzt ein Blatt auf ein Internodium, das es nicht gibt</translation>
-    </message>
-    <message>
-        <source>it sets “%1” in a way that is not possible</source>
-        <translation>legt „%1“ auf unmögliche Weise fest</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that is not possible</source>
@@ -708,6 +799,18 @@
     <message>
         <source>the beginning of the history</source>
         <translation>der Anfang der Geschichte</translation>
+    </message>
+    <message>
+        <source>it changes “%1”, which never changes</source>
+        <translation>ändert „%1“, was sich nie ändert</translation>
+    </message>
+    <message>
+        <source>it changes “%1” of a row that was not there</source>
+        <translation>ändert „%1“ einer Zeile, die nicht da war</translation>
+    </message>
+    <message>
+        <source>it changes “%1” in a way that is not possible</source>
+        <translation>ändert „%1“ auf unmögliche Weise</translation>
     </message>
 </context>
 <context>
@@ -1763,14 +1866,6 @@
         <translation>1 bis %1 Sätze werden erwartet</translation>
     </message>
     <message>
-        <source>internode %1</source>
-        <translation type="vanished">Internodium %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation type="vanished">liegt weiter als %1 m entfernt</translation>
-    </message>
-    <message>
         <source>the lassos</source>
         <translation>die Lassos</translation>
     </message>
@@ -1819,13 +1914,6 @@
     </message>
 </context>
 <context>
-    <name>QTimer</name>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
-    </message>
-</context>
-<context>
     <name>Recipe</name>
     <message>
         <source>there is no such bud</source>
@@ -1838,10 +1926,6 @@
     <message>
         <source>a number other than 0 is expected</source>
         <translation>eine andere Zahl als 0 wird erwartet</translation>
-    </message>
-    <message>
-        <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation type="vanished">es gibt keine Operation „%1“; es gibt setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow und removeLasso</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1874,10 +1958,6 @@
     <message>
         <source>1 to %1 internodes are expected</source>
         <translation>1 bis %1 Internodien werden erwartet</translation>
-    </message>
-    <message>
-        <source>a list of internodes&apos; numbers is expected</source>
-        <translation type="vanished">eine Liste von Internodiennummern wird erwartet</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
@@ -2036,18 +2116,6 @@
 <context>
     <name>Text</name>
     <message>
-        <source>it changes “%1”, which never changes</source>
-        <translation>ändert „%1“, was sich nie ändert</translation>
-    </message>
-    <message>
-        <source>it changes “%1” of a row that was not there</source>
-        <translation>ändert „%1“ einer Zeile, die nicht da war</translation>
-    </message>
-    <message>
-        <source>it changes “%1” in a way that is not possible</source>
-        <translation>ändert „%1“ auf unmögliche Weise</translation>
-    </message>
-    <message>
         <source>internode %1</source>
         <translation>Internodium %1</translation>
     </message>
@@ -2102,74 +2170,9 @@
         <source>its root lies too far away</source>
         <translation>die Wurzel liegt zu weit entfernt</translation>
     </message>
-</context>
-<context>
-    <name>WidthTool</name>
-    <message>
-        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
-        <translation>Einen Ast antippen, um seine Dicke festzuhalten; an den Enden des Griffs ziehen, um sie zu ändern</translation>
-    </message>
-</context>
-<context>
-    <name>ZipArchive</name>
-    <message>
-        <source>the archive could not be packed: %1</source>
-        <translation>das Archiv konnte nicht gepackt werden: %1</translation>
-    </message>
-    <message>
-        <source>it is damaged</source>
-        <translation>ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it is no project file, or a damaged one (%1)</source>
-        <translation>keine Projektdatei, oder eine beschädigte (%1)</translation>
-    </message>
-    <message>
-        <source>it is no project file: it is empty</source>
-        <translation>keine Projektdatei: sie ist leer</translation>
-    </message>
-    <message>
-        <source>it is missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, but %2 are expected</source>
-        <translation>hat %1 Bytes, aber %2 werden erwartet</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 bytes</source>
-        <translation>ist größer als %1 Bytes</translation>
-    </message>
-</context>
-<context>
-    <name>espalier</name>
     <message>
         <source>its parent does not come before it</source>
         <translation>der Träger kommt nicht davor</translation>
-    </message>
-    <message>
-        <source>its rotation is not one</source>
-        <translation type="vanished">die Drehung ist keine</translation>
-    </message>
-    <message>
-        <source>its length is out of range</source>
-        <translation type="vanished">die Länge liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>its vigour is out of range</source>
-        <translation type="vanished">die Wuchskraft liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>it grows from a bud that does not exist</source>
-        <translation type="vanished">wächst aus einer Knospe, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>it has a bud that does not exist</source>
-        <translation type="vanished">hat eine Knospe, die es nicht gibt</translation>
-    </message>
-    <message>
-        <source>it is neither there nor away</source>
-        <translation type="vanished">ist weder da noch weg</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
@@ -2178,222 +2181,6 @@
     <message>
         <source>it was born in the future</source>
         <translation>wurde in der Zukunft geboren</translation>
-    </message>
-    <message>
-        <source>it died before it was born</source>
-        <translation type="vanished">starb vor der eigenen Geburt</translation>
-    </message>
-    <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
-        <translation>--size verlangt BREITExHÖHE von bis zu %1 Pixeln je Kante, nicht &quot;%2&quot;</translation>
-    </message>
-    <message>
-        <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation type="vanished">%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .obj .fbx .glb .csv</translation>
-    </message>
-    <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
-        <translation>--camera ist front, side, top oder three-quarter, nicht &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
-        <translation>--threads verlangt eine Zahl von 1 bis %1, nicht &quot;%2&quot;</translation>
-    </message>
-    <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
-        <translation>--seed verlangt eine ganze Zahl von 0 bis 18446744073709551615, nicht &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>%1 knows no option %2</source>
-        <translation>%1 kennt keine Option %2</translation>
-    </message>
-    <message>
-        <source>%1 wants no value</source>
-        <translation>%1 verlangt keinen Wert</translation>
-    </message>
-    <message>
-        <source>%1 wants a value after it</source>
-        <translation>%1 verlangt einen Wert dahinter</translation>
-    </message>
-    <message>
-        <source>--transparent wants --png FILE</source>
-        <translation>--transparent verlangt --png DATEI</translation>
-    </message>
-    <message>
-        <source>--ground-shadow wants --transparent</source>
-        <translation>--ground-shadow verlangt --transparent</translation>
-    </message>
-    <message>
-        <source>replay wants at least one recipe</source>
-        <translation>replay verlangt mindestens ein Rezept</translation>
-    </message>
-    <message>
-        <source>%1 wants one project</source>
-        <translation>%1 verlangt ein Projekt</translation>
-    </message>
-    <message>
-        <source>render wants --png FILE</source>
-        <translation>render verlangt --png DATEI</translation>
-    </message>
-    <message>
-        <source>info wants one file</source>
-        <translation>info verlangt eine Datei</translation>
-    </message>
-    <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
-        <translation>ein Fenster zeigt eine Datei, was ist also &quot;%1&quot;?</translation>
-    </message>
-    <message>
-        <source>Espalier: brush trees into being.
-
-espalier [PROJECT]
-    Opens the window.
-
-espalier --demo [RECIPE]
-    Opens the window and brushes a tree in it; then it is yours.
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N]
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
-
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Takes a picture. It wants a display; a virtual one will do.
-    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
-
-espalier info FILE
-    Says as JSON what is in a project.
-
-espalier --help, --version
-
-OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and
-textures) or .csv (skeleton).
-Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
-unreadable or wrong, 4 when an output could not be written.
-</source>
-        <translation type="vanished">Espalier: Bäume mit dem Pinsel wachsen lassen.
-
-espalier [PROJEKT]
-    Öffnet das Fenster.
-
-espalier --demo [REZEPT]
-    Öffnet das Fenster und pinselt einen Baum darin; danach gehört er Ihnen.
-
-espalier replay REZEPT... [-o AUSGABE]... [--png DATEI] [--size BxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats DATEI] [--threads N] [--seed N]
-    Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
-    Von mehreren Rezepten setzt jedes den Baum des vorigen fort: das erste
-    bestimmt den Startwert, und jedes setzt zu Beginn seine Parameter in Kraft.
-
-espalier export PROJEKT [-o AUSGABE]...
-    Schreibt ein Projekt in anderen Formaten.
-
-espalier render PROJEKT --png DATEI [--size BxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Nimmt ein Bild auf. Das verlangt eine Anzeige; eine virtuelle genügt.
-    --transparent: der Baum allein, mit nicht vormultipliziertem Alpha;
-    --ground-shadow behält seinen Schatten, als Schwarz mit etwas Deckkraft.
-
-espalier info DATEI
-    Sagt als JSON, was in einem Projekt ist.
-
-espalier --help, --version
-
-AUSGABE endet auf .espalier (Projekt), .obj, .fbx, .glb (Netze mit Blättern und
-Texturen) oder .csv (Skelett).
-Endet mit 0, wenn alles getan ist, mit 2, wenn die Befehlszeile falsch ist, mit
-3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
-geschrieben werden konnte.
-</translation>
-    </message>
-    <message>
-        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
-        <translation>%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .%2</translation>
-    </message>
-    <message>
-        <source>Espalier: brush trees into being.
-
-espalier [PROJECT]
-    Opens the window.
-
-espalier --demo [RECIPE]
-    Opens the window and brushes a tree in it; then it is yours.
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
-    What operations do not find in the tree is printed; with --strict it is an
-    error, and nothing is written.
-
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Takes a picture. It wants a display; a virtual one will do.
-    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
-
-espalier info FILE
-    Says as JSON what is in a project.
-
-espalier --help, --version
-
-OUT ends in .espalier (project) or in the ending of a format:
-%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
-unreadable or wrong, 4 when an output could not be written.
-</source>
-        <translation>Espalier: Bäume mit dem Pinsel wachsen lassen.
-
-espalier [PROJEKT]
-    Öffnet das Fenster.
-
-espalier --demo [REZEPT]
-    Öffnet das Fenster und pinselt einen Baum darin; danach gehört er Ihnen.
-
-espalier replay REZEPT... [-o AUSGABE]... [--png DATEI] [--size BxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats DATEI] [--threads N] [--seed N] [--strict]
-    Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
-    Von mehreren Rezepten setzt jedes den Baum des vorigen fort: das erste
-    bestimmt den Startwert, und jedes setzt zu Beginn seine Parameter in Kraft.
-    Was Operationen im Baum nicht finden, wird ausgegeben; mit --strict ist es
-    ein Fehler, und nichts wird geschrieben.
-
-espalier export PROJEKT [-o AUSGABE]...
-    Schreibt ein Projekt in anderen Formaten.
-
-espalier render PROJEKT --png DATEI [--size BxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Nimmt ein Bild auf. Das verlangt eine Anzeige; eine virtuelle genügt.
-    --transparent: der Baum allein, mit nicht vormultipliziertem Alpha;
-    --ground-shadow behält seinen Schatten, als Schwarz mit etwas Deckkraft.
-
-espalier info DATEI
-    Sagt als JSON, was in einem Projekt ist.
-
-espalier --help, --version
-
-AUSGABE endet auf .espalier (Projekt) oder auf die Endung eines Formats:
-%1Endet mit 0, wenn alles getan ist, mit 2, wenn die Befehlszeile falsch ist, mit
-3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
-geschrieben werden konnte.
-</translation>
     </message>
     <message>
         <source>it died before it was born, or in the future</source>
@@ -2436,10 +2223,6 @@ geschrieben werden konnte.
         <translation>die Spalten der gesetzten Blätter sind verschieden lang</translation>
     </message>
     <message>
-        <source>its internode is missing</source>
-        <translation>das Internodium fehlt</translation>
-    </message>
-    <message>
         <source>placed leaf %1: %2</source>
         <translation>gesetztes Blatt %1: %2</translation>
     </message>
@@ -2454,6 +2237,44 @@ geschrieben werden konnte.
     <message>
         <source>the lassos in force are out of order</source>
         <translation>die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>WidthTool</name>
+    <message>
+        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <translation>Einen Ast antippen, um seine Dicke festzuhalten; an den Enden des Griffs ziehen, um sie zu ändern</translation>
+    </message>
+</context>
+<context>
+    <name>ZipArchive</name>
+    <message>
+        <source>the archive could not be packed: %1</source>
+        <translation>das Archiv konnte nicht gepackt werden: %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it is no project file, or a damaged one (%1)</source>
+        <translation>keine Projektdatei, oder eine beschädigte (%1)</translation>
+    </message>
+    <message>
+        <source>it is no project file: it is empty</source>
+        <translation>keine Projektdatei: sie ist leer</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, but %2 are expected</source>
+        <translation>hat %1 Bytes, aber %2 werden erwartet</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>ist größer als %1 Bytes</translation>
     </message>
 </context>
 <context>
@@ -2670,22 +2491,6 @@ geschrieben werden konnte.
 <context>
     <name>espalier::FileController</name>
     <message>
-        <source>Binary glTF</source>
-        <translation type="vanished">Binäres glTF</translation>
-    </message>
-    <message>
-        <source>FBX</source>
-        <translation type="vanished">FBX</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ</source>
-        <translation type="vanished">Wavefront OBJ</translation>
-    </message>
-    <message>
-        <source>Skeleton as a table</source>
-        <translation type="vanished">Skelett als Tabelle</translation>
-    </message>
-    <message>
         <source>Not saved. %1</source>
         <translation>Nicht gespeichert. %1</translation>
     </message>
@@ -2694,28 +2499,8 @@ geschrieben werden konnte.
         <translation>Der Baum kann nicht gegen einen Absturz gesichert werden: %1</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation type="vanished">Öffnen</translation>
-    </message>
-    <message>
-        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation type="vanished">Bäume und Rezepte (*.espalier *.json);;Bäume (*.espalier);;Rezepte (*.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Saving %1</source>
         <translation>%1 wird gespeichert</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation type="vanished">Speichern</translation>
-    </message>
-    <message>
-        <source>Trees (*.espalier)</source>
-        <translation type="vanished">Bäume (*.espalier)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation type="vanished">Exportieren</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -2736,30 +2521,6 @@ geschrieben werden konnte.
     <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
-    </message>
-    <message>
-        <source>Espalier</source>
-        <translation type="vanished">Espalier</translation>
-    </message>
-    <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation type="vanished">%1 enthält ungespeicherte Änderungen.</translation>
-    </message>
-    <message>
-        <source>A tree that was never saved</source>
-        <translation type="vanished">Ein nie gespeicherter Baum</translation>
-    </message>
-    <message>
-        <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
-        <translation type="vanished">Espalier wurde unerwartet beendet. %1 kann im letzten Zustand zurückgeholt werden.</translation>
-    </message>
-    <message>
-        <source>Bring Back</source>
-        <translation type="vanished">Zurückholen</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation type="vanished">Verwerfen</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -2784,6 +2545,10 @@ geschrieben werden konnte.
     <message>
         <source>Keep This</source>
         <translation>Diesen behalten</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
     </message>
 </context>
 <context>
@@ -3438,45 +3203,6 @@ geschrieben werden konnte.
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
-    </message>
-</context>
-<context>
-    <name>espalier::Tree</name>
-    <message>
-        <source>the columns of the tree have different lengths</source>
-        <translation type="vanished">die Spalten des Baums sind verschieden lang</translation>
-    </message>
-    <message>
-        <source>the tree is empty or lacks its parameters</source>
-        <translation type="vanished">der Baum ist leer, oder ihm fehlen seine Parameter</translation>
-    </message>
-    <message>
-        <source>the seedling must stand at the base</source>
-        <translation type="vanished">der Sämling muss an der Basis stehen</translation>
-    </message>
-    <message>
-        <source>it lives on a dead internode</source>
-        <translation type="vanished">lebt auf einem toten Internodium</translation>
-    </message>
-    <message>
-        <source>two internodes continue the same axis</source>
-        <translation type="vanished">zwei Internodien setzen dieselbe Achse fort</translation>
-    </message>
-    <message>
-        <source>internode %1: %2</source>
-        <translation type="vanished">Internodium %1: %2</translation>
-    </message>
-    <message>
-        <source>width %1 cannot be</source>
-        <translation type="vanished">Dicke %1 ist unmöglich</translation>
-    </message>
-    <message>
-        <source>lasso %1 cannot be</source>
-        <translation type="vanished">Lasso %1 ist unmöglich</translation>
-    </message>
-    <message>
-        <source>the lassos in force are out of order</source>
-        <translation type="vanished">die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
     </message>
 </context>
 <context>

@@ -340,6 +340,140 @@
         <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
         <translation>--strict&#xa0;: rien n’est écrit, car des opérations n’ont rien trouvé à faire, ou pas tout ce qu’elles nomment</translation>
     </message>
+    <message>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <translation>--size attend LARGEURxHAUTEUR jusqu’à %1 pixels chacune, pas «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
+        <translation>%1&#xa0;: le suffixe d’une sortie indique son format, et c’est l’un de .espalier .%2</translation>
+    </message>
+    <message>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <translation>--camera vaut front, side, top ou three-quarter, pas «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <translation>--threads attend un nombre de 1 à %1, pas «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <translation>--seed attend un nombre entier de 0 à 18446744073709551615, pas «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 knows no option %2</source>
+        <translation>%1 ne connaît pas l’option %2</translation>
+    </message>
+    <message>
+        <source>%1 wants no value</source>
+        <translation>%1 n’attend pas de valeur</translation>
+    </message>
+    <message>
+        <source>%1 wants a value after it</source>
+        <translation>%1 attend une valeur à sa suite</translation>
+    </message>
+    <message>
+        <source>--transparent wants --png FILE</source>
+        <translation>--transparent attend --png FICHIER</translation>
+    </message>
+    <message>
+        <source>--ground-shadow wants --transparent</source>
+        <translation>--ground-shadow attend --transparent</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe</source>
+        <translation>replay attend au moins une recette</translation>
+    </message>
+    <message>
+        <source>%1 wants one project</source>
+        <translation>%1 attend un projet</translation>
+    </message>
+    <message>
+        <source>render wants --png FILE</source>
+        <translation>render attend --png FICHIER</translation>
+    </message>
+    <message>
+        <source>info wants one file</source>
+        <translation>info attend un fichier</translation>
+    </message>
+    <message>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <translation>une fenêtre montre un seul fichier&#xa0;; qu’est donc «&#xa0;%1&#xa0;»&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+    What operations do not find in the tree is printed; with --strict it is an
+    error, and nothing is written.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project) or in the ending of a format:
+%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
+
+espalier [PROJET]
+    Ouvre la fenêtre.
+
+espalier --demo [RECETTE]
+    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
+
+espalier replay RECETTE... [-o SORTIE]... [--png FICHIER] [--size LxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FICHIER] [--threads N] [--seed N] [--strict]
+    Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
+    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
+    première donne la graine, et chacune met d’abord ses paramètres en vigueur.
+    Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
+    --strict, c’est une erreur, et rien n’est écrit.
+
+espalier export PROJET [-o SORTIE]...
+    Écrit un projet dans d’autres formats.
+
+espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
+    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
+    --ground-shadow garde son ombre, en noir plus ou moins opaque.
+
+espalier info FICHIER
+    Dit en JSON ce que contient un projet.
+
+espalier --help, --version
+
+SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
+%1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
+une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
+</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -622,30 +756,6 @@
         <translation>ses naissances sont dans le désordre</translation>
     </message>
     <message>
-        <source>it changes buds that were not there</source>
-        <translation type="vanished">elle change des bourgeons qui n’existaient pas</translation>
-    </message>
-    <message>
-        <source>it changes buds in a way that cannot be</source>
-        <translation type="vanished">elle change des bourgeons d’une façon impossible</translation>
-    </message>
-    <message>
-        <source>it bends an internode that was not there</source>
-        <translation type="vanished">elle courbe un entre-nœud qui n’existait pas</translation>
-    </message>
-    <message>
-        <source>it bends an internode in a way that cannot be</source>
-        <translation type="vanished">elle courbe un entre-nœud d’une façon impossible</translation>
-    </message>
-    <message>
-        <source>it sets a width in a way that cannot be</source>
-        <translation type="vanished">elle fixe une épaisseur d’une façon impossible</translation>
-    </message>
-    <message>
-        <source>it changes an envelope in a way that cannot be</source>
-        <translation type="vanished">elle change une enveloppe d’une façon impossible</translation>
-    </message>
-    <message>
         <source>it lets an internode die that did not</source>
         <translation>elle fait mourir un entre-nœud qui n’est pas mort</translation>
     </message>
@@ -658,10 +768,6 @@
         <translation>elle fait naître un entre-nœud à un autre moment</translation>
     </message>
     <message>
-        <source>it bears an internode after what grows on it</source>
-        <translation type="vanished">elle fait naître un entre-nœud après ce qui pousse sur lui</translation>
-    </message>
-    <message>
         <source>before it, an internode would live on a dead one</source>
         <translation>avant elle, un entre-nœud vivrait sur un entre-nœud mort</translation>
     </message>
@@ -670,20 +776,8 @@
         <translation>avant elle, deux entre-nœuds prolongeraient le même axe</translation>
     </message>
     <message>
-        <source>it changes the buds of a dead internode</source>
-        <translation type="vanished">elle change les bourgeons d’un entre-nœud mort</translation>
-    </message>
-    <message>
-        <source>internode %1 has no beginning or no end in the history</source>
-        <translation type="vanished">l’entre-nœud %1 n’a pas de début ou pas de fin dans l’historique</translation>
-    </message>
-    <message>
         <source>step %1 of the history</source>
         <translation>étape %1 de l’historique</translation>
-    </message>
-    <message>
-        <source>the history</source>
-        <translation type="vanished">l’historique</translation>
     </message>
     <message>
         <source>it brings strokes that are not there</source>
@@ -692,10 +786,6 @@
     <message>
         <source>it places a leaf on an internode that is not there</source>
         <translation>elle place une feuille sur un entre-nœud qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>it sets “%1” in a way that is not possible</source>
-        <translation>elle fixe «&#xa0;%1&#xa0;» d’une façon impossible</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that is not possible</source>
@@ -708,6 +798,18 @@
     <message>
         <source>the beginning of the history</source>
         <translation>le début de l’historique</translation>
+    </message>
+    <message>
+        <source>it changes “%1”, which never changes</source>
+        <translation>elle change «&#xa0;%1&#xa0;», qui ne change jamais</translation>
+    </message>
+    <message>
+        <source>it changes “%1” of a row that was not there</source>
+        <translation>elle change «&#xa0;%1&#xa0;» d’une ligne qui n’existait pas</translation>
+    </message>
+    <message>
+        <source>it changes “%1” in a way that is not possible</source>
+        <translation>elle change «&#xa0;%1&#xa0;» d’une façon impossible</translation>
     </message>
 </context>
 <context>
@@ -1763,14 +1865,6 @@
         <translation>de 1 à %1 jeux de paramètres sont attendus</translation>
     </message>
     <message>
-        <source>internode %1</source>
-        <translation type="vanished">entre-nœud %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation type="vanished">il se trouve à plus de %1 m</translation>
-    </message>
-    <message>
         <source>the lassos</source>
         <translation>les lassos</translation>
     </message>
@@ -1819,13 +1913,6 @@
     </message>
 </context>
 <context>
-    <name>QTimer</name>
-    <message>
-        <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
-    </message>
-</context>
-<context>
     <name>Recipe</name>
     <message>
         <source>there is no such bud</source>
@@ -1838,10 +1925,6 @@
     <message>
         <source>a number other than 0 is expected</source>
         <translation>un nombre autre que 0 est attendu</translation>
-    </message>
-    <message>
-        <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation type="vanished">il n’y a pas d’opération «&#xa0;%1&#xa0;»&#xa0;; il y a setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow et removeLasso</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1874,10 +1957,6 @@
     <message>
         <source>1 to %1 internodes are expected</source>
         <translation>de 1 à %1 entre-nœuds sont attendus</translation>
-    </message>
-    <message>
-        <source>a list of internodes&apos; numbers is expected</source>
-        <translation type="vanished">une liste de numéros d’entre-nœuds est attendue</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
@@ -2036,18 +2115,6 @@
 <context>
     <name>Text</name>
     <message>
-        <source>it changes “%1”, which never changes</source>
-        <translation>elle change «&#xa0;%1&#xa0;», qui ne change jamais</translation>
-    </message>
-    <message>
-        <source>it changes “%1” of a row that was not there</source>
-        <translation>elle change «&#xa0;%1&#xa0;» d’une ligne qui n’existait pas</translation>
-    </message>
-    <message>
-        <source>it changes “%1” in a way that is not possible</source>
-        <translation>elle change «&#xa0;%1&#xa0;» d’une façon impossible</translation>
-    </message>
-    <message>
         <source>internode %1</source>
         <translation>entre-nœud %1</translation>
     </message>
@@ -2102,206 +2169,9 @@
         <source>its root lies too far away</source>
         <translation>sa racine est trop éloignée</translation>
     </message>
-</context>
-<context>
-    <name>WidthTool</name>
-    <message>
-        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
-        <translation>Toucher une branche pour fixer son épaisseur&#xa0;; tirer les bouts de la poignée pour la changer</translation>
-    </message>
-</context>
-<context>
-    <name>ZipArchive</name>
-    <message>
-        <source>the archive could not be packed: %1</source>
-        <translation>l’archive n’a pas pu être compressée&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>it is damaged</source>
-        <translation>le contenu est endommagé</translation>
-    </message>
-    <message>
-        <source>it is no project file, or a damaged one (%1)</source>
-        <translation>ce n’est pas un fichier de projet, ou il est endommagé (%1)</translation>
-    </message>
-    <message>
-        <source>it is no project file: it is empty</source>
-        <translation>ce n’est pas un fichier de projet&#xa0;: il est vide</translation>
-    </message>
-    <message>
-        <source>it is missing</source>
-        <translation>cela manque</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, but %2 are expected</source>
-        <translation>il y a %1 octets, mais %2 sont attendus</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 bytes</source>
-        <translation>la taille dépasse %1 octets</translation>
-    </message>
-</context>
-<context>
-    <name>espalier</name>
-    <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
-        <translation>--size attend LARGEURxHAUTEUR jusqu’à %1 pixels chacune, pas «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation type="vanished">%1&#xa0;: le suffixe d’une sortie indique son format, et c’est l’un de .espalier .obj .fbx .glb .csv</translation>
-    </message>
-    <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
-        <translation>--camera vaut front, side, top ou three-quarter, pas «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
-        <translation>--threads attend un nombre de 1 à %1, pas «&#xa0;%2&#xa0;»</translation>
-    </message>
-    <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
-        <translation>--seed attend un nombre entier de 0 à 18446744073709551615, pas «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>%1 knows no option %2</source>
-        <translation>%1 ne connaît pas l’option %2</translation>
-    </message>
-    <message>
-        <source>%1 wants no value</source>
-        <translation>%1 n’attend pas de valeur</translation>
-    </message>
-    <message>
-        <source>%1 wants a value after it</source>
-        <translation>%1 attend une valeur à sa suite</translation>
-    </message>
-    <message>
-        <source>--transparent wants --png FILE</source>
-        <translation>--transparent attend --png FICHIER</translation>
-    </message>
-    <message>
-        <source>--ground-shadow wants --transparent</source>
-        <translation>--ground-shadow attend --transparent</translation>
-    </message>
-    <message>
-        <source>replay wants at least one recipe</source>
-        <translation>replay attend au moins une recette</translation>
-    </message>
-    <message>
-        <source>%1 wants one project</source>
-        <translation>%1 attend un projet</translation>
-    </message>
-    <message>
-        <source>render wants --png FILE</source>
-        <translation>render attend --png FICHIER</translation>
-    </message>
-    <message>
-        <source>info wants one file</source>
-        <translation>info attend un fichier</translation>
-    </message>
-    <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
-        <translation>une fenêtre montre un seul fichier&#xa0;; qu’est donc «&#xa0;%1&#xa0;»&#xa0;?</translation>
-    </message>
-    <message>
-        <source>Espalier: brush trees into being.
-
-espalier [PROJECT]
-    Opens the window.
-
-espalier --demo [RECIPE]
-    Opens the window and brushes a tree in it; then it is yours.
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N]
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
-
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Takes a picture. It wants a display; a virtual one will do.
-    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
-
-espalier info FILE
-    Says as JSON what is in a project.
-
-espalier --help, --version
-
-OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and
-textures) or .csv (skeleton).
-Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
-unreadable or wrong, 4 when an output could not be written.
-</source>
-        <translation type="vanished">Espalier&#xa0;: peindre des arbres et les voir naître.
-
-espalier [PROJET]
-    Ouvre la fenêtre.
-
-espalier --demo [RECETTE]
-    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
-
-espalier replay RECETTE... [-o SORTIE]... [--png FICHIER] [--size LxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FICHIER] [--threads N] [--seed N]
-    Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
-    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
-    première donne la graine, et chacune met d’abord ses paramètres en vigueur.
-
-espalier export PROJET [-o SORTIE]...
-    Écrit un projet dans d’autres formats.
-
-espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
-    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
-    --ground-shadow garde son ombre, en noir plus ou moins opaque.
-
-espalier info FICHIER
-    Dit en JSON ce que contient un projet.
-
-espalier --help, --version
-
-SORTIE se termine par .espalier (projet), .obj, .fbx, .glb (maillages avec
-feuilles et textures) ou .csv (squelette).
-Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
-une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
-</translation>
-    </message>
     <message>
         <source>its parent does not come before it</source>
         <translation>son parent ne vient pas avant lui</translation>
-    </message>
-    <message>
-        <source>its rotation is not one</source>
-        <translation type="vanished">sa rotation n’en est pas une</translation>
-    </message>
-    <message>
-        <source>its length is out of range</source>
-        <translation type="vanished">sa longueur est hors limites</translation>
-    </message>
-    <message>
-        <source>its vigour is out of range</source>
-        <translation type="vanished">sa vigueur est hors limites</translation>
-    </message>
-    <message>
-        <source>it grows from a bud that does not exist</source>
-        <translation type="vanished">il pousse d’un bourgeon qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>it has a bud that does not exist</source>
-        <translation type="vanished">il a un bourgeon qui n’existe pas</translation>
-    </message>
-    <message>
-        <source>it is neither there nor away</source>
-        <translation type="vanished">il n’est ni là ni parti</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
@@ -2310,88 +2180,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>it was born in the future</source>
         <translation>il est né dans le futur</translation>
-    </message>
-    <message>
-        <source>it died before it was born</source>
-        <translation type="vanished">il est mort avant d’être né</translation>
-    </message>
-    <message>
-        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
-        <translation>%1&#xa0;: le suffixe d’une sortie indique son format, et c’est l’un de .espalier .%2</translation>
-    </message>
-    <message>
-        <source>Espalier: brush trees into being.
-
-espalier [PROJECT]
-    Opens the window.
-
-espalier --demo [RECIPE]
-    Opens the window and brushes a tree in it; then it is yours.
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
-    What operations do not find in the tree is printed; with --strict it is an
-    error, and nothing is written.
-
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Takes a picture. It wants a display; a virtual one will do.
-    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
-
-espalier info FILE
-    Says as JSON what is in a project.
-
-espalier --help, --version
-
-OUT ends in .espalier (project) or in the ending of a format:
-%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
-unreadable or wrong, 4 when an output could not be written.
-</source>
-        <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
-
-espalier [PROJET]
-    Ouvre la fenêtre.
-
-espalier --demo [RECETTE]
-    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
-
-espalier replay RECETTE... [-o SORTIE]... [--png FICHIER] [--size LxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FICHIER] [--threads N] [--seed N] [--strict]
-    Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
-    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
-    première donne la graine, et chacune met d’abord ses paramètres en vigueur.
-    Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
-    --strict, c’est une erreur, et rien n’est écrit.
-
-espalier export PROJET [-o SORTIE]...
-    Écrit un projet dans d’autres formats.
-
-espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
-    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
-    --ground-shadow garde son ombre, en noir plus ou moins opaque.
-
-espalier info FICHIER
-    Dit en JSON ce que contient un projet.
-
-espalier --help, --version
-
-SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
-%1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
-une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
-</translation>
     </message>
     <message>
         <source>it died before it was born, or in the future</source>
@@ -2434,10 +2222,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>les colonnes des feuilles placées ont des longueurs différentes</translation>
     </message>
     <message>
-        <source>its internode is missing</source>
-        <translation>son entre-nœud manque</translation>
-    </message>
-    <message>
         <source>placed leaf %1: %2</source>
         <translation>feuille placée %1&#xa0;: %2</translation>
     </message>
@@ -2452,6 +2236,44 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>the lassos in force are out of order</source>
         <translation>les lassos en vigueur sont dans le désordre</translation>
+    </message>
+</context>
+<context>
+    <name>WidthTool</name>
+    <message>
+        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <translation>Toucher une branche pour fixer son épaisseur&#xa0;; tirer les bouts de la poignée pour la changer</translation>
+    </message>
+</context>
+<context>
+    <name>ZipArchive</name>
+    <message>
+        <source>the archive could not be packed: %1</source>
+        <translation>l’archive n’a pas pu être compressée&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>le contenu est endommagé</translation>
+    </message>
+    <message>
+        <source>it is no project file, or a damaged one (%1)</source>
+        <translation>ce n’est pas un fichier de projet, ou il est endommagé (%1)</translation>
+    </message>
+    <message>
+        <source>it is no project file: it is empty</source>
+        <translation>ce n’est pas un fichier de projet&#xa0;: il est vide</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>cela manque</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, but %2 are expected</source>
+        <translation>il y a %1 octets, mais %2 sont attendus</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>la taille dépasse %1 octets</translation>
     </message>
 </context>
 <context>
@@ -2668,22 +2490,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::FileController</name>
     <message>
-        <source>Binary glTF</source>
-        <translation type="vanished">glTF binaire</translation>
-    </message>
-    <message>
-        <source>FBX</source>
-        <translation type="vanished">FBX</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ</source>
-        <translation type="vanished">Wavefront OBJ</translation>
-    </message>
-    <message>
-        <source>Skeleton as a table</source>
-        <translation type="vanished">Squelette en tableau</translation>
-    </message>
-    <message>
         <source>Not saved. %1</source>
         <translation>Non enregistré. %1</translation>
     </message>
@@ -2692,28 +2498,8 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>L’arbre ne peut pas être protégé d’un plantage&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation type="vanished">Ouvrir</translation>
-    </message>
-    <message>
-        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation type="vanished">Arbres et recettes (*.espalier *.json);;Arbres (*.espalier);;Recettes (*.json);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Saving %1</source>
         <translation>Enregistrement de %1</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation type="vanished">Enregistrer</translation>
-    </message>
-    <message>
-        <source>Trees (*.espalier)</source>
-        <translation type="vanished">Arbres (*.espalier)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation type="vanished">Exporter</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -2734,30 +2520,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Saved %1</source>
         <translation>%1 est enregistré</translation>
-    </message>
-    <message>
-        <source>Espalier</source>
-        <translation type="vanished">Espalier</translation>
-    </message>
-    <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation type="vanished">%1 a des modifications non enregistrées.</translation>
-    </message>
-    <message>
-        <source>A tree that was never saved</source>
-        <translation type="vanished">Un arbre jamais enregistré</translation>
-    </message>
-    <message>
-        <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
-        <translation type="vanished">Espalier s’est arrêté de façon inattendue. %1 peut être récupéré tel qu’il était.</translation>
-    </message>
-    <message>
-        <source>Bring Back</source>
-        <translation type="vanished">Récupérer</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation type="vanished">Abandonner</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -2782,6 +2544,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Keep This</source>
         <translation>Garder celui-ci</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
     </message>
 </context>
 <context>
@@ -3436,45 +3202,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
-    </message>
-</context>
-<context>
-    <name>espalier::Tree</name>
-    <message>
-        <source>the columns of the tree have different lengths</source>
-        <translation type="vanished">les colonnes de l’arbre ont des longueurs différentes</translation>
-    </message>
-    <message>
-        <source>the tree is empty or lacks its parameters</source>
-        <translation type="vanished">l’arbre est vide ou ses paramètres manquent</translation>
-    </message>
-    <message>
-        <source>the seedling must stand at the base</source>
-        <translation type="vanished">la plantule doit se trouver à la base</translation>
-    </message>
-    <message>
-        <source>it lives on a dead internode</source>
-        <translation type="vanished">il vit sur un entre-nœud mort</translation>
-    </message>
-    <message>
-        <source>two internodes continue the same axis</source>
-        <translation type="vanished">deux entre-nœuds prolongent le même axe</translation>
-    </message>
-    <message>
-        <source>internode %1: %2</source>
-        <translation type="vanished">entre-nœud %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>width %1 cannot be</source>
-        <translation type="vanished">l’épaisseur %1 est impossible</translation>
-    </message>
-    <message>
-        <source>lasso %1 cannot be</source>
-        <translation type="vanished">le lasso %1 est impossible</translation>
-    </message>
-    <message>
-        <source>the lassos in force are out of order</source>
-        <translation type="vanished">les lassos en vigueur sont dans le désordre</translation>
     </message>
 </context>
 <context>

@@ -340,6 +340,140 @@
         <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
         <translation>--strict: することがないか、指定したものがすべては見つからない操作があるため、何も書き出しません</translation>
     </message>
+    <message>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです (&quot;%2&quot; は使えません)</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
+        <translation>%1: 出力の形式は拡張子で決まります。使えるのは .espalier .%2 です</translation>
+    </message>
+    <message>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <translation>--camera は front、side、top、three-quarter のいずれかです (&quot;%1&quot; は使えません)</translation>
+    </message>
+    <message>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <translation>--threads は 1 から %1 までの数値です (&quot;%2&quot; は使えません)</translation>
+    </message>
+    <message>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <translation>--seed は 0 から 18446744073709551615 までの整数です (&quot;%1&quot; は使えません)</translation>
+    </message>
+    <message>
+        <source>%1 knows no option %2</source>
+        <translation>%1 に %2 というオプションはありません</translation>
+    </message>
+    <message>
+        <source>%1 wants no value</source>
+        <translation>%1 に値は付けられません</translation>
+    </message>
+    <message>
+        <source>%1 wants a value after it</source>
+        <translation>%1 の後に値が必要です</translation>
+    </message>
+    <message>
+        <source>--transparent wants --png FILE</source>
+        <translation>--transparent には --png FILE が必要です</translation>
+    </message>
+    <message>
+        <source>--ground-shadow wants --transparent</source>
+        <translation>--ground-shadow には --transparent が必要です</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe</source>
+        <translation>replay には 1 つ以上のレシピが必要です</translation>
+    </message>
+    <message>
+        <source>%1 wants one project</source>
+        <translation>%1 にはプロジェクトを 1 つ指定します</translation>
+    </message>
+    <message>
+        <source>render wants --png FILE</source>
+        <translation>render には --png FILE が必要です</translation>
+    </message>
+    <message>
+        <source>info wants one file</source>
+        <translation>info にはファイルを 1 つ指定します</translation>
+    </message>
+    <message>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <translation>1 つのウィンドウで開けるファイルは 1 つです。&quot;%1&quot; は余分です</translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+    What operations do not find in the tree is printed; with --strict it is an
+    error, and nothing is written.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project) or in the ending of a format:
+%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation>Espalier: ブラシで木を描きます。
+
+espalier [PROJECT]
+    ウィンドウを開きます。
+
+espalier --demo [RECIPE]
+    ウィンドウを開いて木を 1 本描きます。その木は自由に使えます。
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    ウィンドウなしでレシピを実行し、結果を書き出します。
+    レシピが複数あるときは、それぞれが前の木の続きになります。シードは
+    最初のレシピのものを使い、パラメーターは各レシピの最初に切り替わります。
+    操作の対象が木に見つからないときは、それを表示します。--strict を付けると
+    エラーになり、何も書き出しません。
+
+espalier export PROJECT [-o OUT]...
+    プロジェクトをほかの形式で書き出します。
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    画像を保存します。ディスプレイが必要ですが、仮想のものでかまいません。
+    --transparent: 木だけを、ストレートアルファで保存します。
+    --ground-shadow を付けると、影が半透明の黒で残ります。
+
+espalier info FILE
+    プロジェクトの内容を JSON で表示します。
+
+espalier --help, --version
+
+OUT の拡張子は .espalier (プロジェクト) か、次の形式のいずれかです。
+%1終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
+正しくないときは 3、出力を書き込めないときは 4 です。
+</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -622,30 +756,6 @@
         <translation>節間の生まれる順序が正しくありません</translation>
     </message>
     <message>
-        <source>it changes buds that were not there</source>
-        <translation type="vanished">存在しなかった芽が変えられています</translation>
-    </message>
-    <message>
-        <source>it changes buds in a way that cannot be</source>
-        <translation type="vanished">芽がありえない状態に変えられています</translation>
-    </message>
-    <message>
-        <source>it bends an internode that was not there</source>
-        <translation type="vanished">存在しなかった節間が曲げられています</translation>
-    </message>
-    <message>
-        <source>it bends an internode in a way that cannot be</source>
-        <translation type="vanished">節間がありえない形に曲げられています</translation>
-    </message>
-    <message>
-        <source>it sets a width in a way that cannot be</source>
-        <translation type="vanished">ありえない太さが設定されています</translation>
-    </message>
-    <message>
-        <source>it changes an envelope in a way that cannot be</source>
-        <translation type="vanished">外形がありえない形に変えられています</translation>
-    </message>
-    <message>
         <source>it lets an internode die that did not</source>
         <translation>枯れていない節間が枯れたことになっています</translation>
     </message>
@@ -658,10 +768,6 @@
         <translation>節間が別の時点で生まれています</translation>
     </message>
     <message>
-        <source>it bears an internode after what grows on it</source>
-        <translation type="vanished">節間が、その上に育つものより後に生まれています</translation>
-    </message>
-    <message>
         <source>before it, an internode would live on a dead one</source>
         <translation>その前の時点で、枯れた節間の上に節間が生きています</translation>
     </message>
@@ -670,20 +776,8 @@
         <translation>その前の時点で、2 つの節間が同じ軸を継いでいます</translation>
     </message>
     <message>
-        <source>it changes the buds of a dead internode</source>
-        <translation type="vanished">枯れた節間の芽が変えられています</translation>
-    </message>
-    <message>
-        <source>internode %1 has no beginning or no end in the history</source>
-        <translation type="vanished">節間 %1 の始まりか終わりが履歴にありません</translation>
-    </message>
-    <message>
         <source>step %1 of the history</source>
         <translation>履歴のステップ %1</translation>
-    </message>
-    <message>
-        <source>the history</source>
-        <translation type="vanished">履歴</translation>
     </message>
     <message>
         <source>it brings strokes that are not there</source>
@@ -692,10 +786,6 @@
     <message>
         <source>it places a leaf on an internode that is not there</source>
         <translation>存在しない節間に葉が配置されています</translation>
-    </message>
-    <message>
-        <source>it sets “%1” in a way that is not possible</source>
-        <translation>「%1」がありえない値に設定されています</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that is not possible</source>
@@ -708,6 +798,18 @@
     <message>
         <source>the beginning of the history</source>
         <translation>履歴の始まり</translation>
+    </message>
+    <message>
+        <source>it changes “%1”, which never changes</source>
+        <translation>変わるはずのない「%1」が変えられています</translation>
+    </message>
+    <message>
+        <source>it changes “%1” of a row that was not there</source>
+        <translation>存在しなかった行の「%1」が変えられています</translation>
+    </message>
+    <message>
+        <source>it changes “%1” in a way that is not possible</source>
+        <translation>「%1」がありえない値に変えられています</translation>
     </message>
 </context>
 <context>
@@ -1763,14 +1865,6 @@
         <translation>1 から %1 組までが必要です</translation>
     </message>
     <message>
-        <source>internode %1</source>
-        <translation type="vanished">節間 %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation type="vanished">%1 m より遠くにあります</translation>
-    </message>
-    <message>
         <source>the lassos</source>
         <translation>投げ縄</translation>
     </message>
@@ -1819,13 +1913,6 @@
     </message>
 </context>
 <context>
-    <name>QTimer</name>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 を開いています</translation>
-    </message>
-</context>
-<context>
     <name>Recipe</name>
     <message>
         <source>there is no such bud</source>
@@ -1838,10 +1925,6 @@
     <message>
         <source>a number other than 0 is expected</source>
         <translation>0 以外の数値が必要です</translation>
-    </message>
-    <message>
-        <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation type="vanished">「%1」という操作はありません。使えるのは setParameters、brushStroke、grow、prune、travel、undo、redo、bend、setWidth、lasso、regrow、removeLasso です</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1874,10 +1957,6 @@
     <message>
         <source>1 to %1 internodes are expected</source>
         <translation>1 から %1 個までの節間が必要です</translation>
-    </message>
-    <message>
-        <source>a list of internodes&apos; numbers is expected</source>
-        <translation type="vanished">節間の番号のリストが必要です</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
@@ -2036,18 +2115,6 @@
 <context>
     <name>Text</name>
     <message>
-        <source>it changes “%1”, which never changes</source>
-        <translation>変わるはずのない「%1」が変えられています</translation>
-    </message>
-    <message>
-        <source>it changes “%1” of a row that was not there</source>
-        <translation>存在しなかった行の「%1」が変えられています</translation>
-    </message>
-    <message>
-        <source>it changes “%1” in a way that is not possible</source>
-        <translation>「%1」がありえない値に変えられています</translation>
-    </message>
-    <message>
         <source>internode %1</source>
         <translation>節間 %1</translation>
     </message>
@@ -2102,206 +2169,9 @@
         <source>its root lies too far away</source>
         <translation>根の位置が遠すぎます</translation>
     </message>
-</context>
-<context>
-    <name>WidthTool</name>
-    <message>
-        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
-        <translation>枝をタップして太さを固定し、ハンドルの端をドラッグして変えます</translation>
-    </message>
-</context>
-<context>
-    <name>ZipArchive</name>
-    <message>
-        <source>the archive could not be packed: %1</source>
-        <translation>アーカイブを作成できませんでした: %1</translation>
-    </message>
-    <message>
-        <source>it is damaged</source>
-        <translation>壊れています</translation>
-    </message>
-    <message>
-        <source>it is no project file, or a damaged one (%1)</source>
-        <translation>プロジェクトファイルではないか、壊れています (%1)</translation>
-    </message>
-    <message>
-        <source>it is no project file: it is empty</source>
-        <translation>プロジェクトファイルではありません。中身が空です</translation>
-    </message>
-    <message>
-        <source>it is missing</source>
-        <translation>見つかりません</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, but %2 are expected</source>
-        <translation>%1 バイトですが、%2 バイトのはずです</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 bytes</source>
-        <translation>%1 バイトを超えています</translation>
-    </message>
-</context>
-<context>
-    <name>espalier</name>
-    <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
-        <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです (&quot;%2&quot; は使えません)</translation>
-    </message>
-    <message>
-        <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation type="vanished">%1: 出力の形式は拡張子で決まります。使えるのは .espalier .obj .fbx .glb .csv です</translation>
-    </message>
-    <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
-        <translation>--camera は front、side、top、three-quarter のいずれかです (&quot;%1&quot; は使えません)</translation>
-    </message>
-    <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
-        <translation>--threads は 1 から %1 までの数値です (&quot;%2&quot; は使えません)</translation>
-    </message>
-    <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
-        <translation>--seed は 0 から 18446744073709551615 までの整数です (&quot;%1&quot; は使えません)</translation>
-    </message>
-    <message>
-        <source>%1 knows no option %2</source>
-        <translation>%1 に %2 というオプションはありません</translation>
-    </message>
-    <message>
-        <source>%1 wants no value</source>
-        <translation>%1 に値は付けられません</translation>
-    </message>
-    <message>
-        <source>%1 wants a value after it</source>
-        <translation>%1 の後に値が必要です</translation>
-    </message>
-    <message>
-        <source>--transparent wants --png FILE</source>
-        <translation>--transparent には --png FILE が必要です</translation>
-    </message>
-    <message>
-        <source>--ground-shadow wants --transparent</source>
-        <translation>--ground-shadow には --transparent が必要です</translation>
-    </message>
-    <message>
-        <source>replay wants at least one recipe</source>
-        <translation>replay には 1 つ以上のレシピが必要です</translation>
-    </message>
-    <message>
-        <source>%1 wants one project</source>
-        <translation>%1 にはプロジェクトを 1 つ指定します</translation>
-    </message>
-    <message>
-        <source>render wants --png FILE</source>
-        <translation>render には --png FILE が必要です</translation>
-    </message>
-    <message>
-        <source>info wants one file</source>
-        <translation>info にはファイルを 1 つ指定します</translation>
-    </message>
-    <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
-        <translation>1 つのウィンドウで開けるファイルは 1 つです。&quot;%1&quot; は余分です</translation>
-    </message>
-    <message>
-        <source>Espalier: brush trees into being.
-
-espalier [PROJECT]
-    Opens the window.
-
-espalier --demo [RECIPE]
-    Opens the window and brushes a tree in it; then it is yours.
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N]
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
-
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Takes a picture. It wants a display; a virtual one will do.
-    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
-
-espalier info FILE
-    Says as JSON what is in a project.
-
-espalier --help, --version
-
-OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and
-textures) or .csv (skeleton).
-Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
-unreadable or wrong, 4 when an output could not be written.
-</source>
-        <translation type="vanished">Espalier: ブラシで木を描きます。
-
-espalier [PROJECT]
-    ウィンドウを開きます。
-
-espalier --demo [RECIPE]
-    ウィンドウを開いて木を 1 本描きます。その木は自由に使えます。
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N]
-    ウィンドウなしでレシピを実行し、結果を書き出します。
-    レシピが複数あるときは、それぞれが前の木の続きになります。シードは
-    最初のレシピのものを使い、パラメーターは各レシピの最初に切り替わります。
-
-espalier export PROJECT [-o OUT]...
-    プロジェクトをほかの形式で書き出します。
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    画像を保存します。ディスプレイが必要ですが、仮想のものでかまいません。
-    --transparent: 木だけを、ストレートアルファで保存します。
-    --ground-shadow を付けると、影が半透明の黒で残ります。
-
-espalier info FILE
-    プロジェクトの内容を JSON で表示します。
-
-espalier --help, --version
-
-OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉とテクスチャを
-含むメッシュ)、.csv (骨格) のいずれかです。
-終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
-正しくないときは 3、出力を書き込めないときは 4 です。
-</translation>
-    </message>
     <message>
         <source>its parent does not come before it</source>
         <translation>親がそれより前にありません</translation>
-    </message>
-    <message>
-        <source>its rotation is not one</source>
-        <translation type="vanished">回転の値が正しくありません</translation>
-    </message>
-    <message>
-        <source>its length is out of range</source>
-        <translation type="vanished">長さが範囲外です</translation>
-    </message>
-    <message>
-        <source>its vigour is out of range</source>
-        <translation type="vanished">樹勢が範囲外です</translation>
-    </message>
-    <message>
-        <source>it grows from a bud that does not exist</source>
-        <translation type="vanished">存在しない芽から伸びています</translation>
-    </message>
-    <message>
-        <source>it has a bud that does not exist</source>
-        <translation type="vanished">存在しない芽があります</translation>
-    </message>
-    <message>
-        <source>it is neither there nor away</source>
-        <translation type="vanished">有無がはっきりしません</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
@@ -2310,88 +2180,6 @@ OUT の拡張子は .espalier (プロジェクト)、.obj、.fbx、.glb (葉と�
     <message>
         <source>it was born in the future</source>
         <translation>未来に生まれています</translation>
-    </message>
-    <message>
-        <source>it died before it was born</source>
-        <translation type="vanished">生まれる前に枯れています</translation>
-    </message>
-    <message>
-        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
-        <translation>%1: 出力の形式は拡張子で決まります。使えるのは .espalier .%2 です</translation>
-    </message>
-    <message>
-        <source>Espalier: brush trees into being.
-
-espalier [PROJECT]
-    Opens the window.
-
-espalier --demo [RECIPE]
-    Opens the window and brushes a tree in it; then it is yours.
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
-    What operations do not find in the tree is printed; with --strict it is an
-    error, and nothing is written.
-
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Takes a picture. It wants a display; a virtual one will do.
-    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
-
-espalier info FILE
-    Says as JSON what is in a project.
-
-espalier --help, --version
-
-OUT ends in .espalier (project) or in the ending of a format:
-%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
-unreadable or wrong, 4 when an output could not be written.
-</source>
-        <translation>Espalier: ブラシで木を描きます。
-
-espalier [PROJECT]
-    ウィンドウを開きます。
-
-espalier --demo [RECIPE]
-    ウィンドウを開いて木を 1 本描きます。その木は自由に使えます。
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
-    ウィンドウなしでレシピを実行し、結果を書き出します。
-    レシピが複数あるときは、それぞれが前の木の続きになります。シードは
-    最初のレシピのものを使い、パラメーターは各レシピの最初に切り替わります。
-    操作の対象が木に見つからないときは、それを表示します。--strict を付けると
-    エラーになり、何も書き出しません。
-
-espalier export PROJECT [-o OUT]...
-    プロジェクトをほかの形式で書き出します。
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    画像を保存します。ディスプレイが必要ですが、仮想のものでかまいません。
-    --transparent: 木だけを、ストレートアルファで保存します。
-    --ground-shadow を付けると、影が半透明の黒で残ります。
-
-espalier info FILE
-    プロジェクトの内容を JSON で表示します。
-
-espalier --help, --version
-
-OUT の拡張子は .espalier (プロジェクト) か、次の形式のいずれかです。
-%1終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
-正しくないときは 3、出力を書き込めないときは 4 です。
-</translation>
     </message>
     <message>
         <source>it died before it was born, or in the future</source>
@@ -2434,10 +2222,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>配置した葉のデータ列の長さがそろっていません</translation>
     </message>
     <message>
-        <source>its internode is missing</source>
-        <translation>節間がありません</translation>
-    </message>
-    <message>
         <source>placed leaf %1: %2</source>
         <translation>配置した葉 %1: %2</translation>
     </message>
@@ -2452,6 +2236,44 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>the lassos in force are out of order</source>
         <translation>有効な投げ縄の順序が正しくありません</translation>
+    </message>
+</context>
+<context>
+    <name>WidthTool</name>
+    <message>
+        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <translation>枝をタップして太さを固定し、ハンドルの端をドラッグして変えます</translation>
+    </message>
+</context>
+<context>
+    <name>ZipArchive</name>
+    <message>
+        <source>the archive could not be packed: %1</source>
+        <translation>アーカイブを作成できませんでした: %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>壊れています</translation>
+    </message>
+    <message>
+        <source>it is no project file, or a damaged one (%1)</source>
+        <translation>プロジェクトファイルではないか、壊れています (%1)</translation>
+    </message>
+    <message>
+        <source>it is no project file: it is empty</source>
+        <translation>プロジェクトファイルではありません。中身が空です</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>見つかりません</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, but %2 are expected</source>
+        <translation>%1 バイトですが、%2 バイトのはずです</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>%1 バイトを超えています</translation>
     </message>
 </context>
 <context>
@@ -2668,22 +2490,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::FileController</name>
     <message>
-        <source>Binary glTF</source>
-        <translation type="vanished">バイナリ glTF</translation>
-    </message>
-    <message>
-        <source>FBX</source>
-        <translation type="vanished">FBX</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ</source>
-        <translation type="vanished">Wavefront OBJ</translation>
-    </message>
-    <message>
-        <source>Skeleton as a table</source>
-        <translation type="vanished">骨格の表</translation>
-    </message>
-    <message>
         <source>Not saved. %1</source>
         <translation>保存できませんでした。%1</translation>
     </message>
@@ -2692,28 +2498,8 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>クラッシュに備えた控えを保存できません: %1</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation type="vanished">開く</translation>
-    </message>
-    <message>
-        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation type="vanished">木とレシピ (*.espalier *.json);;木 (*.espalier);;レシピ (*.json);;すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>Saving %1</source>
         <translation>%1 を保存中</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation type="vanished">保存</translation>
-    </message>
-    <message>
-        <source>Trees (*.espalier)</source>
-        <translation type="vanished">木 (*.espalier)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation type="vanished">書き出し</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -2734,30 +2520,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Saved %1</source>
         <translation>%1 を保存しました</translation>
-    </message>
-    <message>
-        <source>Espalier</source>
-        <translation type="vanished">Espalier</translation>
-    </message>
-    <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation type="vanished">%1 には保存していない変更があります。</translation>
-    </message>
-    <message>
-        <source>A tree that was never saved</source>
-        <translation type="vanished">未保存の木</translation>
-    </message>
-    <message>
-        <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
-        <translation type="vanished">Espalier が予期せず終了しました。%1 を元の状態に復元できます。</translation>
-    </message>
-    <message>
-        <source>Bring Back</source>
-        <translation type="vanished">復元</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation type="vanished">破棄</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -2782,6 +2544,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Keep This</source>
         <translation>今の木を残す</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 を開いています</translation>
     </message>
 </context>
 <context>
@@ -3436,45 +3202,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Done</source>
         <translation>完了</translation>
-    </message>
-</context>
-<context>
-    <name>espalier::Tree</name>
-    <message>
-        <source>the columns of the tree have different lengths</source>
-        <translation type="vanished">木のデータ列の長さがそろっていません</translation>
-    </message>
-    <message>
-        <source>the tree is empty or lacks its parameters</source>
-        <translation type="vanished">木が空か、パラメーターがありません</translation>
-    </message>
-    <message>
-        <source>the seedling must stand at the base</source>
-        <translation type="vanished">苗は根元になければなりません</translation>
-    </message>
-    <message>
-        <source>it lives on a dead internode</source>
-        <translation type="vanished">枯れた節間の上に生きています</translation>
-    </message>
-    <message>
-        <source>two internodes continue the same axis</source>
-        <translation type="vanished">2 つの節間が同じ軸を継いでいます</translation>
-    </message>
-    <message>
-        <source>internode %1: %2</source>
-        <translation type="vanished">節間 %1: %2</translation>
-    </message>
-    <message>
-        <source>width %1 cannot be</source>
-        <translation type="vanished">太さ %1 の内容が正しくありません</translation>
-    </message>
-    <message>
-        <source>lasso %1 cannot be</source>
-        <translation type="vanished">投げ縄 %1 の内容が正しくありません</translation>
-    </message>
-    <message>
-        <source>the lassos in force are out of order</source>
-        <translation type="vanished">有効な投げ縄の順序が正しくありません</translation>
     </message>
 </context>
 <context>

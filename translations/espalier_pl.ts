@@ -340,6 +340,140 @@
         <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
         <translation>--strict: nic nie zapisano, bo operacje nie znalazły nic do zrobienia albo nie wszystko, co wymieniają</translation>
     </message>
+    <message>
+        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <translation>--size wymaga SZEROKOŚĆxWYSOKOŚĆ, najwyżej po %1 pikseli, a nie „%2”</translation>
+    </message>
+    <message>
+        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
+        <translation>%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .%2</translation>
+    </message>
+    <message>
+        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <translation>--camera to front, side, top lub three-quarter, a nie „%1”</translation>
+    </message>
+    <message>
+        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <translation>--threads wymaga liczby od 1 do %1, a nie „%2”</translation>
+    </message>
+    <message>
+        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <translation>--seed wymaga liczby całkowitej od 0 do 18446744073709551615, a nie „%1”</translation>
+    </message>
+    <message>
+        <source>%1 knows no option %2</source>
+        <translation>%1 nie zna opcji %2</translation>
+    </message>
+    <message>
+        <source>%1 wants no value</source>
+        <translation>%1 nie przyjmuje wartości</translation>
+    </message>
+    <message>
+        <source>%1 wants a value after it</source>
+        <translation>po %1 musi następować wartość</translation>
+    </message>
+    <message>
+        <source>--transparent wants --png FILE</source>
+        <translation>--transparent wymaga --png PLIK</translation>
+    </message>
+    <message>
+        <source>--ground-shadow wants --transparent</source>
+        <translation>--ground-shadow wymaga --transparent</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe</source>
+        <translation>replay wymaga co najmniej jednego przepisu</translation>
+    </message>
+    <message>
+        <source>%1 wants one project</source>
+        <translation>%1 wymaga jednego projektu</translation>
+    </message>
+    <message>
+        <source>render wants --png FILE</source>
+        <translation>render wymaga --png PLIK</translation>
+    </message>
+    <message>
+        <source>info wants one file</source>
+        <translation>info wymaga jednego pliku</translation>
+    </message>
+    <message>
+        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <translation>okno pokazuje jeden plik, czym więc jest „%1”?</translation>
+    </message>
+    <message>
+        <source>Espalier: brush trees into being.
+
+espalier [PROJECT]
+    Opens the window.
+
+espalier --demo [RECIPE]
+    Opens the window and brushes a tree in it; then it is yours.
+
+espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats FILE] [--threads N] [--seed N] [--strict]
+    Does what a recipe says, without a window, and writes what comes of it.
+    Of several recipes each continues the tree of the one before: the first
+    says the seed, and each begins by putting its parameters in force.
+    What operations do not find in the tree is printed; with --strict it is an
+    error, and nothing is written.
+
+espalier export PROJECT [-o OUT]...
+    Writes a project in other formats.
+
+espalier render PROJECT --png FILE [--size WxH] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Takes a picture. It wants a display; a virtual one will do.
+    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
+    its shadow, as black of some opacity.
+
+espalier info FILE
+    Says as JSON what is in a project.
+
+espalier --help, --version
+
+OUT ends in .espalier (project) or in the ending of a format:
+%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+unreadable or wrong, 4 when an output could not be written.
+</source>
+        <translation>Espalier: malowanie drzew.
+
+espalier [PROJEKT]
+    Otwiera okno.
+
+espalier --demo [PRZEPIS]
+    Otwiera okno i maluje w nim drzewo, po czym je oddaje.
+
+espalier replay PRZEPIS... [-o WYNIK]... [--png PLIK] [--size SxW]
+                [--camera front|side|top|three-quarter]
+                [--transparent [--ground-shadow]]
+                [--stats PLIK] [--threads N] [--seed N] [--strict]
+    Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
+    Przy kilku przepisach każdy prowadzi dalej drzewo poprzedniego: pierwszy
+    podaje ziarno, a każdy na początku wprowadza swoje parametry.
+    To, czego operacje nie znajdują w drzewie, jest wypisywane; z --strict jest
+    to błąd i nic nie zostaje zapisane.
+
+espalier export PROJEKT [-o WYNIK]...
+    Zapisuje projekt w innych formatach.
+
+espalier render PROJEKT --png PLIK [--size SxW] [--camera ...]
+                [--transparent [--ground-shadow]]
+    Tworzy obraz. Wymaga ekranu; wystarczy wirtualny.
+    --transparent: samo drzewo, z prostym kanałem alfa; --ground-shadow
+    zachowuje jego cień jako czerń o pewnym kryciu.
+
+espalier info PLIK
+    Podaje jako JSON, co jest w projekcie.
+
+espalier --help, --version
+
+WYNIK kończy się na .espalier (projekt) lub na rozszerzenie formatu:
+%1Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
+da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
+</translation>
+    </message>
 </context>
 <context>
     <name>Commands</name>
@@ -622,30 +756,6 @@
         <translation>jego nowe międzywęźla są w złej kolejności</translation>
     </message>
     <message>
-        <source>it changes buds that were not there</source>
-        <translation type="vanished">zmienia pąki, których nie było</translation>
-    </message>
-    <message>
-        <source>it changes buds in a way that cannot be</source>
-        <translation type="vanished">zmienia pąki w niemożliwy sposób</translation>
-    </message>
-    <message>
-        <source>it bends an internode that was not there</source>
-        <translation type="vanished">wygina międzywęźle, którego nie było</translation>
-    </message>
-    <message>
-        <source>it bends an internode in a way that cannot be</source>
-        <translation type="vanished">wygina międzywęźle w niemożliwy sposób</translation>
-    </message>
-    <message>
-        <source>it sets a width in a way that cannot be</source>
-        <translation type="vanished">ustala grubość w niemożliwy sposób</translation>
-    </message>
-    <message>
-        <source>it changes an envelope in a way that cannot be</source>
-        <translation type="vanished">zmienia obwiednię w niemożliwy sposób</translation>
-    </message>
-    <message>
         <source>it lets an internode die that did not</source>
         <translation>uśmierca międzywęźle, które nie obumarło</translation>
     </message>
@@ -658,10 +768,6 @@
         <translation>tworzy międzywęźle w innym czasie</translation>
     </message>
     <message>
-        <source>it bears an internode after what grows on it</source>
-        <translation type="vanished">tworzy międzywęźle później niż to, co na nim rośnie</translation>
-    </message>
-    <message>
         <source>before it, an internode would live on a dead one</source>
         <translation>przed nim międzywęźle żyłoby na martwym</translation>
     </message>
@@ -670,20 +776,8 @@
         <translation>przed nim dwa międzywęźla przedłużałyby tę samą oś</translation>
     </message>
     <message>
-        <source>it changes the buds of a dead internode</source>
-        <translation type="vanished">zmienia pąki martwego międzywęźla</translation>
-    </message>
-    <message>
-        <source>internode %1 has no beginning or no end in the history</source>
-        <translation type="vanished">międzywęźle %1 nie ma w historii początku lub końca</translation>
-    </message>
-    <message>
         <source>step %1 of the history</source>
         <translation>krok %1 historii</translation>
-    </message>
-    <message>
-        <source>the history</source>
-        <translation type="vanished">historia</translation>
     </message>
     <message>
         <source>it brings strokes that are not there</source>
@@ -692,10 +786,6 @@
     <message>
         <source>it places a leaf on an internode that is not there</source>
         <translation>umieszcza liść na międzywęźlu, którego nie ma</translation>
-    </message>
-    <message>
-        <source>it sets “%1” in a way that is not possible</source>
-        <translation>ustala „%1” w niemożliwy sposób</translation>
     </message>
     <message>
         <source>it changes an envelope in a way that is not possible</source>
@@ -708,6 +798,18 @@
     <message>
         <source>the beginning of the history</source>
         <translation>początek historii</translation>
+    </message>
+    <message>
+        <source>it changes “%1”, which never changes</source>
+        <translation>zmienia „%1”, co nigdy się nie zmienia</translation>
+    </message>
+    <message>
+        <source>it changes “%1” of a row that was not there</source>
+        <translation>zmienia „%1” w wierszu, którego nie było</translation>
+    </message>
+    <message>
+        <source>it changes “%1” in a way that is not possible</source>
+        <translation>zmienia „%1” w niemożliwy sposób</translation>
     </message>
 </context>
 <context>
@@ -1763,14 +1865,6 @@
         <translation>oczekiwano od 1 do %1 zestawów</translation>
     </message>
     <message>
-        <source>internode %1</source>
-        <translation type="vanished">międzywęźle %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation type="vanished">leży dalej niż %1 m od początku układu</translation>
-    </message>
-    <message>
         <source>the lassos</source>
         <translation>obrysy lassa</translation>
     </message>
@@ -1819,13 +1913,6 @@
     </message>
 </context>
 <context>
-    <name>QTimer</name>
-    <message>
-        <source>Opening %1</source>
-        <translation>Otwieranie %1</translation>
-    </message>
-</context>
-<context>
     <name>Recipe</name>
     <message>
         <source>there is no such bud</source>
@@ -1838,10 +1925,6 @@
     <message>
         <source>a number other than 0 is expected</source>
         <translation>oczekiwano liczby innej niż 0</translation>
-    </message>
-    <message>
-        <source>there is no operation “%1”; there are setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow and removeLasso</source>
-        <translation type="vanished">nie ma operacji „%1”; są setParameters, brushStroke, grow, prune, travel, undo, redo, bend, setWidth, lasso, regrow i removeLasso</translation>
     </message>
     <message>
         <source>it is missing</source>
@@ -1874,10 +1957,6 @@
     <message>
         <source>1 to %1 internodes are expected</source>
         <translation>oczekiwano od 1 do %1 międzywęźli</translation>
-    </message>
-    <message>
-        <source>a list of internodes&apos; numbers is expected</source>
-        <translation type="vanished">oczekiwano listy numerów międzywęźli</translation>
     </message>
     <message>
         <source>an array of five numbers is expected: time, x, y, z, radius</source>
@@ -2036,18 +2115,6 @@
 <context>
     <name>Text</name>
     <message>
-        <source>it changes “%1”, which never changes</source>
-        <translation>zmienia „%1”, co nigdy się nie zmienia</translation>
-    </message>
-    <message>
-        <source>it changes “%1” of a row that was not there</source>
-        <translation>zmienia „%1” w wierszu, którego nie było</translation>
-    </message>
-    <message>
-        <source>it changes “%1” in a way that is not possible</source>
-        <translation>zmienia „%1” w niemożliwy sposób</translation>
-    </message>
-    <message>
         <source>internode %1</source>
         <translation>międzywęźle %1</translation>
     </message>
@@ -2102,206 +2169,9 @@
         <source>its root lies too far away</source>
         <translation>jego korzeń leży za daleko</translation>
     </message>
-</context>
-<context>
-    <name>WidthTool</name>
-    <message>
-        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
-        <translation>Stuknąć gałąź, aby ustalić jej grubość; przeciągnąć końce uchwytu, aby ją zmienić</translation>
-    </message>
-</context>
-<context>
-    <name>ZipArchive</name>
-    <message>
-        <source>the archive could not be packed: %1</source>
-        <translation>nie udało się spakować archiwum: %1</translation>
-    </message>
-    <message>
-        <source>it is damaged</source>
-        <translation>dane są uszkodzone</translation>
-    </message>
-    <message>
-        <source>it is no project file, or a damaged one (%1)</source>
-        <translation>to nie jest plik projektu albo jest uszkodzony (%1)</translation>
-    </message>
-    <message>
-        <source>it is no project file: it is empty</source>
-        <translation>to nie jest plik projektu: jest pusty</translation>
-    </message>
-    <message>
-        <source>it is missing</source>
-        <translation>brak tego elementu</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes, but %2 are expected</source>
-        <translation>liczba bajtów to %1, a oczekiwano %2</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 bytes</source>
-        <translation>rozmiar w bajtach przekracza %1</translation>
-    </message>
-</context>
-<context>
-    <name>espalier</name>
-    <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
-        <translation>--size wymaga SZEROKOŚĆxWYSOKOŚĆ, najwyżej po %1 pikseli, a nie „%2”</translation>
-    </message>
-    <message>
-        <source>%1: the suffix of an output says its format, and is one of .espalier .obj .fbx .glb .csv</source>
-        <translation type="vanished">%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .obj .fbx .glb .csv</translation>
-    </message>
-    <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
-        <translation>--camera to front, side, top lub three-quarter, a nie „%1”</translation>
-    </message>
-    <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
-        <translation>--threads wymaga liczby od 1 do %1, a nie „%2”</translation>
-    </message>
-    <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
-        <translation>--seed wymaga liczby całkowitej od 0 do 18446744073709551615, a nie „%1”</translation>
-    </message>
-    <message>
-        <source>%1 knows no option %2</source>
-        <translation>%1 nie zna opcji %2</translation>
-    </message>
-    <message>
-        <source>%1 wants no value</source>
-        <translation>%1 nie przyjmuje wartości</translation>
-    </message>
-    <message>
-        <source>%1 wants a value after it</source>
-        <translation>po %1 musi następować wartość</translation>
-    </message>
-    <message>
-        <source>--transparent wants --png FILE</source>
-        <translation>--transparent wymaga --png PLIK</translation>
-    </message>
-    <message>
-        <source>--ground-shadow wants --transparent</source>
-        <translation>--ground-shadow wymaga --transparent</translation>
-    </message>
-    <message>
-        <source>replay wants at least one recipe</source>
-        <translation>replay wymaga co najmniej jednego przepisu</translation>
-    </message>
-    <message>
-        <source>%1 wants one project</source>
-        <translation>%1 wymaga jednego projektu</translation>
-    </message>
-    <message>
-        <source>render wants --png FILE</source>
-        <translation>render wymaga --png PLIK</translation>
-    </message>
-    <message>
-        <source>info wants one file</source>
-        <translation>info wymaga jednego pliku</translation>
-    </message>
-    <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
-        <translation>okno pokazuje jeden plik, czym więc jest „%1”?</translation>
-    </message>
-    <message>
-        <source>Espalier: brush trees into being.
-
-espalier [PROJECT]
-    Opens the window.
-
-espalier --demo [RECIPE]
-    Opens the window and brushes a tree in it; then it is yours.
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N]
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
-
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Takes a picture. It wants a display; a virtual one will do.
-    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
-
-espalier info FILE
-    Says as JSON what is in a project.
-
-espalier --help, --version
-
-OUT ends in .espalier (project), .obj, .fbx, .glb (meshes with leaves and
-textures) or .csv (skeleton).
-Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
-unreadable or wrong, 4 when an output could not be written.
-</source>
-        <translation type="vanished">Espalier: malowanie drzew.
-
-espalier [PROJEKT]
-    Otwiera okno.
-
-espalier --demo [PRZEPIS]
-    Otwiera okno i maluje w nim drzewo, po czym je oddaje.
-
-espalier replay PRZEPIS... [-o WYNIK]... [--png PLIK] [--size SxW]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats PLIK] [--threads N] [--seed N]
-    Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
-    Przy kilku przepisach każdy prowadzi dalej drzewo poprzedniego: pierwszy
-    podaje ziarno, a każdy na początku wprowadza swoje parametry.
-
-espalier export PROJEKT [-o WYNIK]...
-    Zapisuje projekt w innych formatach.
-
-espalier render PROJEKT --png PLIK [--size SxW] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Tworzy obraz. Wymaga ekranu; wystarczy wirtualny.
-    --transparent: samo drzewo, z prostym kanałem alfa; --ground-shadow
-    zachowuje jego cień jako czerń o pewnym kryciu.
-
-espalier info PLIK
-    Podaje jako JSON, co jest w projekcie.
-
-espalier --help, --version
-
-WYNIK kończy się na .espalier (projekt), .obj, .fbx, .glb (siatki z liśćmi
-i teksturami) lub .csv (szkielet).
-Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
-da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
-</translation>
-    </message>
     <message>
         <source>its parent does not come before it</source>
         <translation>jego rodzic go nie poprzedza</translation>
-    </message>
-    <message>
-        <source>its rotation is not one</source>
-        <translation type="vanished">jego obrót nie jest obrotem</translation>
-    </message>
-    <message>
-        <source>its length is out of range</source>
-        <translation type="vanished">jego długość jest poza zakresem</translation>
-    </message>
-    <message>
-        <source>its vigour is out of range</source>
-        <translation type="vanished">jego wigor jest poza zakresem</translation>
-    </message>
-    <message>
-        <source>it grows from a bud that does not exist</source>
-        <translation type="vanished">wyrasta z pąka, który nie istnieje</translation>
-    </message>
-    <message>
-        <source>it has a bud that does not exist</source>
-        <translation type="vanished">ma pąk, który nie istnieje</translation>
-    </message>
-    <message>
-        <source>it is neither there nor away</source>
-        <translation type="vanished">nie jest ani obecne, ani nieobecne</translation>
     </message>
     <message>
         <source>its parameters are missing</source>
@@ -2310,88 +2180,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>it was born in the future</source>
         <translation>powstało w przyszłości</translation>
-    </message>
-    <message>
-        <source>it died before it was born</source>
-        <translation type="vanished">obumarło, zanim powstało</translation>
-    </message>
-    <message>
-        <source>%1: the suffix of an output says its format, and is one of .espalier .%2</source>
-        <translation>%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .%2</translation>
-    </message>
-    <message>
-        <source>Espalier: brush trees into being.
-
-espalier [PROJECT]
-    Opens the window.
-
-espalier --demo [RECIPE]
-    Opens the window and brushes a tree in it; then it is yours.
-
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
-    What operations do not find in the tree is printed; with --strict it is an
-    error, and nothing is written.
-
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
-
-espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Takes a picture. It wants a display; a virtual one will do.
-    --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
-
-espalier info FILE
-    Says as JSON what is in a project.
-
-espalier --help, --version
-
-OUT ends in .espalier (project) or in the ending of a format:
-%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
-unreadable or wrong, 4 when an output could not be written.
-</source>
-        <translation>Espalier: malowanie drzew.
-
-espalier [PROJEKT]
-    Otwiera okno.
-
-espalier --demo [PRZEPIS]
-    Otwiera okno i maluje w nim drzewo, po czym je oddaje.
-
-espalier replay PRZEPIS... [-o WYNIK]... [--png PLIK] [--size SxW]
-                [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
-                [--stats PLIK] [--threads N] [--seed N] [--strict]
-    Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
-    Przy kilku przepisach każdy prowadzi dalej drzewo poprzedniego: pierwszy
-    podaje ziarno, a każdy na początku wprowadza swoje parametry.
-    To, czego operacje nie znajdują w drzewie, jest wypisywane; z --strict jest
-    to błąd i nic nie zostaje zapisane.
-
-espalier export PROJEKT [-o WYNIK]...
-    Zapisuje projekt w innych formatach.
-
-espalier render PROJEKT --png PLIK [--size SxW] [--camera ...]
-                [--transparent [--ground-shadow]]
-    Tworzy obraz. Wymaga ekranu; wystarczy wirtualny.
-    --transparent: samo drzewo, z prostym kanałem alfa; --ground-shadow
-    zachowuje jego cień jako czerń o pewnym kryciu.
-
-espalier info PLIK
-    Podaje jako JSON, co jest w projekcie.
-
-espalier --help, --version
-
-WYNIK kończy się na .espalier (projekt) lub na rozszerzenie formatu:
-%1Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
-da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
-</translation>
     </message>
     <message>
         <source>it died before it was born, or in the future</source>
@@ -2434,10 +2222,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>kolumny umieszczonych liści mają różne długości</translation>
     </message>
     <message>
-        <source>its internode is missing</source>
-        <translation>brak jego międzywęźla</translation>
-    </message>
-    <message>
         <source>placed leaf %1: %2</source>
         <translation>umieszczony liść %1: %2</translation>
     </message>
@@ -2452,6 +2236,44 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>the lassos in force are out of order</source>
         <translation>obowiązujące obrysy lassa są w złej kolejności</translation>
+    </message>
+</context>
+<context>
+    <name>WidthTool</name>
+    <message>
+        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <translation>Stuknąć gałąź, aby ustalić jej grubość; przeciągnąć końce uchwytu, aby ją zmienić</translation>
+    </message>
+</context>
+<context>
+    <name>ZipArchive</name>
+    <message>
+        <source>the archive could not be packed: %1</source>
+        <translation>nie udało się spakować archiwum: %1</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>dane są uszkodzone</translation>
+    </message>
+    <message>
+        <source>it is no project file, or a damaged one (%1)</source>
+        <translation>to nie jest plik projektu albo jest uszkodzony (%1)</translation>
+    </message>
+    <message>
+        <source>it is no project file: it is empty</source>
+        <translation>to nie jest plik projektu: jest pusty</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>brak tego elementu</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, but %2 are expected</source>
+        <translation>liczba bajtów to %1, a oczekiwano %2</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 bytes</source>
+        <translation>rozmiar w bajtach przekracza %1</translation>
     </message>
 </context>
 <context>
@@ -2668,22 +2490,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::FileController</name>
     <message>
-        <source>Binary glTF</source>
-        <translation type="vanished">Binarny glTF</translation>
-    </message>
-    <message>
-        <source>FBX</source>
-        <translation type="vanished">FBX</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ</source>
-        <translation type="vanished">Wavefront OBJ</translation>
-    </message>
-    <message>
-        <source>Skeleton as a table</source>
-        <translation type="vanished">Szkielet jako tabela</translation>
-    </message>
-    <message>
         <source>Not saved. %1</source>
         <translation>Nie zapisano. %1</translation>
     </message>
@@ -2692,28 +2498,8 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Nie można zabezpieczyć drzewa na wypadek awarii: %1</translation>
     </message>
     <message>
-        <source>Open</source>
-        <translation type="vanished">Otwieranie</translation>
-    </message>
-    <message>
-        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation type="vanished">Drzewa i przepisy (*.espalier *.json);;Drzewa (*.espalier);;Przepisy (*.json);;Wszystkie pliki (*)</translation>
-    </message>
-    <message>
         <source>Saving %1</source>
         <translation>Zapisywanie %1</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation type="vanished">Zapisywanie</translation>
-    </message>
-    <message>
-        <source>Trees (*.espalier)</source>
-        <translation type="vanished">Drzewa (*.espalier)</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation type="vanished">Eksport</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -2734,30 +2520,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Saved %1</source>
         <translation>Zapisano %1</translation>
-    </message>
-    <message>
-        <source>Espalier</source>
-        <translation type="vanished">Espalier</translation>
-    </message>
-    <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation type="vanished">„%1” ma niezapisane zmiany.</translation>
-    </message>
-    <message>
-        <source>A tree that was never saved</source>
-        <translation type="vanished">drzewo, którego nigdy nie zapisano</translation>
-    </message>
-    <message>
-        <source>Espalier ended unexpectedly. %1 can be brought back as it was.</source>
-        <translation type="vanished">Espalier niespodziewanie zakończył pracę. Można przywrócić poprzedni stan: %1.</translation>
-    </message>
-    <message>
-        <source>Bring Back</source>
-        <translation type="vanished">Przywróć</translation>
-    </message>
-    <message>
-        <source>Discard</source>
-        <translation type="vanished">Odrzuć</translation>
     </message>
     <message>
         <source>None yet</source>
@@ -2782,6 +2544,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Keep This</source>
         <translation>Zachowaj to</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Otwieranie %1</translation>
     </message>
 </context>
 <context>
@@ -3436,45 +3202,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Done</source>
         <translation>Gotowe</translation>
-    </message>
-</context>
-<context>
-    <name>espalier::Tree</name>
-    <message>
-        <source>the columns of the tree have different lengths</source>
-        <translation type="vanished">kolumny drzewa mają różne długości</translation>
-    </message>
-    <message>
-        <source>the tree is empty or lacks its parameters</source>
-        <translation type="vanished">drzewo jest puste lub nie ma parametrów</translation>
-    </message>
-    <message>
-        <source>the seedling must stand at the base</source>
-        <translation type="vanished">siewka musi stać u podstawy</translation>
-    </message>
-    <message>
-        <source>it lives on a dead internode</source>
-        <translation type="vanished">żyje na martwym międzywęźlu</translation>
-    </message>
-    <message>
-        <source>two internodes continue the same axis</source>
-        <translation type="vanished">dwa międzywęźla przedłużają tę samą oś</translation>
-    </message>
-    <message>
-        <source>internode %1: %2</source>
-        <translation type="vanished">międzywęźle %1: %2</translation>
-    </message>
-    <message>
-        <source>width %1 cannot be</source>
-        <translation type="vanished">grubość %1 jest niemożliwa</translation>
-    </message>
-    <message>
-        <source>lasso %1 cannot be</source>
-        <translation type="vanished">lasso %1 jest niemożliwe</translation>
-    </message>
-    <message>
-        <source>the lassos in force are out of order</source>
-        <translation type="vanished">obowiązujące obrysy lassa są w złej kolejności</translation>
     </message>
 </context>
 <context>

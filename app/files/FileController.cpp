@@ -30,6 +30,12 @@ Result<Recipe> readNamedRecipe(const QString& fileName)
     return recipe;
 }
 
+/// Outside the template that shows it, where lupdate finds its context.
+QString openingText(const QString& name)
+{
+    return QCoreApplication::translate("espalier::FileController", "Opening %1").arg(name);
+}
+
 } // namespace
 
 FileController::FileController(QWidget& window, TreeDocument& document, Settings& settings, Notice& notice,
@@ -112,7 +118,7 @@ void FileController::replaceWith(const QString& name, Read read, Show show, Fail
         if (*state == State::Done || !isWanted())
             return;
         *state = State::Shown;
-        m_notice->showProgress(tr("Opening %1").arg(name), -1.0, [this] { ++m_replacementsAsked; });
+        m_notice->showProgress(openingText(name), -1.0, [this] { ++m_replacementsAsked; });
     });
     runInBackground(this, std::move(read), [=, this](auto result) mutable {
         if (std::exchange(*state, State::Done) == State::Shown)

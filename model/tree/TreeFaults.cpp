@@ -10,10 +10,9 @@ namespace espalier {
 
 namespace {
 
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("Tree", text);
-}
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Tree)
+};
 
 /// What is wrong with the values of row @p row, each seen alone; empty for nothing.
 template <class Table, class Columns>
@@ -26,7 +25,7 @@ QString valueFault(const Columns& columns, std::uint32_t row)
                 fault = info.faultOf(column[row]);
         },
         columns);
-    return fault == nullptr ? QString() : tr(fault);
+    return fault == nullptr ? QString() : Text::tr(fault);
 }
 
 template <class Table, class Columns>
@@ -47,15 +46,15 @@ QString internodeFault(const TreeContent& t, InternodeId id)
     const InternodeColumns& c = t.internodes;
     const InternodeId parent = c.parent[id];
     if (parent != kNoInternode && parent >= id)
-        return tr("its parent does not come before it");
+        return Text::tr("its parent does not come before it");
     if (c.parameterSet[id] >= t.kept.parameters.size())
-        return tr("its parameters are missing");
+        return Text::tr("its parameters are missing");
     if (c.birth[id] > t.step)
-        return tr("it was born in the future");
+        return Text::tr("it was born in the future");
     if (c.death[id] != kNever && (c.death[id] < c.birth[id] || c.death[id] > t.step))
-        return tr("it died before it was born, or in the future");
+        return Text::tr("it died before it was born, or in the future");
     if (c.death[id] == kNever && parent != kNoInternode && c.death[parent] != kNever)
-        return tr("it lives on a dead internode");
+        return Text::tr("it lives on a dead internode");
     return {};
 }
 
@@ -63,30 +62,30 @@ QString internodesFault(const TreeContent& t)
 {
     const InternodeColumns& c = t.internodes;
     if (!haveEqualSizes<InternodeTable>(c))
-        return tr("the columns of the tree have different lengths");
+        return Text::tr("the columns of the tree have different lengths");
     if (c.size() == 0 || t.kept.parameters.isEmpty() || t.currentParameters >= t.kept.parameters.size())
-        return tr("the tree is empty or lacks its parameters");
+        return Text::tr("the tree is empty or lacks its parameters");
     if (t.kept.parameters.size() > kMostParameterSets)
-        return tr("the tree has more than %1 parameter sets").arg(kMostParameterSets);
+        return Text::tr("the tree has more than %1 parameter sets").arg(kMostParameterSets);
     std::vector<bool> continued(c.size(), false);
     std::unordered_set<InternodeKey> keys;
     keys.reserve(c.size());
     for (InternodeId id = 0; id < c.size(); ++id) {
         QString fault = valueFault<InternodeTable>(c, id);
         if (id == 0 && (c.parent[0] != kNoInternode || c.death[0] != kNever))
-            fault = tr("the seedling must stand at the base");
+            fault = Text::tr("the seedling must stand at the base");
         if (fault.isEmpty())
             fault = internodeFault(t, id);
         if (const InternodeId parent = c.parent[id]; fault.isEmpty() && parent != kNoInternode &&
                                                      c.death[id] == kNever && c.slot[id] == kTerminalSlot) {
             if (continued[parent])
-                fault = tr("two internodes continue the same axis");
+                fault = Text::tr("two internodes continue the same axis");
             continued[parent] = true;
         }
         if (fault.isEmpty() && !keys.insert(c.key[id]).second)
-            fault = tr("another internode has its key");
+            fault = Text::tr("another internode has its key");
         if (!fault.isEmpty())
-            return tr("internode %1: %2").arg(id).arg(fault);
+            return Text::tr("internode %1: %2").arg(id).arg(fault);
     }
     return {};
 }
@@ -95,15 +94,15 @@ QString leavesFault(const TreeContent& t)
 {
     const LeafColumns& c = t.leaves;
     if (!haveEqualSizes<LeafTable>(c))
-        return tr("the columns of the placed leaves have different lengths");
+        return Text::tr("the columns of the placed leaves have different lengths");
     for (LeafId id = 0; id < c.size(); ++id) {
         QString fault = valueFault<LeafTable>(c, id);
         if (fault.isEmpty() && c.internode[id] >= t.internodes.size())
-            fault = tr("its internode is missing");
+            fault = Text::tr("its internode is missing");
         if (fault.isEmpty() && (c.birth[id] > t.step || (c.death[id] != kNever && c.death[id] < c.birth[id])))
-            fault = tr("it died before it was born, or in the future");
+            fault = Text::tr("it died before it was born, or in the future");
         if (!fault.isEmpty())
-            return tr("placed leaf %1: %2").arg(id).arg(fault);
+            return Text::tr("placed leaf %1: %2").arg(id).arg(fault);
     }
     return {};
 }
@@ -123,7 +122,9 @@ QString sparseFault(const TreeContent& t)
                 else
                     wrong = info.faultOf(cells[i].value);
                 if (wrong != nullptr)
-                    fault = tr("entry %1 of “%2”: %3").arg(i).arg(QLatin1String(info.name), tr(wrong));
+                    fault = Text::tr("entry %1 of “%2”: %3")
+                                .arg(i)
+                                .arg(QLatin1String(info.name), Text::tr(wrong));
             }
         },
         t.sparse);
@@ -135,11 +136,11 @@ QString lassosFault(const TreeContent& t)
     const QList<LassoStroke>& strokes = t.kept.lassos;
     for (qsizetype i = 0; i < strokes.size(); ++i) {
         if (!isLasso(strokes.at(i)))
-            return tr("lasso %1: its plane or its points are not valid").arg(i);
+            return Text::tr("lasso %1: its plane or its points are not valid").arg(i);
     }
     for (std::size_t i = 0; i < t.lassosInForce.size(); ++i) {
         if (t.lassosInForce[i] >= strokes.size() || (i > 0 && t.lassosInForce[i] <= t.lassosInForce[i - 1]))
-            return tr("the lassos in force are out of order");
+            return Text::tr("the lassos in force are out of order");
     }
     return {};
 }

@@ -165,7 +165,7 @@ void InterruptionsTest::interruption_endsTheGestureAsOneUndoStep()
     if (tool == ActionId::Lasso && m_window->isHandBusy())
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isHandBusy(), 20000);
     QCOMPARE(document.undoStack().count(), 1);
-    QVERIFY(test::visibleDifference(before, document) != QString());
+    QVERIFY(test::differenceFrom(before, document) != QString());
     message.close();
     menu.close();
     other.close();
@@ -183,7 +183,7 @@ void InterruptionsTest::interruption_endsTheGestureAsOneUndoStep()
     QCOMPARE(document.undoStack().count(), 1);
     QVERIFY(!m_window->isBusy());
     document.undoStack().undo();
-    QCOMPARE(test::visibleDifference(before, document), QString());
+    QCOMPARE(test::differenceFrom(before, document), QString());
 }
 
 void InterruptionsTest::escape_takesTheGestureBack_data()
@@ -208,7 +208,7 @@ void InterruptionsTest::escape_takesTheGestureBack()
     release();
     QCoreApplication::processEvents();
     QCOMPARE(m_window->document().undoStack().count(), 0);
-    QCOMPARE(test::visibleDifference(before, m_window->document()), QString());
+    QCOMPARE(test::differenceFrom(before, m_window->document()), QString());
 }
 
 void InterruptionsTest::save_keepsTheStrokeUnderTheHand()
@@ -253,12 +253,12 @@ void InterruptionsTest::undo_takesBackTheStrokeUnderTheHand_andRedoBringsItBack(
     const test::DocumentState before(document);
     begin(ActionId::Brush);
     QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(test::visibleDifference(before, document), QString());
+    QCOMPARE(test::differenceFrom(before, document), QString());
     release();
     QCoreApplication::processEvents();
     QCOMPARE(document.undoStack().count(), 1);
     QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(test::visibleDifference(before, document) != QString());
+    QVERIFY(test::differenceFrom(before, document) != QString());
 }
 
 void InterruptionsTest::undo_ofAPressThatDidNothing_leavesTheStepBefore()

@@ -21,6 +21,21 @@ bool neverChanges(const ColumnInfo<T>& info)
     return std::ranges::find(kFixed, std::string_view(info.name)) != kFixed.end();
 }
 
+enum class ChangeFault { Fixed, NoRow, Impossible };
+
+QString changeOf(QLatin1StringView column, ChangeFault fault)
+{
+    switch (fault) {
+    case ChangeFault::Fixed:
+        return Text::tr("it changes “%1”, which never changes").arg(column);
+    case ChangeFault::NoRow:
+        return Text::tr("it changes “%1” of a row that was not there").arg(column);
+    case ChangeFault::Impossible:
+        break;
+    }
+    return Text::tr("it changes “%1” in a way that is not possible").arg(column);
+}
+
 /// A tree on its way back through its history. Before each delta is reverted, everything that reverting and
 /// applying it again relies on is looked at.
 class Rewind {
@@ -136,11 +151,11 @@ QString Rewind::changeFault(const Columns& columns, const Changes& changes, std:
                     return;
                 const QLatin1StringView name(info.name);
                 if (neverChanges(info) || name == QLatin1StringView("death"))
-                    fault = Text::tr("it changes “%1”, which never changes").arg(name);
+                    fault = changeOf(name, ChangeFault::Fixed);
                 else if (change.row >= end || !isNewInRound(change.row))
-                    fault = Text::tr("it changes “%1” of a row that was not there").arg(name);
+                    fault = changeOf(name, ChangeFault::NoRow);
                 else if (!isSame(change.after, column[change.row]) || info.faultOf(change.before) != nullptr)
-                    fault = Text::tr("it changes “%1” in a way that is not possible").arg(name);
+                    fault = changeOf(name, ChangeFault::Impossible);
             }
         },
         columns, changes);
@@ -186,8 +201,7 @@ QString Rewind::sparseFault(const TreeDelta& delta)
                     change.before == change.after ||
                     (change.before && info.faultOf(*change.before) != nullptr) ||
                     (change.before && change.row >= delta.born.first))
-                    fault = Text::tr("it sets “%1” in a way that is not possible")
-                                .arg(QLatin1StringView(info.name));
+                    fault = changeOf(QLatin1StringView(info.name), ChangeFault::Impossible);
             }
         },
         m_tree.content().sparse, delta.sparse);

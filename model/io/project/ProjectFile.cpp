@@ -34,14 +34,19 @@ constexpr qint64 kMaximumFile = qint64{2} << 30;
 constexpr std::uint64_t kMaximumThumbnail = 16 << 20;
 constexpr int kMaximumThumbnailEdge = 4096;
 
+Error farAway(InternodeId id)
+{
+    return inputError(Text::tr("internode %1").arg(id),
+                      Text::tr("it lies further than %1 m away").arg(kFarthestNode));
+}
+
 /// Whether every node lies where coordinates still mean something.
 Result<void> checkPositions(const Tree& tree)
 {
     const TreeIndex index(tree);
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (!(index.nodePosition(id).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kFarthestNode))
-            return inputError(Text::tr("internode %1").arg(id),
-                              Text::tr("it lies further than %1 m away").arg(kFarthestNode));
+            return farAway(id);
     }
     return {};
 }
