@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/document/Edit.h"
 #include "model/document/TreeDocument.h"
 #include "model/io/ImageFile.h"
 #include "model/io/project/ProjectFile.h"
@@ -89,8 +90,10 @@ bool FuzzFilesTest::tryProject(const QByteArray& content)
     // All that a person can do to its history, through the document and all its indices.
     TreeDocument document;
     document.reset(project->tree, project->journal);
-    travel(document, 0);
-    travel(document, project->journal.size());
+    Edit edit(document);
+    edit.travelTo(0);
+    edit.travelTo(project->journal.size());
+    edit.cancel();
     if (!(document.tree() == project->tree))
         qFatal("the history does not lead back");
     // And what it is saved as can be opened again.

@@ -205,7 +205,7 @@ void RendererTest::scene_followsDeltasBothWays()
     test::apply(*document, test::death(document->tree(), document->index(), limb));
     const QImage pruned = draw(scene);
     QVERIFY(difference(before, pruned) > 50);
-    document->revertLast();
+    document->undo();
     scene.prepare();
     while (!scene.settleSome()) {
     }
