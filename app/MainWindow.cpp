@@ -237,6 +237,7 @@ void MainWindow::showCheckedSheet()
 
 SettingsSheet& MainWindow::showSettings()
 {
+    m_workspace->viewport().finishGesture();
     if (auto* open = findChild<SettingsSheet*>()) {
         open->activateWindow();
         return *open;

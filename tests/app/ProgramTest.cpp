@@ -266,7 +266,7 @@ void ProgramTest::info_describesAProject()
     QVERIFY(outcome.error.isEmpty());
     const QJsonObject info = QJsonDocument::fromJson(outcome.out).object();
     const QJsonObject stats = QJsonDocument::fromJson(read("s.json")).object();
-    QCOMPARE(info[QStringLiteral("version")].toInt(), 1);
+    QCOMPARE(info[QStringLiteral("version")].toInt(), 2);
     const QJsonObject counts = info[QStringLiteral("counts")].toObject();
     for (const char* key : {"internodes", "buds", "leaves", "axes", "steps"})
         QCOMPARE(counts[QLatin1String(key)], stats[QLatin1String(key)]);
@@ -312,7 +312,7 @@ void ProgramTest::failures_areOneLineAndACode_data()
     add("project of none rendered", {"render", "none.espalier", "--png", "p.png"}, 4, "p.png");
     add("output has no folder", {"replay", "r.json", "-o", "no/where/t.glb"}, 4, "t.glb: ");
     add("project has no folder", {"replay", "r.json", "-o", "no/where/t.espalier"}, 4, "t.espalier: ");
-    add("stats have no folder", {"replay", "r.json", "--stats", "no/where/s.json"}, 4, "no/where/s.json");
+    add("stats have no folder", {"replay", "r.json", "--stats", "no/where/s.json"}, 4, "s.json: the folder");
     add("picture without a display", {"replay", "r.json", "--png", "p.png"}, 4, "display");
     add("window without a display", {}, 4, "display");
 }

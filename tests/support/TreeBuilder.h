@@ -249,4 +249,16 @@ inline TreeBuilder randomTree(std::uint32_t count, std::uint64_t seed = 1,
     return builder;
 }
 
+/// The same, standing so high that nothing of it comes near the ground, which bark and leaves do not go
+/// below.
+inline TreeBuilder raisedTree(std::uint32_t count, std::uint64_t seed = 1,
+                              const TreeParameters& parameters = {})
+{
+    TreeBuilder builder = randomTree(count, seed, parameters);
+    TreeDelta delta = deltaStartingAt(builder.tree);
+    delta.sparse.rootPosition.push_back({0, std::nullopt, Vec3(0.0F, 8.0F, 0.0F)});
+    builder.apply(std::move(delta));
+    return builder;
+}
+
 } // namespace espalier::test

@@ -85,6 +85,7 @@ void ShapingToolsTest::plant()
         internodes.push_back({.parent = i, .slot = 0, .rotation = branching(radians(50)), .length = 0.1F});
     internodes.push_back({.parent = kTip - 2, .slot = 0, .rotation = branching(radians(50)), .length = 0.1F});
     apply(*m_document, births(m_document->tree(), internodes));
+    m_document->undoStack().clear();
     m_view->setCamera(Camera());
     QVERIFY(std::abs(node(kTip).x()) > 1.0F);
     // The picture tells how thick the bark is.

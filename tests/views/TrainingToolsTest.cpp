@@ -38,6 +38,7 @@ InternodeId TrainingToolsTest::plantBranch()
     for (InternodeId i = 9; i < 11; ++i)
         internodes.push_back({.parent = i, .length = 0.2F});
     apply(*m_document, births(m_document->tree(), internodes));
+    m_document->undoStack().clear();
     return 9;
 }
 

@@ -25,7 +25,7 @@ private Q_SLOTS:
     void keysDuringAStroke_windTheTrunk();
     void orbitAndZoom_moveTheCameraAndLeaveTheTreeAlone();
     void frameAll_fliesToTheWholeTree();
-    void newTool_cancelsTheGestureOfTheOld();
+    void newTool_finishesTheGestureOfTheOld();
     void picture_changesWithTheTreeAndComesToRest();
     void brushRadius_doesNotRedrawTheTree();
     void window_canBeChanged();
@@ -273,16 +273,16 @@ void ViewportTest::frameAll_fliesToTheWholeTree()
     }
 }
 
-void ViewportTest::newTool_cancelsTheGestureOfTheOld()
+void ViewportTest::newTool_finishesTheGestureOfTheOld()
 {
     QSignalSpy changed(m_view.get(), &Viewport::toolChanged);
     press(Vec3::Zero());
     drag(Vec3::Zero(), {0.0F, 1.0F, 0.0F}, 400);
     m_view->setTool(std::make_unique<BrushTool>(m_view->toolContext()));
-    QCOMPARE(alive(), 1U);
+    QVERIFY(alive() > 1U);
     QCOMPARE(changed.count(), 1);
     release({0.0F, 1.0F, 0.0F});
-    QCOMPARE(m_document->undoStack().count(), 0);
+    QCOMPARE(m_document->undoStack().count(), 1);
 }
 
 void ViewportTest::picture_changesWithTheTreeAndComesToRest()

@@ -184,7 +184,9 @@ InternodeColumns renumbered(const OldInternodes& old, const Renumbering& idOf, s
     for (InternodeId id = 0; id < static_cast<std::uint32_t>(old.parent.size()); ++id) {
         if (idOf(id) == kNoInternode)
             continue;
-        c.parent.append(idOf(old.parent[id]));
+        // A parent that is none, or has gone, stays one that the check of the tree refuses.
+        const InternodeId parent = idOf(old.parent[id]);
+        c.parent.append(parent == kNoInternode && old.parent[id] != kNoInternode ? c.size() : parent);
         c.along.append(1.0F);
         c.rotation.append(old.rotation[id]);
         c.length.append(old.length[id]);

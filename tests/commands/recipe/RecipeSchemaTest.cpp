@@ -120,8 +120,9 @@ void RecipeSchemaTest::schemaAndLimits_agree()
     QCOMPARE(target[QLatin1String("maximum")].toDouble(), recipeLimits::kCoordinate);
     QCOMPARE(property(defs[QLatin1String("setWidth")], "diameter")[QLatin1String("maximum")].toDouble(),
              SetWidthOperation::kGreatestDiameter);
-    QCOMPARE(defs[QLatin1String("internode")][QLatin1String("maximum")].toInteger(),
-             InternodeReference::kGreatestNumber);
+    QCOMPARE(
+        defs[QLatin1String("internode")][QLatin1String("oneOf")][0][QLatin1String("maximum")].toInteger(),
+        InternodeReference::kGreatestNumber);
     // The members that the schema names are those that the parser takes: each alone is no surplus to it.
     for (const QString& member : root[QLatin1String("properties")].toObject().keys()) {
         const QJsonObject json{{QStringLiteral("espalier-recipe"), 1}, {member, 1}};

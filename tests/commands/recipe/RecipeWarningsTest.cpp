@@ -111,7 +111,7 @@ std::vector<Case> cases()
         {"lasso", lassoOf({}), {}},
         {"lasso that encloses nothing",
          LassoOperation{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {0, 1}, {0, 1}}}},
-         QStringLiteral("The lasso encloses nothing")},
+         QStringLiteral("The lasso is too small to enclose anything.")},
         {"lasso of a missing bud", lassoOf(missingBud), noBud},
         {"regrow without an envelope", RegrowOperation{}, QStringLiteral("There is no envelope to regrow.")},
         {"removeLasso without an envelope", RemoveLassoOperation{}, QStringLiteral("there is no envelope")},

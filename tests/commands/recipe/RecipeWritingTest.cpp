@@ -74,7 +74,8 @@ void RecipeWritingTest::everyFloat_roundTripsWithFewDigits()
             continue;
         const QByteArray json =
             QJsonDocument(QJsonArray{shortestDouble(number)}).toJson(QJsonDocument::Compact);
-        QVERIFY2(json.size() <= 18, json.constData());
+        // Qt writes whole numbers below 2^63 with all their digits.
+        QVERIFY2(json.size() <= 22, json.constData());
         const double back = QJsonDocument::fromJson(json).array().at(0).toDouble();
         QCOMPARE(static_cast<float>(back), number);
     }

@@ -73,7 +73,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "prune", "internodes": [3, 1.5]})"),
         "operations[0].internodes[1]: a whole number from 0 to 4294967294 is expected");
     row(operationsOf(R"({"op": "prune", "internodes": [{"internode": 3}]})"),
-        "operations[0].internodes[0]: a whole number from 0 to 4294967294 is");
+        "operations[0].internodes[0]: a key (“key”) or a place (“at”) is expected");
     row(operationsOf(R"({"op": "grow", "steps": 2, "only": {"bud": 1}})"),
         "operations[0].only.internode: it is missing");
     row(operationsOf(R"({"op": "grow", "steps": 2, "only": {"internode": 1, "bud": 6}})"),

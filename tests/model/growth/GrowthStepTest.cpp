@@ -174,7 +174,11 @@ void GrowthStepTest::shoots_startExactlyWhereBruteForceSays()
         const auto lengths = one.lengths();
         one.step();
         const auto grown = one.grown();
+        const double length = one.tree().parameters().growth.internodeLength;
         for (const auto& [bud, n] : lengths) {
+            // Near the ground, a shoot that would go below it does not start.
+            if (static_cast<double>(one.index().nodePosition(bud.node).y()) < 2.0 * length)
+                continue;
             QVERIFY2(grown.contains(bud) == (n > 0), qPrintable(QStringLiteral("seed %1").arg(seed)));
             started += n > 0 ? 1 : 0;
         }
@@ -329,8 +333,9 @@ void GrowthStepTest::internodes_areAsLongAsAsked()
             const GrowthParameters& p = tree.parametersOf(id).growth;
             const double relative = static_cast<double>(tree.length(id)) / p.internodeLength;
             if (p.irregularity == 0.0)
-                QVERIFY(std::abs(relative - 1.0) < 1e-6);
-            QVERIFY(relative > 0.3 && relative < 2.0);
+                // Rather than go below the ground, an internode is half as long.
+                QVERIFY(std::abs(relative - 1.0) < 1e-6 || std::abs(relative - 0.5) < 1e-6);
+            QVERIFY(relative > (p.irregularity == 0.0 ? 0.3 : 0.15) && relative < 2.0);
             sum += relative;
             const float distance =
                 (document.index().nodePosition(id) - document.index().basePosition(tree, id)).norm();

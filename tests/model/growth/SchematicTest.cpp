@@ -120,7 +120,8 @@ void SchematicTest::buds_standOnTheSideThatPhyllotaxisSays()
     const auto [noneLeft, allRight] = sides(0.0);
     QVERIFY(noneLeft == 0 && allRight > 3);
     const auto [left, right] = sides(180.0);
-    QVERIFY(left > 3 && std::abs(left - right) <= 2);
+    // The lowest ones on one side may be missing: nothing grows into the ground.
+    QVERIFY(left > 3 && right > 3 && std::abs(left - right) <= 4);
 }
 
 static const test::TestClass<SchematicTest> schematicTest;

@@ -134,7 +134,7 @@ void ProjectVersion1Test::damagedOldFile_isRefused_data()
         QByteArray content = entry(entries, name);
         return content.replace(place, bytes.size(), bytes);
     };
-    row("tree/parent", with("tree/parent", 40, huge), "internode 10: ");
+    row("tree/parent", with("tree/parent", 40, QByteArray(4, '\x7f')), "internode 10: its parent");
     row("tree/length", entry(entries, "tree/length").chopped(1), "tree/length: it has ");
     row("journal/bornFirst", with("journal/bornFirst", 4, QByteArray(4, '\0')), "the history: ");
     row("journal/diedCount", with("journal/diedCount", 0, huge), "the history: ");

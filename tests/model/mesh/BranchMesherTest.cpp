@@ -37,7 +37,7 @@ void BranchMesherTest::mesh_ofASeedling_isOneTube()
 
 void BranchMesherTest::mesh_isThatOfEachTubeInTurn()
 {
-    const TreeBuilder builder = randomTree(1500, 2);
+    const TreeBuilder builder = raisedTree(1500, 2);
     const Widths widths(builder.tree, builder.index);
     const BranchMesh mesh = meshBranches(builder.tree, builder.index, widths);
     const std::vector<InternodeId> tubes = tubesOf(builder.tree, builder.index);
@@ -66,7 +66,7 @@ void BranchMesherTest::mesh_isThatOfEachTubeInTurn()
 void BranchMesherTest::mesh_ofTheWholeTree_isAClosedManifold()
 {
     // Tubes touch in no vertex, so welding the whole tree joins nothing that should be apart.
-    const TreeBuilder builder = randomTree(3000, 3);
+    const TreeBuilder builder = raisedTree(3000, 3);
     const BranchMesh mesh = meshBranches(builder.tree, builder.index, Widths(builder.tree, builder.index));
     const MeshTopology topology = topologyOf(mesh.vertices, mesh.indices);
     QCOMPARE(topology.openEdges, 0);
@@ -77,7 +77,7 @@ void BranchMesherTest::mesh_ofTheWholeTree_isAClosedManifold()
 
 void BranchMesherTest::mesh_isTheSameOnOneThreadAndMany()
 {
-    const TreeBuilder builder = randomTree(12000, 4);
+    const TreeBuilder builder = raisedTree(12000, 4);
     const Widths widths(builder.tree, builder.index);
     BranchMesh single;
     {
@@ -92,7 +92,7 @@ void BranchMesherTest::mesh_isTheSameOnOneThreadAndMany()
 
 void BranchMesherTest::mesh_ofADeadBranch_isGone()
 {
-    TreeBuilder builder = randomTree(400, 5);
+    TreeBuilder builder = raisedTree(400, 5);
     const BranchMesh before = meshBranches(builder.tree, builder.index, Widths(builder.tree, builder.index));
     const InternodeId pruned = builder.index.firstChild(builder.index.firstChild(0));
     builder.apply(death(builder.tree, builder.index, pruned));

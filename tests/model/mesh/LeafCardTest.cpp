@@ -123,7 +123,7 @@ void LeafCardTest::expansion_leavesHiddenLeavesOut()
 
 void LeafCardTest::roundness_turnsNormalsOutOfTheCrown()
 {
-    const TreeBuilder builder = randomTree(300, 1);
+    const TreeBuilder builder = raisedTree(300, 1);
     const auto leaves = placeLeaves(builder.tree, builder.index);
     const Vec3 centre(0.0F, 1.0F, 0.0F);
     double outwardBefore = 0.0;
@@ -147,7 +147,7 @@ void LeafCardTest::roundness_turnsNormalsOutOfTheCrown()
 
 void LeafCardTest::expansion_isTheSameOnOneThreadAndMany()
 {
-    const TreeBuilder builder = randomTree(9000, 2);
+    const TreeBuilder builder = raisedTree(9000, 2);
     const auto leaves = placeLeaves(builder.tree, builder.index);
     QVERIFY(leaves.size() > 8192);
     TriangleMesh single;

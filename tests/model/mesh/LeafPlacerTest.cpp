@@ -91,7 +91,7 @@ void LeafPlacerTest::leaves_areOnYoungShootsAlone()
             TreeParameters parameters;
             parameters.leaves.maxTips = maxTips;
             parameters.leaves.perNode = perNode;
-            const TreeBuilder builder = randomTree(800, 1, parameters);
+            const TreeBuilder builder = raisedTree(800, 1, parameters);
             std::multiset<std::array<float, 3>> nodes;
             for (InternodeId id = 0; id < builder.tree.size(); ++id) {
                 const std::uint32_t tips = builder.index.tipCount(id);
@@ -110,7 +110,7 @@ void LeafPlacerTest::leaves_areOnYoungShootsAlone()
 
 void LeafPlacerTest::leaves_followTheParametersInForce()
 {
-    TreeBuilder builder = randomTree(300, 2, exact());
+    TreeBuilder builder = raisedTree(300, 2, exact());
     TreeParameters parameters = builder.tree.parameters();
     parameters.leaves.shape = LeafShape::Lobed;
     parameters.leaves.length = 0.2;
@@ -184,7 +184,7 @@ void LeafPlacerTest::angle_isThatBetweenShootAndPetiole()
     for (const double angle : {0.0, 30.0, 60.0, 120.0}) {
         TreeParameters parameters = exact();
         parameters.leaves.angle = radians(angle);
-        const TreeBuilder builder = randomTree(200, 3, parameters);
+        const TreeBuilder builder = raisedTree(200, 3, parameters);
         for (InternodeId id = 0; id < builder.tree.size(); ++id) {
             if (!LeafPlacer(builder.tree, builder.index).bears(id))
                 continue;
@@ -202,7 +202,7 @@ void LeafPlacerTest::droop_turnsLeavesDown()
     for (const double droop : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         TreeParameters parameters = exact();
         parameters.leaves.droop = droop;
-        const TreeBuilder builder = randomTree(300, 4, parameters);
+        const TreeBuilder builder = raisedTree(300, 4, parameters);
         double mean = 0.0;
         const auto leaves = placeLeaves(builder.tree, builder.index);
         for (const LeafInstance& leaf : leaves)
@@ -222,7 +222,7 @@ void LeafPlacerTest::frames_areOrthonormal()
         TreeParameters parameters;
         parameters.growth.irregularity = 1.0;
         parameters.leaves.upward = upward;
-        const TreeBuilder builder = randomTree(600, 5, parameters);
+        const TreeBuilder builder = raisedTree(600, 5, parameters);
         for (const LeafInstance& leaf : placeLeaves(builder.tree, builder.index)) {
             QVERIFY(std::abs(rotationOf(leaf).norm() - 1.0F) < 1e-5F);
             const Vec3 direction = directionOf(leaf);
@@ -240,7 +240,7 @@ void LeafPlacerTest::faces_lookUp()
         parameters.growth.irregularity = 1.0;
         parameters.leaves.upward = upward;
         parameters.leaves.droop = 0.4;
-        const TreeBuilder builder = randomTree(600, 6, parameters);
+        const TreeBuilder builder = raisedTree(600, 6, parameters);
         double worst = 1.0;
         for (const LeafInstance& leaf : placeLeaves(builder.tree, builder.index)) {
             worst = std::min(worst, static_cast<double>(normalOf(leaf).y()));
@@ -259,7 +259,7 @@ void LeafPlacerTest::sizes_varyAsMuchAsAsked()
         TreeParameters parameters = exact();
         parameters.leaves.length = 0.1;
         parameters.leaves.sizeVariation = variation;
-        const TreeBuilder builder = randomTree(1500, 7, parameters);
+        const TreeBuilder builder = raisedTree(1500, 7, parameters);
         double least = 1.0;
         double most = 0.0;
         double mean = 0.0;
@@ -403,7 +403,7 @@ void LeafPlacerTest::arrangement_isThatOfTheAxisWhereverATubeBegins()
         TreeParameters parameters;
         parameters.leaves.arrangement = arrangement;
         parameters.leaves.maxTips = 1000;
-        const TreeBuilder builder = randomTree(900, 11, parameters);
+        const TreeBuilder builder = raisedTree(900, 11, parameters);
         const LeafPlacer placer(builder.tree, builder.index);
         bool someTubeBeginsWithinAnAxis = false;
         for (const InternodeId base : tubesOf(builder.tree, builder.index)) {
@@ -426,13 +426,13 @@ void LeafPlacerTest::arrangement_isThatOfTheAxisWhereverATubeBegins()
 
 void LeafPlacerTest::leaves_dependOnSeedAndNodeAlone()
 {
-    TreeBuilder small = randomTree(200, 8);
+    TreeBuilder small = raisedTree(200, 8);
     const InternodeId node = small.tree.size() - 1;
     const std::vector<LeafInstance> before = leavesOf(small, node);
     // The rest of the tree grows on, elsewhere; the leaves stay.
     small.grow({.parent = 0, .slot = 0, .rotation = branching(0.5)});
     QCOMPARE(leavesOf(small, node), before);
-    const std::vector<LeafInstance> again = leavesOf(randomTree(200, 8), node);
+    const std::vector<LeafInstance> again = leavesOf(raisedTree(200, 8), node);
     QCOMPARE(again, before);
 
     TreeBuilder otherSeed(99);
@@ -445,7 +445,7 @@ void LeafPlacerTest::leaves_dependOnSeedAndNodeAlone()
 
 void LeafPlacerTest::leaves_areTheSameOnOneThreadAndMany()
 {
-    const TreeBuilder builder = randomTree(12000, 9);
+    const TreeBuilder builder = raisedTree(12000, 9);
     MeshBuffer<LeafInstance> single;
     {
         const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
