@@ -318,7 +318,8 @@ void BrushGestureTest::drawnStroke_isOneAxisOnTheLine()
         Random random(seed, 4, 0, Purpose::Direction);
         // A bend of short pieces that begins at a living bud.
         InternodeId start = document.tree().size() - 1;
-        while (!document.tree().isAlive(start) || document.tree().buds(start) == 0)
+        while (!document.tree().isAlive(start) || document.tree().buds(start) == 0 ||
+               document.index().heading(start).y() < 0.3F)
             --start;
         std::vector<Vec3> line{document.index().nodePosition(start)};
         // Not back along the shoot that it starts from.
