@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QKeyEvent>
+#include <QScopedValueRollback>
 #include <QWidget>
 
 QT_BEGIN_NAMESPACE
@@ -60,7 +61,8 @@ bool LatinKeyFilter::eventFilter(QObject* watched, QEvent* event)
 {
     // A key comes to the window first, once, and from there to the widget that has the focus.
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
-    if (!isKey || !watched->isWindowType())
+    // What this filter sends itself says nothing of the layout.
+    if (!isKey || m_isSending || !watched->isWindowType())
         return QObject::eventFilter(watched, event);
     const auto& key = static_cast<const QKeyEvent&>(*event);
     const int meant = meantKey(key);
@@ -79,6 +81,7 @@ bool LatinKeyFilter::eventFilter(QObject* watched, QEvent* event)
     QKeyEvent same(event->type(), meant, key.modifiers(), key.nativeScanCode(), key.nativeVirtualKey(),
                    key.nativeModifiers(), key.text(), key.isAutoRepeat(), static_cast<quint16>(key.count()));
     same.setTimestamp(key.timestamp());
+    const QScopedValueRollback sending(m_isSending, true);
     QCoreApplication::sendEvent(watched, &same);
     event->setAccepted(same.isAccepted());
     return true;

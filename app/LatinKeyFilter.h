@@ -28,6 +28,7 @@ private:
     KeyCodes m_codes;
     /// Whether the last letter was a foreign one: then a sign at the place of a Latin letter means that
     /// letter.
+    bool m_isSending = false;
     bool m_isLayoutForeign = false;
     QHash<quint32, int> m_held; ///< What held keys mean, by their native codes
 };

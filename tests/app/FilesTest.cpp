@@ -98,6 +98,9 @@ void FilesTest::brokenFile_leavesGrowthRunning()
     QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree().step() >= 2, 30'000);
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file.fileName())});
+    QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(m_window.get(), &enter);
+    QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
     QCoreApplication::sendEvent(m_window.get(), &drop);
     QTRY_VERIFY2_WITH_TIMEOUT(notice().contains(QStringLiteral("bad.espalier")), qPrintable(notice()),

@@ -324,6 +324,9 @@ void InterruptionsTest::penOutOfReach_endsTheStroke()
     send(&viewport(), QEvent::TabletPress, from, Qt::LeftButton);
     QVERIFY(viewport().isGestureActive());
     send(&viewport(), QEvent::TabletRelease, from, Qt::NoButton);
+    // While a pen is near, fingers are taken for the palm.
+    send(qApp, QEvent::TabletLeaveProximity, from, Qt::NoButton);
+    QTest::qWait(1200);
 }
 
 void InterruptionsTest::touchThatTheSystemTakes_endsTheStroke()
