@@ -42,7 +42,7 @@ QByteArray packed(const TreeDocument& document)
     return *bytes;
 }
 
-/// A document in the hands of somebody who changes their mind all the time, and what of it counts.
+/// A document to which random edits, undos and cancelled gestures happen, and the list of those that count.
 class Undecided {
 public:
     explicit Undecided(std::uint64_t seed) : m_random(seed, 0, 0, Purpose::ShootLength), m_seed(seed)

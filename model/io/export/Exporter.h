@@ -17,7 +17,7 @@ using Progress = std::function<bool(double)>;
 /// oak_bark_normal.png; they never replace a file that is not an earlier export's (see ExportFiles). Nodes
 /// and materials are called after @p name (see ExportScene). Files are replaced whole once all have been
 /// written: an error or a cancellation leaves everything as it was. Takes seconds for large trees; may run on
-/// any thread while nobody changes the tree.
+/// any thread while the tree does not change.
 Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString& name,
                         const QString& fileName, const ExportOptions& options = {},
                         const Progress& progress = {});

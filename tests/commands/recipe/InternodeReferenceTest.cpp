@@ -130,7 +130,7 @@ void InternodeReferenceTest::editedPast_isStillFound()
     QVERIFY(recipe);
     TreeDocument before;
     RecipePlayer(before, *recipe).playAll();
-    // Every branch that somebody could mean: where it begins, and how much it carries.
+    // All branches of ten internodes or more, by their first internodes.
     std::vector<InternodeId> meant;
     for (InternodeId id = 1; id < before.tree().size(); ++id) {
         if (before.tree().isAlive(id) && before.index().axis(id) == id &&
