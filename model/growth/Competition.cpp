@@ -20,35 +20,19 @@ constexpr float kBeyond = std::numeric_limits<float>::infinity();
 
 } // namespace
 
-void Competition::Neighbours::add(VoxelSpace::Residents residents, const Vec3& marker, float inner,
-                                  float outer)
-{
-    if (m_ids.size() < m_count + residents.size()) {
-        m_ids.resize(2 * m_count + residents.size());
-        m_squaredDistances.resize(m_ids.size());
-    }
-    // Written anyway, kept if it counts: the loop has no branch.
-    for (const Resident& resident : residents) {
-        const float squared = resident.squaredDistance(marker);
-        m_ids[m_count] = resident.id;
-        m_squaredDistances[m_count] = squared;
-        m_count += squared >= inner && squared <= outer ? 1 : 0;
-    }
-}
-
 float Competition::Neighbours::nearest() const
 {
     // As integers, which compare alike, the bits of floats make a faster loop.
     std::int32_t least = std::bit_cast<std::int32_t>(kBeyond);
-    for (std::size_t i = 0; i < m_count; ++i)
-        least = std::min(least, std::bit_cast<std::int32_t>(m_squaredDistances[i]));
+    for (const float squared : m_squaredDistances)
+        least = std::min(least, std::bit_cast<std::int32_t>(squared));
     return std::bit_cast<float>(least);
 }
 
 template <class Visit>
 void Competition::Neighbours::take(float squaredDistance, Visit&& visit)
 {
-    for (std::size_t i = 0; i < m_count; ++i) {
+    for (std::size_t i = 0; i < m_ids.size(); ++i) {
         if (m_squaredDistances[i] == squaredDistance) {
             m_squaredDistances[i] = kBeyond;
             visit(m_ids[i]);
@@ -85,53 +69,73 @@ bool competes(const GrowingTree& tree, const Competitors& competitors, BudRef bu
 
 Competition::Competition(GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
                          const Competitors& competitors, MarkerSet& markers)
-    : m_tree(tree), m_space(space), m_perception(perception), m_competitors(competitors), m_markers(markers)
+    : m_tree(tree),
+      m_space(space),
+      m_perception(perception),
+      m_competitors(competitors),
+      m_markers(markers),
+      m_met(tree.size())
 {
 }
 
 void Competition::admit(std::span<const BudRef> perceivers)
 {
-    m_tree.settleNewNodes();
     const std::size_t first = m_claims.size();
-    for (std::size_t i = first; i < m_markers.size(); ++i)
-        m_claims.push_back({.bud = perceivers.empty() ? BudRef{kNoInternode, 0} : perceivers[i - first]});
-    dropOccupied(first, [&](const Vec3& marker) {
-        return isOccupied(m_space, 0, marker) || isOccupied(m_tree.newNodes(), m_tree.tree().size(), marker);
-    });
-    parallelFor(m_claims.size() - first, kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
+    m_claims.resize(m_markers.size());
+    m_grids.assign(1, treeAroundMarkers());
+    std::vector<std::uint8_t> isGone(m_claims.size() - first, 0);
+    const std::vector<std::uint32_t> order =
+        m_grids.front().orderOf(std::span(m_markers.positions).subspan(first));
+    parallelFor(order.size(), kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
         Neighbours neighbours;
-        for (std::size_t i = first + begin; i < first + end; ++i) {
-            const Vec3& marker = m_markers.positions[i];
-            const Claim likely = std::exchange(m_claims[i], {});
-            if (likely.bud.node != kNoInternode)
-                contend(likely.bud.node, marker, m_claims[i]);
-            contest(m_space, 0, marker, 0.0F, m_claims[i], neighbours);
-            contest(m_tree.newNodes(), m_tree.tree().size(), marker, 0.0F, m_claims[i], neighbours);
+        for (const std::uint32_t i : std::span(order).subspan(begin, end - begin)) {
+            const Vec3& marker = m_markers.positions[first + i];
+            isGone[i] = isOccupied(m_grids.front(), marker) ? 1 : 0;
+            if (isGone[i] != 0)
+                continue;
+            if (!perceivers.empty())
+                contend(perceivers[i].node, marker, m_claims[first + i]);
+            contest(m_grids.front(), marker, 0.0F, m_claims[first + i], neighbours);
         }
     });
+    drop(first, isGone);
 }
 
 void Competition::repeat()
 {
-    m_tree.settleNewNodes();
-    dropOccupied(
-        0, [&](const Vec3& marker) { return isOccupied(m_tree.newNodes(), m_tree.tree().size(), marker); });
-    parallelFor(m_claims.size(), kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
+    std::vector<Resident> nodes;
+    for (InternodeId id = m_met; id < m_tree.size(); ++id) {
+        const Vec3& position = m_tree.nodePosition(id);
+        nodes.push_back({position.x(), position.y(), position.z(), id});
+    }
+    m_met = m_tree.size();
+    m_grids.push_back(gridOf(std::move(nodes)));
+
+    std::vector<std::uint8_t> isGone(m_claims.size(), 0);
+    const std::vector<std::uint32_t> order = m_grids.front().orderOf(m_markers.positions);
+    parallelFor(order.size(), kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
         Neighbours neighbours;
-        for (std::size_t i = begin; i < end; ++i) {
+        for (const std::uint32_t i : std::span(order).subspan(begin, end - begin)) {
+            const Vec3& marker = m_markers.positions[i];
+            isGone[i] = isOccupied(m_grids.back(), marker) ? 1 : 0;
+            if (isGone[i] != 0)
+                continue;
             // Buds come and go with the new nodes alone. If the owner is gone, those left of the others are
             // no nearer than it was.
             Claim& claim = m_claims[i];
             const Claim before = claim;
-            const bool isGone = before.bud.node != kNoInternode &&
-                                (m_tree.buds(before.bud.node) & budBit(before.bud.slot)) == 0;
-            if (isGone)
-                claim = {};
-            contest(m_tree.newNodes(), m_tree.tree().size(), m_markers.positions[i], 0.0F, claim, neighbours);
-            if (isGone)
-                contest(m_space, 0, m_markers.positions[i], before.squaredDistance, claim, neighbours);
+            if (before.bud.node == kNoInternode ||
+                (m_tree.buds(before.bud.node) & budBit(before.bud.slot)) != 0) {
+                contest(m_grids.back(), marker, 0.0F, claim, neighbours);
+                continue;
+            }
+            claim = {};
+            contest(m_grids.back(), marker, 0.0F, claim, neighbours);
+            for (std::size_t grid = m_grids.size() - 1; grid-- > 0;)
+                contest(m_grids[grid], marker, before.squaredDistance, claim, neighbours);
         }
     });
+    drop(0, isGone);
 }
 
 void Competition::dropOwned(std::span<const BudRef> buds)
@@ -162,45 +166,65 @@ std::vector<EnabledBud> Competition::enabled(InternodeId firstNode) const
     return enabled;
 }
 
-template <class IsOccupied>
-void Competition::dropOccupied(std::size_t first, const IsOccupied& isOccupied)
+void Competition::drop(std::size_t first, const std::vector<std::uint8_t>& isGone)
 {
-    std::vector<std::uint8_t> gone(m_markers.size(), 0);
-    parallelFor(m_markers.size() - first, kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = first + begin; i < first + end; ++i)
-            gone[i] = isOccupied(m_markers.positions[i]) ? 1 : 0;
-    });
-    m_markers.filter([&](std::size_t i) { return gone[i] == 0; });
+    const auto stays = [&](std::size_t i) { return i < first || isGone[i - first] == 0; };
+    m_markers.filter(stays);
     std::size_t i = 0;
-    std::erase_if(m_claims, [&](const Claim&) { return gone[i++] != 0; });
+    std::erase_if(m_claims, [&](const Claim&) { return !stays(i++); });
 }
 
-bool Competition::isOccupied(const VoxelSpace& space, InternodeId offset, const Vec3& marker) const
+float Competition::nearRadius() const
 {
-    const float squaredRadius = m_perception.occupancy * m_perception.occupancy;
-    return space.anyNear(marker, m_perception.occupancy, [&](VoxelSpace::Residents residents) {
-        return std::ranges::any_of(residents, [&](const Resident& resident) {
-            return resident.squaredDistance(marker) < squaredRadius && m_tree.buds(resident.id + offset) != 0;
+    return m_perception.occupancy + kNearShare * (m_perception.reach - m_perception.occupancy);
+}
+
+BudGrid Competition::gridOf(std::vector<Resident> nodes) const
+{
+    return BudGrid(std::move(nodes), nearRadius());
+}
+
+BudGrid Competition::treeAroundMarkers() const
+{
+    Box3 box;
+    for (const Vec3& marker : m_markers.positions)
+        box.extend(marker);
+    std::vector<Resident> nodes;
+    if (!box.isEmpty())
+        m_space.anyWithin(box, m_perception.reach, [&](VoxelSpace::Residents residents) {
+            for (const Resident& resident : residents) {
+                if (m_tree.buds(resident.id) != 0)
+                    nodes.push_back(resident);
+            }
+            return false;
         });
-    });
+    return gridOf(std::move(nodes));
 }
 
-void Competition::contest(const VoxelSpace& space, InternodeId offset, const Vec3& marker, float inner,
-                          Claim& claim, Neighbours& neighbours) const
+bool Competition::isOccupied(const BudGrid& grid, const Vec3& marker) const
 {
-    const float near = m_perception.occupancy + kNearShare * (m_perception.reach - m_perception.occupancy);
-    for (const float radius : {near, m_perception.reach}) {
+    // Anything nearer than the radius.
+    const float outer = std::nextafter(m_perception.occupancy * m_perception.occupancy, 0.0F);
+    return grid.anyNear(marker, 0.0F, outer, [](InternodeId, float) { return true; });
+}
+
+void Competition::contest(const BudGrid& grid, const Vec3& marker, float inner, Claim& claim,
+                          Neighbours& neighbours) const
+{
+    if (grid.isEmpty())
+        return;
+    for (const float radius : {nearRadius(), m_perception.reach}) {
         const float outer = std::min(radius * radius, claim.squaredDistance);
         if (outer < inner)
             continue;
         neighbours.clear();
-        space.anyNear(marker, std::sqrt(outer), [&](VoxelSpace::Residents residents) {
-            neighbours.add(residents, marker, inner, outer);
+        grid.anyNear(marker, inner, outer, [&](InternodeId id, float squared) {
+            neighbours.add(id, squared);
             return false;
         });
         for (float nearest = neighbours.nearest(); nearest <= claim.squaredDistance && nearest <= outer;
              nearest = neighbours.nearest())
-            neighbours.take(nearest, [&](InternodeId id) { contend(id + offset, marker, claim); });
+            neighbours.take(nearest, [&](InternodeId id) { contend(id, marker, claim); });
         if (claim.squaredDistance <= outer)
             return;
         inner = outer;

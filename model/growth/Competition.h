@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/growth/BudGrid.h"
 #include "model/growth/GrowingTree.h"
 
 #include <limits>
@@ -79,6 +80,7 @@ public:
                 const Competitors& competitors, MarkerSet& markers);
 
     /// Lets the markers that were appended since the last time take part, all of them at first.
+    /// Precondition: the tree has not grown yet.
     /// @param perceivers a bud for each that is likely to perceive it, which shortens the search; or nothing
     void admit(std::span<const BudRef> perceivers = {});
     /// A further round, after the tree has grown since the last: costs what is near the new nodes.
@@ -112,9 +114,16 @@ private:
     /// Nodes around a marker and their distances, as columns.
     class Neighbours {
     public:
-        void clear() { m_count = 0; }
-        /// Those of @p residents with a squared distance from @p marker of @p inner to @p outer.
-        void add(VoxelSpace::Residents residents, const Vec3& marker, float inner, float outer);
+        void clear()
+        {
+            m_ids.clear();
+            m_squaredDistances.clear();
+        }
+        void add(InternodeId id, float squaredDistance)
+        {
+            m_ids.push_back(id);
+            m_squaredDistances.push_back(squaredDistance);
+        }
         /// The least squared distance, or one beyond all.
         float nearest() const;
         /// Calls @p visit(id) for each node at that squared distance, and takes it out.
@@ -122,27 +131,32 @@ private:
         void take(float squaredDistance, Visit&& visit);
 
     private:
-        std::size_t m_count = 0;
         std::vector<InternodeId> m_ids;
         std::vector<float> m_squaredDistances;
     };
 
-    template <class IsOccupied>
-    void dropOccupied(std::size_t first, const IsOccupied& isOccupied);
-    bool isOccupied(const VoxelSpace& space, InternodeId offset, const Vec3& marker) const;
-    /// Gives @p claim to the best bud in @p space that beats it, of those at least the squared distance
+    /// So far is looked at first, m.
+    float nearRadius() const;
+    BudGrid gridOf(std::vector<Resident> nodes) const;
+    /// The nodes with buds that stood before the step and are within reach of the markers' box.
+    BudGrid treeAroundMarkers() const;
+    bool isOccupied(const BudGrid& grid, const Vec3& marker) const;
+    /// Gives @p claim to the best bud in @p grid that beats it, of those at least the squared distance
     /// @p inner away.
-    void contest(const VoxelSpace& space, InternodeId offset, const Vec3& marker, float inner, Claim& claim,
+    void contest(const BudGrid& grid, const Vec3& marker, float inner, Claim& claim,
                  Neighbours& neighbours) const;
     /// Likewise of the buds on one node.
     void contend(InternodeId node, const Vec3& marker, Claim& claim) const;
+    void drop(std::size_t first, const std::vector<std::uint8_t>& isGone);
 
     GrowingTree& m_tree;
     const VoxelSpace& m_space;
     Perception m_perception;
     Competitors m_competitors;
     MarkerSet& m_markers;
-    std::vector<Claim> m_claims; ///< By marker
+    std::vector<Claim> m_claims;  ///< By marker
+    std::vector<BudGrid> m_grids; ///< Of the tree before the step, then of each round's new nodes
+    std::uint32_t m_met;          ///< Internodes that have competed
 };
 
 } // namespace espalier

@@ -137,31 +137,15 @@ public:
         }
         return false;
     }
-    /// Likewise for all nodes at most @p radius from @p point, and some beyond.
+    /// Likewise for all nodes at most @p radius from @p box, m, and some beyond.
     template <class Visit>
-    bool anyNear(const Vec3& point, float radius, Visit&& visit) const
+    bool anyWithin(const Box3& box, float radius, Visit&& visit) const
     {
-        // A little more, lest rounding leaves out what lies at the very border.
         if (m_bricks.empty())
             return false;
+        // A little more, because of rounding at the very border.
         const Vec3 reach = Vec3::Constant(radius + 1e-3F * m_edge);
-        return anyRun(cellAt(point - reach), cellAt(point + reach), visit);
-    }
-
-    /// Calls @p visit(centre, radius, residents) for all nodes, brick by brick; centre and radius are those
-    /// of a ball around the brick, m.
-    template <class Visit>
-    void forEachBrick(Visit&& visit) const
-    {
-        const float half = 0.5F * kBrickEdge * m_edge;
-        for (std::size_t i = 0; i < m_bricks.size(); ++i) {
-            const Residents residents = m_bricks[i]->residents;
-            const Cell& b = m_coordinates[i];
-            if (!residents.empty())
-                visit(Vec3(half * Vec3(static_cast<float>(2 * b.x + 1), static_cast<float>(2 * b.y + 1),
-                                       static_cast<float>(2 * b.z + 1))),
-                      1.7321F * half, residents);
-        }
+        return anyRun(cellAt(box.min() - reach), cellAt(box.max() + reach), visit);
     }
 
     /// Shadow of a voxel, in units of 1 / kShadowUnit.
