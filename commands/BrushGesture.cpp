@@ -34,7 +34,7 @@ void BrushGesture::moveToward(const BrushSample& next, double time)
             return;
         const BrushSample brush = between(m_sample, next, stepTime);
         const TreeDocument& document = m_edit.document();
-        m_edit.apply(m_growth.step(document.tree(), document.index(), document.growthIndex(), m_last, brush));
+        m_edit.apply(m_growth.step(document.tree(), document.index(), document.growthModel(), m_last, brush));
         m_last = brush;
         ++m_stepsDone;
     }

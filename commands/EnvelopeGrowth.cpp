@@ -74,7 +74,7 @@ void EnvelopeGrowth::layMarkers(const Tree& tree)
     m_markers.born.assign(m_markers.positions.size(), 0);
 }
 
-TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth)
+TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const GrowthModel& model)
 {
     GrowthStepOptions options = GrowthStepOptions::of(tree.parameters().growth);
     // The lasso says where the crown is; what would be shed would leave holes in it.
@@ -93,7 +93,7 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
         ++m_steps;
         if (!m_leader) {
             const std::size_t before = m_markers.size();
-            TreeDelta delta = growthStep(tree, index, growth, m_markers, options, m_workspace);
+            TreeDelta delta = model.growToward(tree, index, m_markers, options, m_workspace);
             if (!delta.isEmpty())
                 return delta;
             if (m_markers.size() < before) // those that buds may not follow have gone: it is others' turn

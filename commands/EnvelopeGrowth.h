@@ -21,7 +21,7 @@ public:
     /// Only the buds that @p competitors names may grow.
     EnvelopeGrowth(EnvelopeSet envelopes, const Tree& tree, Competitors competitors = {});
 
-    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth) override;
+    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthModel& model) override;
     std::span<const Vec3> markers() const override { return m_markers.positions; }
 
 private:

@@ -11,11 +11,11 @@ class AutonomousGrowth : public GrowthProcess {
 public:
     explicit AutonomousGrowth(Competitors competitors) : m_competitors(competitors) {}
 
-    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth) override
+    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthModel& model) override
     {
         GrowthStepOptions options = GrowthStepOptions::of(tree.parameters().growth);
         options.competitors = m_competitors;
-        return autonomousStep(tree, index, growth, options, m_workspace);
+        return model.growFreely(tree, index, options, m_workspace);
     }
 
 private:

@@ -26,7 +26,7 @@ bool GrowthGesture::step()
     if (!m_edit->isActive() || !m_process)
         return false;
     const TreeDocument& document = m_edit->document();
-    TreeDelta delta = m_process->step(document.tree(), document.index(), document.growthIndex());
+    TreeDelta delta = m_process->step(document.tree(), document.index(), document.growthModel());
     return add({std::move(delta), {m_process->markers().begin(), m_process->markers().end()}});
 }
 

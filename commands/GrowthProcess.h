@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/growth/GrowthStep.h"
+#include "model/growth/GrowthModel.h"
 
 #include <span>
 #include <vector>
@@ -14,7 +14,7 @@ class GrowthProcess {
 public:
     virtual ~GrowthProcess() = default;
     /// The next step of a tree to which the steps before were applied; empty if growth has come to its end.
-    virtual TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth) = 0;
+    virtual TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthModel& model) = 0;
     /// World positions of the living markers of free space; none if they last no longer than a step.
     virtual std::span<const Vec3> markers() const { return {}; }
 };

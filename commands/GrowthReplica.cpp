@@ -3,8 +3,9 @@
 
 namespace espalier {
 
-GrowthReplica::GrowthReplica(const Tree& tree, std::unique_ptr<GrowthProcess> process)
-    : m_tree(tree), m_process(std::move(process))
+GrowthReplica::GrowthReplica(const Tree& tree, std::unique_ptr<GrowthModel> model,
+                             std::unique_ptr<GrowthProcess> process)
+    : m_tree(tree), m_model(std::move(model)), m_process(std::move(process))
 {
 }
 
@@ -12,13 +13,13 @@ GrownStep GrowthReplica::grow()
 {
     if (!std::exchange(m_hasIndices, true)) {
         m_index.rebuild(m_tree);
-        m_growthIndex.rebuild(m_tree, m_index);
+        m_model->rebuild(m_tree, m_index);
     }
-    m_growthIndex.settle(m_tree, m_index);
-    TreeDelta delta = m_process->step(m_tree, m_index, m_growthIndex);
+    m_model->settle(m_tree, m_index);
+    TreeDelta delta = m_process->step(m_tree, m_index, *m_model);
     m_tree.apply(delta);
     m_index.update(m_tree, delta);
-    m_growthIndex.follow(m_tree, m_index, delta);
+    m_model->follow(m_tree, m_index, delta);
     return {std::move(delta), {m_process->markers().begin(), m_process->markers().end()}};
 }
 

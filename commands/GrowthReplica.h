@@ -13,7 +13,8 @@ namespace espalier {
 class GrowthReplica {
 public:
     /// Costs nothing: what there is to be worked out is left to the first step.
-    GrowthReplica(const Tree& tree, std::unique_ptr<GrowthProcess> process);
+    GrowthReplica(const Tree& tree, std::unique_ptr<GrowthModel> model,
+                  std::unique_ptr<GrowthProcess> process);
 
     /// The next step. Calls must not overlap, but may come from different threads.
     GrownStep grow();
@@ -21,7 +22,7 @@ public:
 private:
     Tree m_tree;
     TreeIndex m_index;
-    GrowthIndex m_growthIndex;
+    std::unique_ptr<GrowthModel> m_model;
     std::unique_ptr<GrowthProcess> m_process;
     bool m_hasIndices = false;
 };

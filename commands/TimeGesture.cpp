@@ -32,7 +32,7 @@ bool TimeGesture::grow()
     GrowthStepOptions options = GrowthStepOptions::of(document.parameters().growth);
     options.competitors = document.competitors();
     TreeDelta delta =
-        autonomousStep(document.tree(), document.index(), document.growthIndex(), options, m_workspace);
+        document.growthModel().growFreely(document.tree(), document.index(), options, m_workspace);
     if (delta.isEmpty())
         return false;
     m_edit.apply(std::move(delta));

@@ -33,7 +33,8 @@ void GrowthRunner::start(std::unique_ptr<GrowthGesture> gesture, Pace pace, Cont
 
 void GrowthRunner::grow()
 {
-    m_replica = std::make_shared<GrowthReplica>(m_document.tree(), m_gesture->takeProcess());
+    m_replica = std::make_shared<GrowthReplica>(m_document.tree(), m_document.freshGrowthModel(),
+                                                m_gesture->takeProcess());
     ask();
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/TreeDocument.h"
 
+#include "model/growth/SelfOrganisingModel.h"
+
 namespace espalier {
 
-TreeDocument::TreeDocument(QObject* parent) : QObject(parent)
+TreeDocument::TreeDocument(QObject* parent)
+    : QObject(parent), m_growthModel(std::make_unique<SelfOrganisingModel>())
 {
     reset(1);
 }
@@ -30,7 +33,7 @@ void TreeDocument::reset(Tree tree, Journal journal, std::size_t ahead)
         m_journal.pop_back();
     }
     m_index.rebuild(m_tree);
-    m_growthIndex.rebuild(m_tree, m_index);
+    m_growthModel->rebuild(m_tree, m_index);
     m_pickIndex.clear();
     tell({TreeChange::Kind::Reset, nullptr});
 }
@@ -70,7 +73,7 @@ void TreeDocument::apply(std::shared_ptr<TreeDelta> delta)
     m_tree.apply(*delta);
     delta->rows.reset(); // they are the tree's now
     m_index.update(m_tree, *delta);
-    m_growthIndex.follow(m_tree, m_index, *delta);
+    m_growthModel->follow(m_tree, m_index, *delta);
     m_pickIndex.follow(m_tree, m_index, *delta);
     m_journal.push_back(std::move(delta));
     tell({TreeChange::Kind::Applied, m_journal.back().get()});
@@ -83,7 +86,7 @@ void TreeDocument::revertLast()
     m_journal.pop_back();
     m_tree.revert(*delta);
     m_index.update(m_tree, *delta);
-    m_growthIndex.follow(m_tree, m_index, *delta);
+    m_growthModel->follow(m_tree, m_index, *delta);
     m_pickIndex.follow(m_tree, m_index, *delta);
     tell({TreeChange::Kind::Reverted, delta.get()});
 }
@@ -100,6 +103,12 @@ void TreeDocument::travelTo(std::size_t position)
         m_future.pop_back();
         apply(next);
     }
+}
+
+void TreeDocument::setGrowthModel(std::unique_ptr<GrowthModel> model)
+{
+    m_growthModel = std::move(model);
+    m_growthModel->rebuild(m_tree, m_index);
 }
 
 void TreeDocument::setCompetitors(const Competitors& competitors)
@@ -134,7 +143,7 @@ std::size_t TreeDocument::bytes() const
         for (const auto& delta : *part)
             journal += delta->bytes() + sizeof(delta);
     }
-    return m_tree.bytes() + m_index.bytes() + m_growthIndex.bytes() + m_pickIndex.bytes() + journal;
+    return m_tree.bytes() + m_index.bytes() + m_growthModel->bytes() + m_pickIndex.bytes() + journal;
 }
 
 } // namespace espalier

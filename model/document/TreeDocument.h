@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/growth/Competition.h"
-#include "model/growth/GrowthIndex.h"
+#include "model/growth/GrowthModel.h"
 #include "model/picking/PickIndex.h"
 #include "model/tree/Tree.h"
 #include "model/tree/TreeDelta.h"
@@ -45,17 +44,21 @@ public:
     const Tree& tree() const { return m_tree; }
     const TreeIndex& index() const { return m_index; }
     /// Not for other threads: it is brought up to date when it is asked for.
-    const GrowthIndex& growthIndex() const
+    const GrowthModel& growthModel() const
     {
-        m_growthIndex.settle(m_tree, m_index);
-        return m_growthIndex;
+        m_growthModel->settle(m_tree, m_index);
+        return *m_growthModel;
     }
-    /// Brings it a part of the way, about so many nodes; returns whether it is up to date.
-    bool prepareGrowthIndex(std::size_t nodes) const
+    /// Brings its index a part of the way, about @p nodes nodes; returns whether it is up to date.
+    bool prepareGrowthModel(std::size_t nodes) const
     {
-        return m_growthIndex.settleSome(m_tree, m_index, nodes);
+        return m_growthModel->settleSome(m_tree, m_index, nodes);
     }
-    /// Where the living nodes are; brought up to date like growthIndex().
+    /// A model of the same kind for a copy of the tree.
+    std::unique_ptr<GrowthModel> freshGrowthModel() const { return m_growthModel->fresh(); }
+    /// From now on the tree grows by @p model, which is not null. What has grown stays.
+    void setGrowthModel(std::unique_ptr<GrowthModel> model);
+    /// Where the living nodes are; brought up to date like growthModel().
     const PickIndex& pickIndex() const
     {
         m_pickIndex.settle(m_tree, m_index);
@@ -132,7 +135,7 @@ private:
 
     Tree m_tree;
     TreeIndex m_index;
-    mutable GrowthIndex m_growthIndex;
+    std::unique_ptr<GrowthModel> m_growthModel;
     const Edit* m_edit = nullptr;
     EditHooks m_editHooks;
     std::uint64_t m_revision = 0;

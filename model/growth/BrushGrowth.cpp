@@ -116,7 +116,7 @@ BudRef nearestBud(const Tree& tree, const TreeIndex& index, const Vec3& point)
 
 } // namespace
 
-TreeDelta BrushGrowth::step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth,
+TreeDelta BrushGrowth::step(const Tree& tree, const TreeIndex& index, const GrowthModel& model,
                             const BrushSample& previous, const BrushSample& brush)
 {
     const GrowthParameters& p = tree.parameters().growth;
@@ -152,7 +152,7 @@ TreeDelta BrushGrowth::step(const Tree& tree, const TreeIndex& index, const Grow
     };
     if (isSeedling && isOutOfSight())
         return growLeader(tree, index, brush.position, sight, p.maxShootLength, m_workspace);
-    return growthStep(tree, index, growth, m_markers, options, m_workspace);
+    return model.growToward(tree, index, m_markers, options, m_workspace);
 }
 
 void BrushGrowth::layMarkers(const Tree& tree, const BrushSample& previous, const BrushSample& brush)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/growth/BrushSample.h"
-#include "model/growth/GrowthStep.h"
+#include "model/growth/GrowthModel.h"
 
 #include <optional>
 #include <span>
@@ -22,7 +22,7 @@ public:
     explicit BrushGrowth(Competitors competitors = {}) : m_competitors(competitors) {}
 
     /// One growth step with the brush at @p brush, having come from @p previous. Empty if nothing grew.
-    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthIndex& growth,
+    TreeDelta step(const Tree& tree, const TreeIndex& index, const GrowthModel& model,
                    const BrushSample& previous, const BrushSample& brush);
 
     /// World positions of the living markers.

@@ -83,6 +83,8 @@ void Competition::admit(std::span<const BudRef> perceivers)
     const std::size_t first = m_claims.size();
     m_claims.resize(m_markers.size());
     m_grids.assign(1, treeAroundMarkers());
+    m_met = m_tree.tree().size();
+    meetNewNodes();
     std::vector<std::uint8_t> isGone(m_claims.size() - first, 0);
     const std::vector<std::uint32_t> order =
         m_grids.front().orderOf(std::span(m_markers.positions).subspan(first));
@@ -90,12 +92,14 @@ void Competition::admit(std::span<const BudRef> perceivers)
         Neighbours neighbours;
         for (const std::uint32_t i : std::span(order).subspan(begin, end - begin)) {
             const Vec3& marker = m_markers.positions[first + i];
-            isGone[i] = isOccupied(m_grids.front(), marker) ? 1 : 0;
+            isGone[i] =
+                std::ranges::any_of(m_grids, [&](const BudGrid& grid) { return isOccupied(grid, marker); });
             if (isGone[i] != 0)
                 continue;
             if (!perceivers.empty())
                 contend(perceivers[i].node, marker, m_claims[first + i]);
-            contest(m_grids.front(), marker, 0.0F, m_claims[first + i], neighbours);
+            for (const BudGrid& grid : m_grids)
+                contest(grid, marker, 0.0F, m_claims[first + i], neighbours);
         }
     });
     drop(first, isGone);
@@ -103,14 +107,7 @@ void Competition::admit(std::span<const BudRef> perceivers)
 
 void Competition::repeat()
 {
-    std::vector<Resident> nodes;
-    for (InternodeId id = m_met; id < m_tree.size(); ++id) {
-        const Vec3& position = m_tree.nodePosition(id);
-        nodes.push_back({position.x(), position.y(), position.z(), id});
-    }
-    m_met = m_tree.size();
-    m_grids.push_back(gridOf(std::move(nodes)));
-
+    meetNewNodes();
     std::vector<std::uint8_t> isGone(m_claims.size(), 0);
     const std::vector<std::uint32_t> order = m_grids.front().orderOf(m_markers.positions);
     parallelFor(order.size(), kMarkersPerTask, [&](std::size_t begin, std::size_t end) {
@@ -179,9 +176,20 @@ float Competition::nearRadius() const
     return m_perception.occupancy + kNearShare * (m_perception.reach - m_perception.occupancy);
 }
 
-BudGrid Competition::gridOf(std::vector<Resident> nodes) const
+void Competition::meetNewNodes()
 {
-    return BudGrid(std::move(nodes), nearRadius());
+    std::vector<Resident> nodes;
+    for (; m_met < m_tree.size(); ++m_met) {
+        const Vec3& position = m_tree.nodePosition(m_met);
+        if (m_tree.buds(m_met) != 0)
+            nodes.push_back({position.x(), position.y(), position.z(), m_met});
+    }
+    m_grids.push_back(gridOf(nodes));
+}
+
+BudGrid Competition::gridOf(std::span<const Resident> nodes) const
+{
+    return {nodes, nearRadius()};
 }
 
 BudGrid Competition::treeAroundMarkers() const
@@ -198,7 +206,7 @@ BudGrid Competition::treeAroundMarkers() const
             }
             return false;
         });
-    return gridOf(std::move(nodes));
+    return gridOf(nodes);
 }
 
 bool Competition::isOccupied(const BudGrid& grid, const Vec3& marker) const

@@ -80,7 +80,6 @@ public:
                 const Competitors& competitors, MarkerSet& markers);
 
     /// Lets the markers that were appended since the last time take part, all of them at first.
-    /// Precondition: the tree has not grown yet.
     /// @param perceivers a bud for each that is likely to perceive it, which shortens the search; or nothing
     void admit(std::span<const BudRef> perceivers = {});
     /// A further round, after the tree has grown since the last: costs what is near the new nodes.
@@ -137,7 +136,9 @@ private:
 
     /// So far is looked at first, m.
     float nearRadius() const;
-    BudGrid gridOf(std::vector<Resident> nodes) const;
+    BudGrid gridOf(std::span<const Resident> nodes) const;
+    /// Adds the grid of the internodes that have come since the last time.
+    void meetNewNodes();
     /// The nodes with buds that stood before the step and are within reach of the markers' box.
     BudGrid treeAroundMarkers() const;
     bool isOccupied(const BudGrid& grid, const Vec3& marker) const;

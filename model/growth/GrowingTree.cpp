@@ -10,10 +10,7 @@ GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspa
       m_index(index),
       m_workspace(workspace),
       m_delta(deltaStartingAt(tree)),
-      m_rows(std::make_shared<TreeRows>()),
-      m_space(static_cast<float>(tree.parameters().growth.occupancyRadius *
-                                 tree.parameters().growth.internodeLength),
-              {})
+      m_rows(std::make_shared<TreeRows>())
 {
     m_workspace.buds.clear(tree.size());
     // A tree that was worked on for long has many sets, and a step is to cost what grows.
@@ -48,34 +45,30 @@ InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& directio
     const Rotation spin(Eigen::Quaternionf(Eigen::AngleAxisf(static_cast<float>(roll), Vec3::UnitY())));
     const Rotation local = (parentRotation.conjugate() * (turn * parentRotation) * spin).normalized();
 
-    InternodeColumns& c = rows();
-    c.parent.append(parent);
-    c.along.append(1.0F);
-    c.rotation.append(local);
-    c.length.append(static_cast<float>(length));
-    c.vigour.append(static_cast<float>(vigour));
-    c.slot.append(static_cast<std::uint8_t>(slot));
-    c.buds.append(BudStates::active(newBuds(m_tree.parameters().growth)));
-    c.birth.append(m_tree.step() + 1);
-    c.death.append(kNever);
-    c.parameterSet.append(static_cast<std::uint16_t>(m_tree.currentParameterSet()));
-    c.key.append(childKey(key(parent), slot, m_tree.step() + 1));
+    rows().append({.parent = parent,
+                   .rotation = local,
+                   .length = static_cast<float>(length),
+                   .vigour = static_cast<float>(vigour),
+                   .slot = static_cast<std::uint8_t>(slot),
+                   .buds = BudStates::active(newBuds(m_tree.parameters().growth)),
+                   .birth = m_tree.step() + 1,
+                   .parameterSet = static_cast<std::uint16_t>(m_tree.currentParameterSet()),
+                   .key = childKey(key(parent), slot, m_tree.step() + 1)});
 
     const Placement placement =
         placeOn(nodePosition(parent), parentRotation, local, static_cast<float>(length));
     m_axes.push_back(slot == kTerminalSlot ? axis(parent) : id);
     m_positions.push_back(placement.node);
     m_rotations.push_back(placement.rotation);
-    m_space.insert(id - m_tree.size(), placement.node);
     return id;
 }
 
-std::vector<Cell> GrowingTree::newCells() const
+std::vector<Cell> GrowingTree::newCells(const VoxelSpace& space) const
 {
     std::vector<Cell> cells;
     cells.reserve(m_positions.size());
     for (const Vec3& position : m_positions)
-        cells.push_back(m_space.cellAt(position));
+        cells.push_back(space.cellAt(position));
     std::ranges::sort(cells);
     const auto repeated = std::ranges::unique(cells);
     cells.erase(repeated.begin(), repeated.end());

@@ -73,12 +73,8 @@ public:
         return rotation(id) * m_workspace.budAngles[set].direction(key(id), slot);
     }
 
-    /// The new nodes alone, by voxel; their ids count from tree().size(). Those that were grown since the
-    /// last settleNewNodes() are not in yet.
-    const VoxelSpace& newNodes() const { return m_space; }
-    void settleNewNodes() { m_space.settle(); }
-    /// The voxels, each once, that new nodes lie in.
-    std::vector<Cell> newCells() const;
+    /// The voxels of @p space, each once, that new nodes lie in.
+    std::vector<Cell> newCells(const VoxelSpace& space) const;
 
     /// Lets the bud @p slot at @p parent become an internode along the unit vector @p direction and returns
     /// its id.
@@ -104,7 +100,6 @@ private:
     std::vector<Rotation> m_rotations;
     std::vector<InternodeId> m_axes;
     std::vector<InternodeId> m_changedBuds;
-    VoxelSpace m_space;
 };
 
 } // namespace espalier

@@ -32,6 +32,16 @@ constexpr const char* noFault(const T& /*value*/)
     return nullptr;
 }
 
+/// What a column of a new row holds where its maker does not say: the column's fallback, or the type's zero.
+template <class T>
+T initialValue(const std::optional<T>& fallback)
+{
+    if constexpr (std::is_same_v<T, Rotation>)
+        return fallback.value_or(Rotation::Identity());
+    else
+        return fallback.value_or(T{});
+}
+
 /// Exact equality. (Eigen's rotations have none of their own.)
 template <class T>
 bool isSame(const T& a, const T& b)
@@ -162,10 +172,12 @@ private:
 } // namespace espalier
 
 // A table is made of one list of columns, LIST(COLUMN), of lines COLUMN(type, name, fallback, fault). The
-// macro makes of it the struct <Table>Columns (a QList a column), the struct <Table>Changes (a CellChanges a
-// column), and <Table>Table::visit(visitor, parts…), which calls visitor(ColumnInfo, part.name…) for each
-// column in the list's order. So a new column costs one line, and what it means.
+// macro makes of it the struct <Table>Columns (a QList a column), the struct <Table>Row (a value a column),
+// the struct <Table>Changes (a CellChanges a column), and <Table>Table::visit(visitor, parts…), which calls
+// visitor(ColumnInfo, part.name…) for each column in the list's order. So a new column costs one line, and
+// what it means.
 #define ESPALIER_COLUMN_MEMBER(Type, name, fallback, fault) QList<Type> name;
+#define ESPALIER_ROW_MEMBER(Type, name, fallback, fault) Type name = initialValue<Type>(fallback);
 #define ESPALIER_CHANGES_MEMBER(Type, name, fallback, fault) CellChanges<Type> name;
 #define ESPALIER_SPARSE_MEMBER(Type, name, fallback, fault) SparseColumn<Type> name;
 #define ESPALIER_SPARSE_CHANGES_MEMBER(Type, name, fallback, fault) CellChanges<std::optional<Type>> name;

@@ -57,17 +57,12 @@ Tree::Tree(std::uint64_t seed, const TreeParameters& parameters)
     m_content.seed = seed;
     m_content.kept.parameters.append(parameters);
     InternodeColumns& c = m_content.internodes;
-    c.parent.append(kNoInternode);
-    c.along.append(1.0F);
-    c.rotation.append(Rotation::Identity());
-    c.length.append(static_cast<float>(parameters.growth.internodeLength));
-    c.vigour.append(1.0F);
-    c.slot.append(kTerminalSlot);
-    c.buds.append(BudStates::active(kTerminalBud));
-    c.birth.append(0);
-    c.death.append(kNever);
-    c.parameterSet.append(0);
-    c.key.append(rootKey(seed));
+    c.append({.parent = kNoInternode,
+              .length = static_cast<float>(parameters.growth.internodeLength),
+              .vigour = 1.0F,
+              .slot = kTerminalSlot,
+              .buds = BudStates::active(kTerminalBud),
+              .key = rootKey(seed)});
 }
 
 Result<Tree> Tree::fromContent(TreeContent content)

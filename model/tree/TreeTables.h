@@ -82,7 +82,7 @@ const char* ofRootPosition(const Vec3& value);
     COLUMN(float, width, std::nullopt, faults::ofDiameter)                                                   \
     COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition)
 
-// Values that are kept once and referred to by index; see KeptCodec (model/io/project) for how files hold
+// Values that are kept once and referred to by index; see KeptEntries (model/io/project) for how files hold
 // them:
 //   parameters    every set that was ever in force
 //   lassos        every stroke that was ever in force
@@ -95,17 +95,35 @@ ESPALIER_VISITOR(LeafTable, ESPALIER_LEAF_COLUMNS)
 ESPALIER_VISITOR(SparseTable, ESPALIER_SPARSE_COLUMNS)
 ESPALIER_VISITOR(KeptTable, ESPALIER_KEPT_VALUES)
 
+/// An internode, or a placed leaf, that is to become a row.
+struct InternodeRow {
+    ESPALIER_INTERNODE_COLUMNS(ESPALIER_ROW_MEMBER)
+};
+struct LeafRow {
+    ESPALIER_LEAF_COLUMNS(ESPALIER_ROW_MEMBER)
+};
+
 /// Internodes as columns: row i of each belongs to internode i (or, in a delta, to the i-th one that it
 /// bears). QList shares implicitly: a copy is a snapshot that costs nothing until one side writes.
 struct InternodeColumns {
     ESPALIER_INTERNODE_COLUMNS(ESPALIER_COLUMN_MEMBER)
     std::uint32_t size() const { return static_cast<std::uint32_t>(parent.size()); }
+    void append(const InternodeRow& row)
+    {
+        InternodeTable::visit([](const auto&, auto& column, const auto& value) { column.append(value); },
+                              *this, row);
+    }
 };
 
-/// Placed leaves as columns, likewise.
+/// Placed leaves as columns, in the same way.
 struct LeafColumns {
     ESPALIER_LEAF_COLUMNS(ESPALIER_COLUMN_MEMBER)
     std::uint32_t size() const { return static_cast<std::uint32_t>(internode.size()); }
+    void append(const LeafRow& row)
+    {
+        LeafTable::visit([](const auto&, auto& column, const auto& value) { column.append(value); }, *this,
+                         row);
+    }
 };
 
 /// The sparse columns of a tree.

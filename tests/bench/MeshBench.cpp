@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/BrushGrowth.h"
+#include "model/growth/SelfOrganisingModel.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
 #include "model/texture/Textures.h"
@@ -19,6 +20,7 @@ class Brushed {
 public:
     explicit Brushed(std::uint32_t internodes = 0)
     {
+        m_growth.rebuild(m_tree, m_index);
         while (m_index.livingCount() < internodes)
             step();
     }
@@ -55,7 +57,7 @@ private:
 
     Tree m_tree{3};
     TreeIndex m_index{m_tree};
-    GrowthIndex m_growth{m_tree, m_index};
+    SelfOrganisingModel m_growth;
     BrushGrowth m_brush;
     TreeDelta m_delta;
     int m_step = 0;

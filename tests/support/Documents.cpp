@@ -52,6 +52,11 @@ QString treeIndexFault(const Tree& tree, const TreeIndex& index)
 
 } // namespace
 
+const GrowthIndex& growthIndexOf(const TreeDocument& document)
+{
+    return dynamic_cast<const SelfOrganisingModel&>(document.growthModel()).index();
+}
+
 QString indexFault(const TreeDocument& document)
 {
     const Tree& tree = document.tree();
@@ -59,7 +64,7 @@ QString indexFault(const TreeDocument& document)
     if (const QString fault = treeIndexFault(tree, index); !fault.isEmpty())
         return fault;
 
-    const GrowthIndex& growth = document.growthIndex();
+    const GrowthIndex& growth = growthIndexOf(document);
     const GrowthIndex fresh(tree, index);
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (growth.basipetal(id) != fresh.basipetal(id))

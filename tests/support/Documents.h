@@ -2,8 +2,12 @@
 #pragma once
 
 #include "model/document/TreeDocument.h"
+#include "model/growth/SelfOrganisingModel.h"
 
 namespace espalier::test {
+
+/// What the model that documents start with knows of the document's tree.
+const GrowthIndex& growthIndexOf(const TreeDocument& document);
 
 /// What of the document's indices differs from freshly made ones, in all that can be asked of them; empty if
 /// nothing.

@@ -50,20 +50,18 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
     const auto newBuds = BudStates::active(
         static_cast<BudMask>(kTerminalBud | ((1U << tree.parameters().growth.lateralsPerNode) - 1U)));
     for (const NewInternode& internode : internodes) {
-        rows.parent.append(internode.parent);
-        rows.rotation.append(internode.rotation);
-        rows.length.append(internode.length);
-        rows.vigour.append(internode.vigour);
-        rows.slot.append(static_cast<std::uint8_t>(internode.slot));
-        rows.buds.append(newBuds);
-        rows.birth.append(delta.stepAfter);
-        rows.death.append(kNever);
-        rows.along.append(1.0F);
-        rows.parameterSet.append(static_cast<std::uint16_t>(tree.currentParameterSet()));
         const bool isOnNew = delta.born.contains(internode.parent);
         const InternodeKey parentKey =
             isOnNew ? rows.key[internode.parent - delta.born.first] : tree.key(internode.parent);
-        rows.key.append(childKey(parentKey, internode.slot, delta.stepAfter));
+        rows.append({.parent = internode.parent,
+                     .rotation = internode.rotation,
+                     .length = internode.length,
+                     .vigour = internode.vigour,
+                     .slot = static_cast<std::uint8_t>(internode.slot),
+                     .buds = newBuds,
+                     .birth = delta.stepAfter,
+                     .parameterSet = static_cast<std::uint16_t>(tree.currentParameterSet()),
+                     .key = childKey(parentKey, internode.slot, delta.stepAfter)});
 
         if (isOnNew) {
             rows.buds[internode.parent - delta.born.first].set(internode.slot, BudState::None);

@@ -60,18 +60,18 @@ void LightGridTest::seedling_hasAGrid()
 {
     const TreeDocument document;
     LightGrid grid;
-    grid.rebuild(document.growthIndex().space());
+    grid.rebuild(document.growthModel().space());
     for (const int edge : grid.size())
         QVERIFY(edge >= 1);
     QVERIFY(grid.takeChanges().all);
     QVERIFY(grid.takeChanges().isEmpty());
-    QCOMPARE(wrongCells(grid, document.growthIndex().space()), 0);
+    QCOMPARE(wrongCells(grid, document.growthModel().space()), 0);
 }
 
 void LightGridTest::update_isAsGoodAsRebuilding()
 {
     TreeDocument document;
-    const VoxelSpace& space = document.growthIndex().space();
+    const VoxelSpace& space = document.growthModel().space();
     LightGrid grid;
     grid.rebuild(space);
     connect(&document, &TreeDocument::changed, this,
@@ -93,18 +93,18 @@ void LightGridTest::update_changesOnlyAPart()
     for (int step = 0; step < 20; ++step)
         grow(document, 40);
     LightGrid grid;
-    grid.rebuild(document.growthIndex().space());
+    grid.rebuild(document.growthModel().space());
     grid.takeChanges();
     InternodeId tip = document.tree().size() - 1;
     test::apply(document, (test::births(document.tree(), std::array{test::NewInternode{.parent = tip}})));
-    grid.update(document.growthIndex().space(), touched(document, *document.journal().back()));
+    grid.update(document.growthModel().space(), touched(document, *document.journal().back()));
     const LightGrid::Changes changes = grid.takeChanges();
     QVERIFY(!changes.all);
     QVERIFY(!changes.isEmpty());
     const auto cells =
         static_cast<std::size_t>(changes.region.count[0] * changes.region.count[1] * changes.region.count[2]);
     QVERIFY(cells < grid.cells().size() / 4);
-    grid.update(document.growthIndex().space(), Box3());
+    grid.update(document.growthModel().space(), Box3());
     QVERIFY(grid.takeChanges().isEmpty());
 }
 
@@ -120,7 +120,7 @@ void LightGridTest::largeTrees_fitTheGrid()
     for (std::uint32_t i = 0; i < 150; ++i)
         pole.push_back({.parent = i, .length = 2.0F});
     test::apply(document, (test::births(document.tree(), pole)));
-    const VoxelSpace& space = document.growthIndex().space();
+    const VoxelSpace& space = document.growthModel().space();
     LightGrid grid;
     grid.rebuild(space);
     QVERIFY(space.bounds().upper.y - space.bounds().lower.y > LightGrid::kMaxEdge);
@@ -135,12 +135,12 @@ void LightGridTest::otherVoxels_makeAnotherGrid()
     TreeDocument document;
     grow(document, 30);
     LightGrid grid;
-    grid.rebuild(document.growthIndex().space());
+    grid.rebuild(document.growthModel().space());
     const float edge = grid.cellEdge();
     TreeParameters parameters = document.parameters();
     parameters.growth.occupancyRadius *= 2.0;
     document.reset(1, parameters);
-    grid.update(document.growthIndex().space(), Box3());
+    grid.update(document.growthModel().space(), Box3());
     QVERIFY(grid.takeChanges().all);
     QVERIFY(std::abs(grid.cellEdge() - 2.0F * edge) < 1e-6F);
 }

@@ -243,7 +243,7 @@ void RendererTest::ambientLight_isLessInsideTheCrown()
     const auto& size = light.size();
     for (const int edge : size)
         QVERIFY(edge > 0 && edge <= LightGrid::kMaxEdge);
-    const VoxelSpace& space = m_document->growthIndex().space();
+    const VoxelSpace& space = m_document->growthModel().space();
     std::uint8_t darkest = 255;
     for (int z = 0; z < size[2]; ++z) {
         for (int y = 0; y < size[1]; ++y) {

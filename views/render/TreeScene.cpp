@@ -141,7 +141,7 @@ bool TreeScene::workSome()
         if (!m_mesh.finishSome(m_document.tree(), m_document.index(), tubes))
             continue;
         if (!m_lightWaits) {
-            if (!m_document.prepareGrowthIndex(nodes))
+            if (!m_document.prepareGrowthModel(nodes))
                 continue;
             updateLight();
         }
@@ -154,7 +154,7 @@ void TreeScene::updateLight()
 {
     if (m_lightWaits)
         return;
-    const VoxelSpace& space = m_document.growthIndex().space();
+    const VoxelSpace& space = m_document.growthModel().space();
     if (m_lightIsOld)
         m_light.rebuild(space);
     else

@@ -186,17 +186,16 @@ InternodeColumns renumbered(const OldInternodes& old, const Renumbering& idOf, s
             continue;
         // A parent that is none, or has gone, stays one that the check of the tree refuses.
         const InternodeId parent = idOf(old.parent[id]);
-        c.parent.append(parent == kNoInternode && old.parent[id] != kNoInternode ? c.size() : parent);
-        c.along.append(1.0F);
-        c.rotation.append(old.rotation[id]);
-        c.length.append(old.length[id]);
-        c.vigour.append(old.vigour[id]);
-        c.slot.append(old.slot[id]);
-        c.buds.append(BudStates::active(old.buds[id]));
-        c.birth.append(old.birth[id]);
-        c.death.append(old.death[id]);
-        c.parameterSet.append(old.parameterSet[id]);
-        c.key.append(mixedBits(seed) ^ id);
+        c.append({.parent = parent == kNoInternode && old.parent[id] != kNoInternode ? c.size() : parent,
+                  .rotation = old.rotation[id],
+                  .length = old.length[id],
+                  .vigour = old.vigour[id],
+                  .slot = old.slot[id],
+                  .buds = BudStates::active(old.buds[id]),
+                  .birth = old.birth[id],
+                  .death = old.death[id],
+                  .parameterSet = old.parameterSet[id],
+                  .key = mixedBits(seed) ^ id});
     }
     return c;
 }

@@ -3,6 +3,7 @@
 
 #include "commands/SetParameters.h"
 #include "tests/support/BruteForce.h"
+#include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
@@ -41,9 +42,9 @@ struct Grown {
             setParameters(document, parameters);
         }
     }
-    VigourFlow flow() { return VigourFlow(tree(), document.index(), document.growthIndex(), known); }
+    VigourFlow flow() { return VigourFlow(tree(), document.index(), growthIndexOf(document), known); }
     const Tree& tree() const { return document.tree(); }
-    std::int64_t q(InternodeId id) const { return document.growthIndex().basipetal(id); }
+    std::int64_t q(InternodeId id) const { return growthIndexOf(document).basipetal(id); }
 
     TreeDocument document;
     StampedColumn<double> known;

@@ -4,6 +4,7 @@
 #include "model/growth/Buds.h"
 #include "model/growth/GrowthIndex.h"
 #include "tests/support/BruteForce.h"
+#include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 
@@ -54,7 +55,7 @@ std::vector<EnabledBud> compete(const TreeDocument& document, GrowingTree& growi
                                 const Perception& perception, const Competitors& competitors,
                                 MarkerSet& markers)
 {
-    Competition competition(growing, document.growthIndex().space(), perception, competitors, markers);
+    Competition competition(growing, document.growthModel().space(), perception, competitors, markers);
     competition.admit();
     return competition.enabled();
 }
@@ -223,7 +224,7 @@ void CompetitionTest::laterRounds_areWhatBruteForceFinds()
             late.born.push_back(markers.born[i]);
         }
         markers.filter([&](std::size_t i) { return i < markers.size() / 2; });
-        Competition competition(growing, document.growthIndex().space(), perception, {}, markers);
+        Competition competition(growing, document.growthModel().space(), perception, {}, markers);
         competition.admit();
         markers.positions.insert(markers.positions.end(), late.positions.begin(), late.positions.end());
         markers.born.insert(markers.born.end(), late.born.begin(), late.born.end());

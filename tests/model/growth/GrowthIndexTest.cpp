@@ -3,6 +3,7 @@
 
 #include "commands/SetParameters.h"
 #include "tests/support/BruteForce.h"
+#include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 
@@ -47,8 +48,8 @@ void forEachLiving(const Tree& tree, Visit&& visit)
 std::int64_t budQ(const TreeDocument& document, const BudRef& bud)
 {
     return bud.slot == kTerminalSlot
-               ? document.growthIndex().terminalQ(document.tree(), bud.node)
-               : document.growthIndex().lateralQ(document.tree(), document.index(), bud.node, bud.slot);
+               ? growthIndexOf(document).terminalQ(document.tree(), bud.node)
+               : growthIndexOf(document).lateralQ(document.tree(), document.index(), bud.node, bud.slot);
 }
 
 } // namespace
@@ -58,7 +59,7 @@ void GrowthIndexTest::shadow_isTheSumOverAllInternodes()
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         TreeDocument document;
         growAtRandom(document, seed, 100, 300);
-        const VoxelSpace& space = document.growthIndex().space();
+        const VoxelSpace& space = document.growthModel().space();
         Random random(seed, 1, 0, Purpose::Direction);
         std::vector<Vec3> points;
         forEachLiving(document.tree(),
@@ -119,7 +120,7 @@ void GrowthIndexTest::basipetal_isTheSumOfTheBudsAbove()
                         sum += budQ(document, {above, slot});
                 }
             }
-            QCOMPARE(document.growthIndex().basipetal(id), sum);
+            QCOMPARE(growthIndexOf(document).basipetal(id), sum);
         });
     }
 }
@@ -133,7 +134,7 @@ void GrowthIndexTest::dead_haveNoQ()
         for (InternodeId id = 0; id < document.tree().size(); ++id) {
             if (document.tree().isAlive(id))
                 continue;
-            QCOMPARE(document.growthIndex().basipetal(id), 0);
+            QCOMPARE(growthIndexOf(document).basipetal(id), 0);
             ++dead;
         }
     }
@@ -143,9 +144,9 @@ void GrowthIndexTest::dead_haveNoQ()
 void GrowthIndexTest::seedling_hasFullLight()
 {
     TreeDocument document;
-    QVERIFY(std::abs(static_cast<double>(document.growthIndex().basipetal(0)) / GrowthIndex::kUnit - 1.0) <
+    QVERIFY(std::abs(static_cast<double>(growthIndexOf(document).basipetal(0)) / GrowthIndex::kUnit - 1.0) <
             1e-5);
-    QCOMPARE(document.growthIndex().light({0.0F, 5.0F, 0.0F}), 1.0F);
+    QCOMPARE(growthIndexOf(document).light({0.0F, 5.0F, 0.0F}), 1.0F);
 }
 
 void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
@@ -162,7 +163,7 @@ void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
     std::vector<double> light;
     forEachLiving(document.tree(), [&](InternodeId id) {
         light.push_back(
-            static_cast<double>(document.growthIndex().lateralQ(document.tree(), document.index(), id, 0)) /
+            static_cast<double>(growthIndexOf(document).lateralQ(document.tree(), document.index(), id, 0)) /
             GrowthIndex::kUnit);
     });
     QVERIFY(std::ranges::min(light) < 0.9 && std::ranges::max(light) > 0.95);
@@ -173,7 +174,7 @@ void GrowthIndexTest::lightSensitivity_isTheExponentOfLight()
         std::size_t i = 0;
         forEachLiving(document.tree(), [&](InternodeId id) {
             const double q = static_cast<double>(
-                                 document.growthIndex().lateralQ(document.tree(), document.index(), id, 0)) /
+                                 growthIndexOf(document).lateralQ(document.tree(), document.index(), id, 0)) /
                              GrowthIndex::kUnit;
             if (light[i] > 0.01)
                 QVERIFY(std::abs(q - std::pow(light[i], exponent)) < 1e-5);
@@ -200,7 +201,7 @@ void GrowthIndexTest::workedOutInParts_itIsTheSame()
         QVERIFY2(unfinished > 2, qPrintable(QString::number(unfinished)));
         while (!parts.settleSome(document.tree(), document.index(), 5)) {
         }
-        const GrowthIndex& whole = document.growthIndex();
+        const GrowthIndex& whole = growthIndexOf(document);
         forEachLiving(document.tree(), [&](InternodeId id) {
             const Vec3& position = document.index().nodePosition(id);
             QCOMPARE(parts.space().shadow(parts.space().cellAt(position)),

@@ -77,7 +77,7 @@ struct Step1 {
 
     void step(const GrowthStepOptions& options)
     {
-        delta = growthStep(tree(), index(), document.growthIndex(), markers, options, workspace);
+        delta = growthStep(tree(), index(), growthIndexOf(document), markers, options, workspace);
     }
     void step() { step(GrowthStepOptions::of(document.parameters().growth)); }
 
@@ -227,17 +227,17 @@ void GrowthStepTest::shoots_withMarkersInPlenty_areExactlyAsLong()
                 markersIn({0.0F, 0.6F, 0.0F}, 1.6F, 120000, seed + static_cast<std::uint64_t>(step));
             MarkerSet same = markers;
             GrowingTree growing(document.tree(), document.index(), workspace);
-            Competition competition(growing, document.growthIndex().space(), options.perception, {}, same);
+            Competition competition(growing, document.growthModel().space(), options.perception, {}, same);
             competition.admit();
             const auto enabled = competition.enabled();
-            VigourFlow flow(document.tree(), document.index(), document.growthIndex(), workspace.vigour);
+            VigourFlow flow(document.tree(), document.index(), growthIndexOf(document), workspace.vigour);
             double greatest = 0.0;
             for (const EnabledBud& bud : enabled)
                 greatest = std::max(greatest, flow.ofBud(bud.bud.node, bud.bud.slot));
             int sum = 0;
             for (const EnabledBud& bud : enabled)
                 sum += shootLength(flow.ofBud(bud.bud.node, bud.bud.slot), greatest, p.maxShootLength);
-            TreeDelta delta = growthStep(document.tree(), document.index(), document.growthIndex(), markers,
+            TreeDelta delta = growthStep(document.tree(), document.index(), growthIndexOf(document), markers,
                                          options, workspace);
             QCOMPARE(static_cast<int>(delta.born.count), sum);
             QVERIFY(sum > 0);
@@ -256,8 +256,8 @@ void GrowthStepTest::strongestEnabledBud_growsTheLongestShoot()
         document.reset(1, parameters);
         MarkerSet markers = markersIn({0.0F, 1.5F, 0.0F}, 1.6F, 60000, 1);
         GrowthWorkspace workspace;
-        const TreeDelta delta = growthStep(document.tree(), document.index(), document.growthIndex(), markers,
-                                           GrowthStepOptions::of(parameters.growth), workspace);
+        const TreeDelta delta = growthStep(document.tree(), document.index(), growthIndexOf(document),
+                                           markers, GrowthStepOptions::of(parameters.growth), workspace);
         QCOMPARE(static_cast<int>(delta.born.count), longest);
         for (const float vigour : delta.rows->internodes.vigour)
             QCOMPARE(vigour, 1.0F);

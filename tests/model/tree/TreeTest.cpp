@@ -191,14 +191,11 @@ void TreeTest::placedLeaves_comeAndGoWithTheirDelta()
     const Tree before = builder.tree;
     TreeDelta delta = deltaStartingAt(builder.tree);
     delta.rows = std::make_shared<TreeRows>();
-    LeafColumns& leaves = delta.rows->leaves;
-    leaves.internode.append(7);
-    leaves.along.append(0.25F);
-    leaves.rotation.append(Rotation::Identity());
-    leaves.length.append(0.08F);
-    leaves.kind.append(LeafKind::Flower);
-    leaves.birth.append(builder.tree.step());
-    leaves.death.append(kNever);
+    delta.rows->leaves.append({.internode = 7,
+                               .along = 0.25F,
+                               .length = 0.08F,
+                               .kind = LeafKind::Flower,
+                               .birth = builder.tree.step()});
     delta.bornLeaves.count = 1;
     builder.apply(delta);
     QCOMPARE(builder.tree.placedLeaves().size(), 1U);
