@@ -290,25 +290,6 @@ void FileController::offerOpeningAgain(const QString& fileName)
         });
 }
 
-void FileController::saveAsRecipe()
-{
-    if (const QString name = dialogs::askForRecipe(m_window, proposedPath()); !name.isEmpty())
-        saveRecipeTo(name);
-}
-
-void FileController::saveRecipeTo(const QString& fileName)
-{
-    rememberFolder(fileName);
-    runInBackground(
-        this, [project = m_file.snapshot(), fileName] { return writeRecipeOf(project, fileName); },
-        [this, shortName = QFileInfo(fileName).fileName()](const Result<void>& written) {
-            if (written)
-                m_notice->showInformation(tr("Saved %1").arg(shortName));
-            else
-                warn(tr("Not saved. %1").arg(written.error().message));
-        });
-}
-
 void FileController::exportTree()
 {
     if (const QString name = dialogs::askForExport(m_window, proposedPath(), m_settings); !name.isEmpty())

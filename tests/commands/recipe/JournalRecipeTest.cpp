@@ -11,6 +11,7 @@
 #include "commands/WidthGesture.h"
 #include "commands/recipe/RecipeFile.h"
 #include "commands/recipe/RecipePlayer.h"
+#include "model/io/ParametersJson.h"
 #include "tests/support/AllOperations.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
