@@ -71,12 +71,12 @@ Error notKnown(const std::vector<Run>& unknown, std::size_t steps)
     }
     if (unknown.size() > kRunsNamed)
         runs.append(QStringLiteral("…"));
-    return inputError({},
-                      Text::tr("its history cannot become a recipe: of its %1 steps, %2 (%3) were made by a "
-                               "version of Espalier that did not record how")
-                          .arg(steps)
-                          .arg(count)
-                          .arg(runs.join(QLatin1String(", "))));
+    return inputError(
+        {}, Text::tr("the tree's history cannot become a recipe: of its %1 steps, %2 (%3) were made by a "
+                     "version of Espalier that did not record how")
+                .arg(steps)
+                .arg(count)
+                .arg(runs.join(QLatin1String(", "))));
 }
 
 /// Adds travels by @p deltas, which may be more than one may go.
@@ -110,8 +110,8 @@ Result<Recipe> recipeOf(const Project& project)
     if (const std::vector<Run> unknown = unknownSteps(journal); !unknown.empty())
         return notKnown(unknown, journal.size());
     if (!beginsWithASeedling(project))
-        return inputError({},
-                          Text::tr("its history cannot become a recipe: it does not begin with a seedling"));
+        return inputError(
+            {}, Text::tr("the tree's history cannot become a recipe: it does not begin with a seedling"));
 
     Recipe recipe;
     recipe.name = project.name;

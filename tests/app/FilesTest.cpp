@@ -323,7 +323,7 @@ void FilesTest::saveAsRecipe_writesWhatWasDone()
         auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
         QVERIFY(dialog);
         dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(name);
-        dialog->accept();
+        static_cast<QDialog*>(dialog)->accept(); // protected in QFileDialog
     });
     action(ActionId::SaveRecipe)->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(notice(), QStringLiteral("Saved mine.json"), 30'000);

@@ -224,10 +224,10 @@ void ProgramTest::replayOfAnOldProject_saysWhichStepsAreNotKnown()
 void ProgramTest::replayOfAProject_saysIfAnotherTreeComesOfIt()
 {
     runWell({"replay", "r.json", "-o", "one.espalier"});
-    test::ZipEntries entries = test::unpackEntries(read("one.espalier"));
-    QByteArray& records = test::entry(entries, "journal/records.json");
+    espalier::test::ZipEntries entries = espalier::test::unpackEntries(read("one.espalier"));
+    QByteArray& records = espalier::test::entry(entries, "journal/records.json");
     records.replace("\"steps\":3", "\"steps\":2");
-    write("other.espalier", test::packEntries(entries));
+    write("other.espalier", espalier::test::packEntries(entries));
     const Outcome outcome = run({"replay", "other.espalier", "-o", "t.csv"});
     QCOMPARE(outcome.code, 0);
     QCOMPARE(outcome.error,

@@ -199,12 +199,12 @@ void JournalRecipeTest::gesture_isPlayedAgain_data()
     });
     row("parameters", [](TreeDocument& document) {
         TreeParameters parameters = document.parameters();
-        parameters.growth.branchingAngle = 0.7123456789;
+        parameters.growth.branchingAngle = radians(40.81);
         parameters.leaves.shape = LeafShape::Lobed;
         setParameters(document, parameters);
         ParameterGesture gesture(document);
-        for (const double angle : {0.8, 0.9, 1.1}) {
-            parameters.growth.branchingAngle = angle;
+        for (const double angle : {45.0, 51.3, 62.9}) {
+            parameters.growth.branchingAngle = radians(angle);
             gesture.tryOut(parameters, QStringLiteral("Angle"));
         }
         gesture.finish();
