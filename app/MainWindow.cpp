@@ -133,6 +133,7 @@ void MainWindow::connectFiles()
     };
     keep(ActionId::Save, &FileController::save);
     keep(ActionId::SaveAs, &FileController::saveAs);
+    keep(ActionId::SaveRecipe, &FileController::saveAsRecipe);
     keep(ActionId::Export, &FileController::exportTree);
     connect(m_actions[ActionId::Settings], &QAction::triggered, this, [this] { showSettings(); });
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
@@ -436,7 +437,7 @@ void MainWindow::updateEnabled()
     m_actions[ActionId::Undo]->setEnabled(stack.canUndo() || isHandBusy());
     m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
     const bool isIdle = !m_recipeRunner.isRunning();
-    for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::Export})
+    for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::SaveRecipe, ActionId::Export})
         m_actions[id]->setEnabled(isIdle);
     for (const ActionId id : Actions::tools())
         m_actions[id]->setEnabled(isIdle);

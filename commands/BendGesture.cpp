@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BendGesture.h"
 
+#include "commands/RecordedEdit.h"
+#include "commands/recipe/RecipeJson.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -40,6 +43,7 @@ BendGesture::BendGesture(TreeDocument& document, InternodeId base, std::vector<B
       m_bend(bendOf(document, base, handles, options))
 {
     measure(handles);
+    m_grips.push_back(gripOf(base, handles));
 }
 
 BranchBend BendGesture::bendOf(const TreeDocument& document, InternodeId base,
@@ -69,13 +73,75 @@ void BendGesture::regrip(InternodeId base, std::vector<BranchBend::Handle> handl
     m_done = joined(m_done, m_bend.changes());
     m_bend = bendOf(m_edit.document(), base, handles, m_options);
     measure(handles);
+    m_grips.push_back(gripOf(base, handles));
+}
+
+BendOperation::Grip BendGesture::gripOf(InternodeId base, std::span<const BranchBend::Handle> handles)
+{
+    m_holding.clear();
+    BendOperation::Grip grip;
+    const std::span<const InternodeId> path = m_bend.path();
+    if (path.empty())
+        return grip;
+    const TreeDocument& document = m_edit.document();
+    grip.base = InternodeReference::to(document, base);
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+        if (handles[i].id == base || !std::ranges::binary_search(path, handles[i].id))
+            continue;
+        m_holding.push_back(i);
+        grip.handles.push_back({InternodeReference::to(document, handles[i].id), handles[i].along,
+                                withoutNegativeZeros(m_gripPoints[i])});
+    }
+    return grip;
+}
+
+std::vector<Vec3> BendGesture::note(std::span<const Vec3> targets, bool settles)
+{
+    std::vector<Vec3> wanted(targets.begin(), targets.end());
+    for (Vec3& target : wanted)
+        target = withoutNegativeZeros(target);
+    BendOperation::Grip& grip = m_grips.back();
+    BendOperation::Move move;
+    if (!settles)
+        move.calls = 1;
+    for (const std::size_t i : m_holding)
+        move.targets.push_back(wanted[i]);
+    for (std::size_t i = 0; i < m_holding.size(); ++i)
+        grip.handles[i].target = move.targets[i];
+    const bool isAgain = !settles && !grip.moves.empty() && grip.moves.back().calls &&
+                         grip.moves.back().targets == move.targets;
+    if (isAgain)
+        ++*grip.moves.back().calls;
+    else
+        grip.moves.push_back(std::move(move));
+    return wanted;
+}
+
+BendOperation BendGesture::operation() const
+{
+    // A grip that did not pull has changed nothing.
+    std::vector<BendOperation::Grip> grips;
+    for (const BendOperation::Grip& grip : m_grips) {
+        if (grip.moves.empty())
+            continue;
+        grips.push_back(grip);
+        if (grip.moves.size() == 1 && !grip.moves.front().calls)
+            grips.back().moves.clear(); // the handles say it
+    }
+    BendOperation bend{.base = grips.front().base,
+                       .handles = grips.front().handles,
+                       .moves = grips.front().moves,
+                       .bending = m_options.bending,
+                       .stretching = m_options.stretching};
+    bend.regrips.assign(grips.begin() + 1, grips.end());
+    return bend;
 }
 
 bool BendGesture::moveTo(std::span<const Vec3> targets)
 {
     if (!m_edit.isActive() || m_bend.path().empty())
         return true;
-    const bool settled = m_bend.solve(targets);
+    const bool settled = m_bend.solve(note(targets, false));
     show();
     return settled;
 }
@@ -84,7 +150,8 @@ void BendGesture::settleAt(std::span<const Vec3> targets)
 {
     if (!m_edit.isActive() || m_bend.path().empty())
         return;
-    for (int call = 0; call < kMostCalls && !m_bend.solve(targets); ++call) {
+    const std::vector<Vec3> wanted = note(targets, true);
+    for (int call = 0; call < kMostCalls && !m_bend.solve(wanted); ++call) {
     }
     show();
 }
@@ -115,7 +182,7 @@ void BendGesture::apply(const std::vector<FrameChange>& changes)
 
 void BendGesture::finish()
 {
-    m_edit.commit(QCoreApplication::translate("Commands", "Bend"));
+    commitRecorded(m_edit, QCoreApplication::translate("Commands", "Bend"), [this] { return operation(); });
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/recipe/BendOperation.h"
 #include "model/document/Edit.h"
 #include "model/shape/BranchBend.h"
 
@@ -39,6 +40,12 @@ private:
     static BranchBend bendOf(const TreeDocument& document, InternodeId base,
                              std::span<const BranchBend::Handle> handles, const BendOptions& options);
     void measure(std::span<const BranchBend::Handle> handles);
+    /// The grip as a recipe keeps it, without handles that hold nothing.
+    BendOperation::Grip gripOf(InternodeId base, std::span<const BranchBend::Handle> handles);
+    /// Notes that the branch is pulled to @p targets once, or, if @p settles, until it has settled. Returns
+    /// the targets as a recipe keeps them.
+    std::vector<Vec3> note(std::span<const Vec3> targets, bool settles);
+    BendOperation operation() const;
     void show();
     void apply(const std::vector<FrameChange>& changes);
 
@@ -46,8 +53,10 @@ private:
     BendOptions m_options;
     BranchBend m_bend;
     std::vector<Vec3> m_gripPoints;
-    std::vector<FrameChange> m_shown; ///< What stands applied
-    std::vector<FrameChange> m_done;  ///< By the grips before, ascending
+    std::vector<BendOperation::Grip> m_grips; ///< So far
+    std::vector<std::size_t> m_holding;       ///< Of the handles gripped now, those of the last of m_grips
+    std::vector<FrameChange> m_shown;         ///< What stands applied
+    std::vector<FrameChange> m_done;          ///< By the grips before, ascending
 };
 
 } // namespace espalier

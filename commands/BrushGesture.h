@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/recipe/BrushStrokeOperation.h"
 #include "model/document/Edit.h"
 #include "model/growth/BrushGrowth.h"
 #include "model/growth/BrushSample.h"
@@ -31,11 +32,16 @@ public:
     const std::vector<BrushSample>& path() const { return m_path; }
 
 private:
+    /// The stroke as it was made.
+    BrushStrokeOperation operation() const;
+
     Edit m_edit;
     BrushGrowth m_growth;
+    BudReference m_only;
     std::vector<BrushSample> m_path;
-    BrushSample m_sample; ///< The last one added
-    BrushSample m_last;   ///< Where the last growth step was made
+    std::vector<BrushSample> m_samples; ///< Those added
+    BrushSample m_next;                 ///< That the brush was on its way to last
+    BrushSample m_last;                 ///< Where the last growth step was made
     std::uint64_t m_stepsDone = 0;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/GrowGesture.h"
 
+#include "commands/recipe/GrowOperation.h"
+
 #include <QCoreApplication>
 
 namespace espalier {
@@ -26,9 +28,15 @@ private:
 } // namespace
 
 GrowGesture::GrowGesture(TreeDocument& document, Competitors competitors)
-    : GrowthGesture(document, QCoreApplication::translate("Commands", "Grow"))
+    : GrowthGesture(document, QCoreApplication::translate("Commands", "Grow")),
+      m_only(BudReference::to(document, competitors))
 {
     setProcess(std::make_unique<AutonomousGrowth>(competitors));
+}
+
+RecipeOperation GrowGesture::operation() const
+{
+    return GrowOperation{static_cast<int>(stepCount()), m_only};
 }
 
 } // namespace espalier

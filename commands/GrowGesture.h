@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/GrowthGesture.h"
+#include "commands/recipe/BudReference.h"
 
 namespace espalier {
 
@@ -10,6 +11,11 @@ class GrowGesture : public GrowthGesture {
 public:
     /// Only the buds that @p competitors names may grow.
     explicit GrowGesture(TreeDocument& document, Competitors competitors = {});
+
+private:
+    RecipeOperation operation() const override;
+
+    BudReference m_only;
 };
 
 } // namespace espalier

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/GrowthGesture.h"
 
+#include "commands/RecordedEdit.h"
+
 namespace espalier {
 
 GrowthGesture::GrowthGesture(TreeDocument& document, QString text, const std::function<void(Edit&)>& prepare)
@@ -35,11 +37,18 @@ bool GrowthGesture::add(GrownStep grown)
     if (!m_edit->isActive())
         return false;
     m_markers = std::move(grown.markers);
-    if (grown.delta.isEmpty())
+    if (grown.delta.isEmpty()) {
+        m_isExhausted = true;
         return false;
+    }
     ++m_stepCount;
     m_edit->apply(std::move(grown.delta));
     return true;
+}
+
+void GrowthGesture::finish()
+{
+    commitRecorded(*m_edit, m_text, [this] { return operation(); });
 }
 
 } // namespace espalier

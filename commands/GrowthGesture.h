@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/GrowthProcess.h"
+#include "commands/recipe/RecipeOperation.h"
 #include "model/document/Edit.h"
 
 #include <memory>
@@ -27,11 +28,13 @@ public:
     /// if that is empty.
     bool add(GrownStep grown);
 
-    void finish() { m_edit->commit(m_text); }
+    void finish();
     void cancel() { m_edit->cancel(); }
     /// What to do when another edit begins, instead of finish(); it must finish or cancel the gesture.
     void setInterrupted(Edit::Interrupted interrupted) { m_interrupted = std::move(interrupted); }
 
+    /// Whether growth has come to its end.
+    bool isExhausted() const { return m_isExhausted; }
     /// Steps that stand applied.
     std::size_t stepCount() const { return m_stepCount; }
     /// The living markers of free space, for showing them.
@@ -42,6 +45,8 @@ protected:
     GrowthGesture(TreeDocument& document, QString text, const std::function<void(Edit&)>& prepare = {});
     /// Precondition: called once, before the first step. The process starts from the tree as it is prepared.
     void setProcess(std::unique_ptr<GrowthProcess> process);
+    /// The recipe's operation that does what was done so far.
+    virtual RecipeOperation operation() const = 0;
 
 private:
     QString m_text;
@@ -50,6 +55,7 @@ private:
     std::unique_ptr<GrowthProcess> m_process;
     std::vector<Vec3> m_markers;
     std::size_t m_stepCount = 0;
+    bool m_isExhausted = false;
 };
 
 } // namespace espalier

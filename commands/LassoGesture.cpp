@@ -2,6 +2,11 @@
 #include "commands/LassoGesture.h"
 
 #include "commands/EnvelopeGrowth.h"
+#include "commands/RecordedEdit.h"
+#include "commands/recipe/FillEnvelopesOperation.h"
+#include "commands/recipe/LassoJson.h"
+#include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/RemoveLassoOperation.h"
 #include "model/envelope/LassoLoop.h"
 
 #include <QCoreApplication>
@@ -35,8 +40,10 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
                                        Competitors competitors)
 {
     document.interruptEdit();
-    LassoStroke kept = stroke;
-    kept.points = simplified(stroke.points);
+    const LassoStroke drawn = recordableLasso(stroke);
+    LassoStroke kept = drawn;
+    kept.points = simplified(drawn.points);
+    kept = recordableLasso(std::move(kept));
     if (!isLasso(kept))
         return Error{Error::Kind::Input, Text::tr("The lasso's drawing plane is not valid.")};
     std::vector<LassoStroke> strokes = document.tree().lassosInForce();
@@ -56,42 +63,66 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
         delta.lassos.push_back({keepLasso(delta, tree, kept), true});
         edit.apply(std::move(delta));
     };
+    const auto operation = [drawn, only = BudReference::to(document, competitors)](std::optional<int> steps) {
+        return LassoOperation{drawn, only, steps};
+    };
+    return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes),
+                                                          competitors, operation, bringIn));
+}
+
+LassoGesture::Begun LassoGesture::fillAll(TreeDocument& document, const std::vector<LassoStroke>& strokes,
+                                          const TreeParameters& parameters, Competitors competitors)
+{
+    document.interruptEdit();
+    if (!std::ranges::all_of(strokes, isLasso))
+        return Error{Error::Kind::Input, Text::tr("The lasso's drawing plane is not valid.")};
+    if (!document.tree().hasRoomFor(parameters))
+        return Error{Error::Kind::Input, Text::tr("There is no room for more parameter sets.")};
+    return fillAll(document, Text::tr("Lasso"), strokes, parameters, competitors, [](Edit&) {});
+}
+
+LassoGesture::Begun LassoGesture::fillAll(TreeDocument& document, const QString& text,
+                                          const std::vector<LassoStroke>& strokes,
+                                          const TreeParameters& parameters, Competitors competitors,
+                                          const std::function<void(Edit&)>& goBack)
+{
+    Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(strokes);
+    if (!envelopes)
+        return envelopes.error();
+    const auto bringIn = [&](Edit& edit) {
+        goBack(edit);
+        const Tree& tree = edit.document().tree();
+        TreeDelta delta = deltaStartingAt(tree);
+        delta.parametersAfter = keepParameters(delta, tree, parameters);
+        std::vector<LassoStroke> wanted = strokes;
+        for (const std::uint32_t index : tree.lassoIndicesInForce()) {
+            const auto same = std::ranges::find(wanted, tree.lassos()[index]);
+            if (same == wanted.end())
+                delta.lassos.push_back({index, false});
+            else
+                wanted.erase(same);
+        }
+        for (const LassoStroke& stroke : wanted)
+            delta.lassos.push_back({keepLasso(delta, tree, stroke), true});
+        edit.apply(std::move(delta));
+    };
+    const auto operation = [strokes, parameters,
+                            only = BudReference::to(document, competitors)](std::optional<int> steps) {
+        return FillEnvelopesOperation{strokes, parameters, only, steps};
+    };
     return std::unique_ptr<LassoGesture>(
-        new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes), competitors, bringIn));
+        new LassoGesture(document, text, std::move(*envelopes), competitors, operation, bringIn));
 }
 
 LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
 {
     document.interruptEdit();
-    const std::vector<std::uint32_t> wanted = document.tree().lassoIndicesInForce();
-    if (wanted.empty())
+    if (document.tree().lassoIndicesInForce().empty())
         return Error{Error::Kind::Input, Text::tr("There is no envelope to regrow.")};
-    const std::vector<LassoStroke> strokes = document.tree().lassosInForce();
-    Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(strokes);
-    if (!envelopes)
-        return envelopes.error();
-
-    const auto goBack = [&, parameters = document.parameters()](Edit& edit) {
-        edit.replaceFrom(firstFilling(document));
-        const Tree& tree = document.tree();
-        TreeDelta delta = deltaStartingAt(tree);
-        delta.parametersAfter = keepParameters(delta, tree, parameters);
-        const std::vector<std::uint32_t>& standing = tree.lassoIndicesInForce();
-        for (const std::uint32_t index : standing) {
-            if (!std::ranges::binary_search(wanted, index))
-                delta.lassos.push_back({index, false});
-        }
-        for (std::size_t i = 0; i < wanted.size(); ++i) {
-            // Those that went with the journal's end come again.
-            if (wanted[i] >= tree.lassos().size())
-                delta.lassos.push_back({keepLasso(delta, tree, strokes[i]), true});
-            else if (!std::ranges::binary_search(standing, wanted[i]))
-                delta.lassos.push_back({wanted[i], true});
-        }
-        edit.apply(std::move(delta));
-    };
-    return std::unique_ptr<LassoGesture>(
-        new LassoGesture(document, Text::tr("Regrow"), std::move(*envelopes), {}, goBack));
+    // What the journal's end brought in goes with it and comes again, the parameters in force too.
+    const TreeParameters parameters = document.parameters();
+    return fillAll(document, Text::tr("Regrow"), document.tree().lassosInForce(), parameters, {},
+                   [from = firstFilling(document)](Edit& edit) { edit.replaceFrom(from); });
 }
 
 LassoGesture::Begun LassoGesture::goOn(TreeDocument& document, Competitors competitors)
@@ -102,15 +133,24 @@ LassoGesture::Begun LassoGesture::goOn(TreeDocument& document, Competitors compe
     Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(document.tree().lassosInForce());
     if (!envelopes)
         return envelopes.error();
+    const auto operation = [only = BudReference::to(document, competitors)](std::optional<int> steps) {
+        return FillEnvelopesOperation{{}, {}, only, steps};
+    };
     return std::unique_ptr<LassoGesture>(
-        new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes), competitors, {}));
+        new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes), competitors, operation));
 }
 
 LassoGesture::LassoGesture(TreeDocument& document, const QString& text, EnvelopeSet envelopes,
-                           Competitors competitors, const std::function<void(Edit&)>& prepare)
-    : GrowthGesture(document, text, prepare)
+                           Competitors competitors, OperationOfSteps operation,
+                           const std::function<void(Edit&)>& prepare)
+    : GrowthGesture(document, text, prepare), m_operation(std::move(operation))
 {
     setProcess(std::make_unique<EnvelopeGrowth>(std::move(envelopes), document.tree(), competitors));
+}
+
+RecipeOperation LassoGesture::operation() const
+{
+    return m_operation(isExhausted() ? std::nullopt : std::optional(static_cast<int>(stepCount())));
 }
 
 bool removeEnvelopes(TreeDocument& document)
@@ -121,7 +161,7 @@ bool removeEnvelopes(TreeDocument& document)
         delta.lassos.push_back({index, false});
     edit.apply(std::move(delta));
     const bool removes = edit.hasChanges();
-    edit.commit(Text::tr("Remove Envelope"));
+    commitRecorded(edit, Text::tr("Remove Envelope"), [] { return RemoveLassoOperation{}; });
     return removes;
 }
 

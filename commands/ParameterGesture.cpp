@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/ParameterGesture.h"
 
+#include "commands/RecordedEdit.h"
+#include "commands/recipe/SetParametersOperation.h"
+
 namespace espalier {
 
 std::unique_ptr<Edit> ParameterGesture::takeEdit()
@@ -21,7 +24,7 @@ void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& t
     delta.parametersAfter = keepParameters(delta, tree, parameters);
     edit->apply(std::move(delta));
     const bool isTried = edit->deltaCount() > 0;
-    edit->commit(text);
+    commitRecorded(*edit, text, [&] { return SetParametersOperation{parameters}; });
     if (isTried)
         m_revision = m_document.revision();
 }

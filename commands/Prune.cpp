@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/Prune.h"
 
-#include "model/document/Edit.h"
+#include "commands/RecordedEdit.h"
+#include "commands/recipe/PruneOperation.h"
 #include "model/shape/Pruning.h"
 
 #include <QCoreApplication>
@@ -11,8 +12,13 @@ namespace espalier {
 void pruneBranches(TreeDocument& document, std::span<const InternodeId> cuts)
 {
     Edit edit(document);
+    PruneOperation operation;
+    for (const InternodeId cut : cuts) {
+        if (cut != 0 && cut < document.tree().size() && document.tree().isAlive(cut))
+            operation.internodes.push_back(InternodeReference::to(document, cut));
+    }
     edit.apply(prune(document.tree(), document.index(), cuts));
-    edit.commit(QCoreApplication::translate("Commands", "Prune"));
+    commitRecorded(edit, QCoreApplication::translate("Commands", "Prune"), [&] { return operation; });
 }
 
 } // namespace espalier

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/SetParameters.h"
 
-#include "model/document/Edit.h"
+#include "commands/RecordedEdit.h"
+#include "commands/recipe/SetParametersOperation.h"
 
 #include <QCoreApplication>
 
@@ -16,7 +17,8 @@ void setParameters(TreeDocument& document, const TreeParameters& parameters)
     TreeDelta delta = deltaStartingAt(tree);
     delta.parametersAfter = keepParameters(delta, tree, parameters);
     edit.apply(std::move(delta));
-    edit.commit(QCoreApplication::translate("Commands", "Change Parameters"));
+    commitRecorded(edit, QCoreApplication::translate("Commands", "Change Parameters"),
+                   [&] { return SetParametersOperation{parameters}; });
 }
 
 } // namespace espalier

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/TimeGesture.h"
 
+#include "commands/RecordedEdit.h"
+#include "commands/recipe/GrowOperation.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -29,8 +32,13 @@ void TimeGesture::moveTo(std::size_t position)
 bool TimeGesture::grow()
 {
     const TreeDocument& document = m_edit.document();
+    // The first step decides for all of them, as in a GrowGesture.
+    if (m_edit.deltaCount() == 0) {
+        m_competitors = document.competitors();
+        m_only = BudReference::to(document, m_competitors);
+    }
     GrowthStepOptions options = GrowthStepOptions::of(document.parameters().growth);
-    options.competitors = document.competitors();
+    options.competitors = m_competitors;
     TreeDelta delta =
         document.growthModel().growFreely(document.tree(), document.index(), options, m_workspace);
     if (delta.isEmpty())
@@ -41,8 +49,13 @@ bool TimeGesture::grow()
 
 void TimeGesture::finish()
 {
-    m_edit.commit(m_edit.deltaCount() > 0 ? QCoreApplication::translate("Commands", "Grow")
-                                          : QCoreApplication::translate("Commands", "Travel in Time"));
+    const auto steps = static_cast<int>(m_edit.deltaCount());
+    commitRecorded(m_edit,
+                   steps > 0 ? QCoreApplication::translate("Commands", "Grow")
+                             : QCoreApplication::translate("Commands", "Travel in Time"),
+                   [&] {
+                       return GrowOperation{steps, m_only};
+                   });
 }
 
 } // namespace espalier

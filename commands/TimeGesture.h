@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/recipe/BudReference.h"
 #include "model/document/Edit.h"
 #include "model/growth/GrowthStep.h"
 
@@ -31,6 +32,8 @@ private:
 
     Edit m_edit;
     std::size_t m_historyLength;
+    Competitors m_competitors; ///< Of the steps that have grown beyond the history
+    BudReference m_only;       ///< The same
     GrowthWorkspace m_workspace;
 };
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/WidthGesture.h"
 
+#include "commands/RecordedEdit.h"
+#include "commands/recipe/RecipeJson.h"
+#include "commands/recipe/SetWidthOperation.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -9,7 +13,7 @@
 namespace espalier {
 
 WidthGesture::WidthGesture(TreeDocument& document, InternodeId id)
-    : m_edit(document, [this] { finish(); }), m_id(id)
+    : m_edit(document, [this] { finish(); }), m_id(id), m_place(id)
 {
 }
 
@@ -24,7 +28,8 @@ void WidthGesture::set(InternodeId place, double diameter)
     if (diameter > 0.0)
         after =
             static_cast<float>(std::clamp(diameter, kLeastDiameter, static_cast<double>(kGreatestDiameter)));
-    m_removes = !after;
+    m_place = place;
+    m_diameter = after;
     TreeDelta delta = deltaStartingAt(tree);
     const auto change = [&](InternodeId id, const std::optional<float>& wanted) {
         if (const auto before = tree.content().sparse.width.at(id); before != wanted)
@@ -38,8 +43,18 @@ void WidthGesture::set(InternodeId place, double diameter)
 
 void WidthGesture::finish()
 {
-    m_edit.commit(m_removes ? QCoreApplication::translate("Commands", "Remove Width")
-                            : QCoreApplication::translate("Commands", "Width"));
+    const auto operation = [this] {
+        const TreeDocument& document = m_edit.document();
+        SetWidthOperation width{InternodeReference::to(document, m_place),
+                                m_diameter ? shortestDouble(*m_diameter) : 0.0};
+        if (m_place != m_id)
+            width.from = InternodeReference::to(document, m_id);
+        return width;
+    };
+    commitRecorded(m_edit,
+                   m_diameter ? QCoreApplication::translate("Commands", "Width")
+                              : QCoreApplication::translate("Commands", "Remove Width"),
+                   operation);
 }
 
 void setWidth(TreeDocument& document, InternodeId id, double diameter)

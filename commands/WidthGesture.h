@@ -3,6 +3,8 @@
 
 #include "model/document/Edit.h"
 
+#include <optional>
+
 namespace espalier {
 
 /// Diameters that a constraint may have, m.
@@ -29,7 +31,9 @@ public:
 private:
     Edit m_edit;
     InternodeId m_id;
-    bool m_removes = false;
+    /// Of the last call of set().
+    InternodeId m_place;
+    std::optional<float> m_diameter{};
 };
 
 /// Sets a width, or removes it (0), as one undo step: see WidthGesture::set.

@@ -18,6 +18,7 @@ enum class ActionId {
     Library,
     Save,
     SaveAs,
+    SaveRecipe,
     Export,
     Settings,
     Quit,

@@ -3,6 +3,7 @@
 
 #include "app/files/Outputs.h"
 #include "commands/DocumentProject.h"
+#include "commands/recipe/JournalRecipe.h"
 #include "commands/recipe/Recipe.h"
 #include "commands/recipe/RecipePlayer.h"
 #include "model/io/FileWriter.h"
@@ -141,16 +142,44 @@ Result<void> writeOutputs(const Project& project, const QStringList& fileNames)
     return {};
 }
 
+/// What is to be played: a recipe, or the history of a project.
+struct ReplayInput {
+    Recipe recipe;
+    std::optional<Project> project; ///< That it is the history of
+};
+
+Result<ReplayInput> readReplayInput(const QString& fileName)
+{
+    if (QFileInfo(fileName).suffix().toLower() != QLatin1String("espalier")) {
+        Result<Recipe> recipe = readRecipe(fileName);
+        if (!recipe)
+            return recipe.error();
+        return ReplayInput{std::move(*recipe), {}};
+    }
+    Result<Project> project = loadProject(fileName);
+    if (!project)
+        return project.error();
+    if (!project->warning.isEmpty())
+        complain(project->warning);
+    Result<Recipe> recipe = recipeOf(*project);
+    if (!recipe)
+        return inputError(QFileInfo(fileName).fileName(), recipe.error().message);
+    return ReplayInput{std::move(*recipe), std::move(*project)};
+}
+
 /// Plays the recipes one after another on one document, and prints what they did not find there, which is an
 /// Error if the command line is strict. Returns the view that the last of them asks for.
 Result<QString> playRecipes(TreeDocument& document, QString& name, const CommandLine& line)
 {
     std::vector<Recipe> recipes;
+    std::optional<Tree> wanted; // Of a project whose history alone is played
     for (const QString& fileName : line.inputs) {
-        Result<Recipe> recipe = readRecipe(fileName);
-        if (!recipe)
-            return recipe.error();
-        recipes.push_back(std::move(*recipe));
+        Result<ReplayInput> input = readReplayInput(fileName);
+        if (!input)
+            return input.error();
+        if (input->project && line.inputs.size() == 1 && !line.seed)
+            wanted = shownTree(*input->project);
+        recipes.push_back(std::move(input->recipe));
     }
     if (line.seed)
         recipes.front().seed = *line.seed;
@@ -177,6 +206,12 @@ Result<QString> playRecipes(TreeDocument& document, QString& name, const Command
         for (const QString& warning : player.warnings())
             complain(QStringLiteral("%1: %2").arg(fileName, warning));
         warnings += player.warnings().size();
+    }
+    if (wanted && !(document.tree() == *wanted)) {
+        complain(QCoreApplication::translate(
+                     "CommandLine", "%1: its history, played again, gives another tree than it holds")
+                     .arg(QFileInfo(line.inputs.constFirst()).fileName()));
+        ++warnings;
     }
     if (line.strict && warnings > 0)
         return Error{Error::Kind::Input,

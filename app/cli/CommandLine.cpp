@@ -184,7 +184,7 @@ Result<void> checkComplete(const CommandLine& line)
     switch (line.verb) {
     case Verb::Replay:
         if (line.inputs.isEmpty())
-            return usage(Text::tr("replay wants at least one recipe"));
+            return usage(Text::tr("replay wants at least one recipe or project"));
         break;
     case Verb::Export:
     case Verb::Render:
@@ -271,11 +271,12 @@ QString commandLineHelp()
                     "espalier --demo [RECIPE]\n"
                     "    Opens the window and brushes a tree in it; then it is yours.\n"
                     "\n"
-                    "espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]\n"
+                    "espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]\n"
                     "                [--camera front|side|top|three-quarter]\n"
                     "                [--transparent [--ground-shadow]]\n"
                     "                [--stats FILE] [--threads N] [--seed N] [--strict]\n"
                     "    Does what a recipe says, without a window, and writes what comes of it.\n"
+                    "    Of a project, all is done again that was done to its tree.\n"
                     "    Of several recipes each continues the tree of the one before: the first\n"
                     "    says the seed, and each begins by putting its parameters in force.\n"
                     "    What operations do not find in the tree is printed; with --strict it is an\n"

@@ -54,6 +54,10 @@ public:
     void save();
     void saveAs();
     /// Asks for a file.
+    void saveAsRecipe();
+    /// Writes what was done to the tree as a recipe.
+    void saveRecipeTo(const QString& fileName);
+    /// Asks for a file.
     void exportTree();
     /// The suffix says the format.
     void exportTo(const QString& fileName);

@@ -43,6 +43,16 @@ QString askForSaving(QWidget& window, const QString& start)
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
 }
 
+QString askForRecipe(QWidget& window, const QString& start)
+{
+    QFileDialog dialog(&window, Text::tr("Save as Recipe"), QFileInfo(start).path(),
+                       Text::tr("Recipes (*.json)"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(kRecipeSuffix);
+    dialog.selectFile(QFileInfo(start).completeBaseName());
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+}
+
 QString askForExport(QWidget& window, const QString& start, const Settings& settings)
 {
     const QStringList suffixes = exportSuffixes();

@@ -23,6 +23,8 @@ QString suffixOf(const QString& fileName);
 QString askForOpening(QWidget& window, const Settings& settings);
 /// @p start is the path that is proposed. The dialog asks whether an existing file is to be replaced.
 QString askForSaving(QWidget& window, const QString& start);
+/// The same for a recipe.
+QString askForRecipe(QWidget& window, const QString& start);
 /// Proposes @p start without its suffix, in the format that was used last.
 QString askForExport(QWidget& window, const QString& start, const Settings& settings);
 /// @p isGrowing: whether growth or a gesture is under way, which saving ends.

@@ -13,6 +13,10 @@ namespace espalier {
 /// run on any thread. What is exported is the tree at the moment shown.
 Result<void> writeOutput(const Project& project, const QString& fileName, const Progress& progress = {});
 
+/// Writes what was done to a project's tree as a recipe: see recipeOf() and saveRecipe(). May run on any
+/// thread.
+Result<void> writeRecipeOf(const Project& project, const QString& fileName);
+
 /// Replaces the file whole or leaves it as it was.
 Result<void> writePicture(const QImage& picture, const QString& fileName);
 

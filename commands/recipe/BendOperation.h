@@ -4,14 +4,20 @@
 #include "commands/recipe/InternodeReference.h"
 #include "commands/recipe/RecipeOperation.h"
 
+#include <optional>
 #include <vector>
 
 namespace espalier {
 
-/// Bends the branch from a base, which stays, to the uppermost handle.
+/// Bends the branch from a base, which stays, to the uppermost handle. A recipe that a person writes says
+/// where the handles end up. One that was recorded has the way of the hands as well: the form that a branch
+/// settles in depends on it.
 struct BendOperation {
     static constexpr QLatin1StringView kName{"bend"};
     static constexpr qsizetype kMostHandles = 100;
+    static constexpr qsizetype kMostMoves = 100'000; ///< Of a grip
+    static constexpr int kMostCalls = 100'000;
+    static constexpr qsizetype kMostGrips = 1000;
     static constexpr double kLeastWeight = 0.01;
     static constexpr double kGreatestWeight = 100.0;
 
@@ -21,8 +27,26 @@ struct BendOperation {
         Vec3 target = Vec3::Zero(); ///< m
         bool operator==(const Handle&) const = default;
     };
+    /// A place of the hands on their way.
+    struct Move {
+        std::vector<Vec3> targets; ///< m, of the handles in their order
+        /// How often the branch was pulled there (BendGesture::moveTo), 1...kMostCalls; nothing for until it
+        /// has settled.
+        std::optional<int> calls{};
+        bool operator==(const Move&) const = default;
+    };
+    /// How the branch is held, and pulled.
+    struct Grip {
+        InternodeReference base;
+        std::vector<Handle> handles; ///< 1...kMostHandles
+        /// To the handles' targets in the end; none if it goes there at once.
+        std::vector<Move> moves{};
+        bool operator==(const Grip&) const = default;
+    };
     InternodeReference base;
     std::vector<Handle> handles; ///< 1...kMostHandles
+    std::vector<Move> moves{};   ///< With the base and the handles, the first grip
+    std::vector<Grip> regrips{}; ///< Those that followed, on the form that stood then
     double bending = 1.0;        ///< kLeastWeight...kGreatestWeight
     double stretching = 1.0;     ///< kLeastWeight...kGreatestWeight
 

@@ -15,6 +15,7 @@ struct Text {
 };
 
 constexpr QLatin1StringView kSamplesKey("samples");
+constexpr QLatin1StringView kUntilKey("until");
 
 /// What is wrong with the sample, or nothing; then @p sample is the one that @p value says.
 std::optional<QString> readSample(const QJsonValue& value, double previousTime, BrushSample& sample)
@@ -44,46 +45,6 @@ std::optional<QString> readSample(const QJsonValue& value, double previousTime, 
     return {};
 }
 
-/// A stroke that takes its own time.
-class StrokePerformance : public Performance {
-public:
-    StrokePerformance(TreeDocument& document, const BrushStrokeOperation& operation, BudReference::Found only)
-        : m_document(document),
-          m_samples(operation.samples),
-          m_warning(std::move(only.warning)),
-          m_historyBefore(document.journal().size()),
-          m_gesture(document, m_samples.front(), only.competitors),
-          m_time(m_samples.front().time)
-    {
-    }
-
-    bool advance(double seconds) override
-    {
-        m_time += seconds;
-        for (; m_next < m_samples.size() && m_samples[m_next].time <= m_time; ++m_next)
-            m_gesture.add(m_samples[m_next]);
-        if (m_next < m_samples.size()) {
-            m_gesture.moveToward(m_samples[m_next], m_time);
-            return false;
-        }
-        if (m_warning.isEmpty() && m_document.journal().size() == m_historyBefore)
-            m_warning = Text::tr("nothing grew");
-        m_gesture.finish();
-        return true;
-    }
-    QString warning() const override { return m_warning; }
-    const BrushGesture* stroke() const override { return &m_gesture; }
-
-private:
-    const TreeDocument& m_document;
-    std::span<const BrushSample> m_samples;
-    QString m_warning;
-    std::size_t m_historyBefore;
-    BrushGesture m_gesture;
-    double m_time; ///< s of the stroke
-    std::size_t m_next = 1;
-};
-
 } // namespace
 
 BrushStrokeOperation BrushStrokeOperation::read(JsonReader& reader, RecipeReading& reading)
@@ -91,6 +52,8 @@ BrushStrokeOperation BrushStrokeOperation::read(JsonReader& reader, RecipeReadin
     const QJsonArray array = reader.array(kSamplesKey);
     BrushStrokeOperation stroke;
     stroke.only = BudReference::read(reader);
+    if (reader.has(kUntilKey))
+        stroke.until = reader.number(kUntilKey, 0.0, kGreatestTime);
     if (array.isEmpty())
         reader.fail(kSamplesKey, Text::tr("a stroke has at least one sample"));
     if (!reading.admitSamples(reader, kSamplesKey, array.size()))
@@ -117,12 +80,9 @@ QJsonObject BrushStrokeOperation::write(RecipeWriting&) const
     }
     QJsonObject json{{kSamplesKey, array}};
     only.write(json);
+    if (until)
+        json[kUntilKey] = *until;
     return json;
-}
-
-std::unique_ptr<Performance> BrushStrokeOperation::begin(TreeDocument& document) const
-{
-    return std::make_unique<StrokePerformance>(document, *this, only.resolve(document));
 }
 
 Box3 BrushStrokeOperation::reach() const

@@ -5,6 +5,7 @@
 #include "commands/recipe/RecipeOperation.h"
 #include "model/growth/BrushSample.h"
 
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -17,6 +18,8 @@ struct BrushStrokeOperation {
 
     std::vector<BrushSample> samples; ///< At least one, times ascending
     BudReference only{};              ///< Which buds grow
+    /// When the stroke was broken off on the way to the last sample, s; nothing if it was not.
+    std::optional<double> until{};
 
     static BrushStrokeOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;

@@ -32,6 +32,17 @@ bool hasBud(const TreeDocument& document, InternodeId node, int slot)
 
 } // namespace
 
+BudReference BudReference::to(const TreeDocument& document, const Competitors& competitors)
+{
+    if (competitors.areAll())
+        return {};
+    const Tree& tree = document.tree();
+    const bool isThere = competitors.node < tree.size() && tree.isAlive(competitors.node);
+    return {isThere ? InternodeReference::to(document, competitors.node)
+                    : InternodeReference(competitors.node),
+            competitors.slot};
+}
+
 BudReference::Found BudReference::resolve(const TreeDocument& document) const
 {
     if (!internode)

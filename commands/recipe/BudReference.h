@@ -13,6 +13,9 @@ struct BudReference {
     std::optional<InternodeReference> internode; ///< At whose upper end the bud sits; nothing for all buds
     int slot = kTerminalSlot;
 
+    /// What stands for @p competitors.
+    static BudReference to(const TreeDocument& document, const Competitors& competitors);
+
     /// What growth is to be told, and what is wrong with it.
     struct Found {
         Competitors competitors;

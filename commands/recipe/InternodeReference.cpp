@@ -80,7 +80,9 @@ Result<InternodeReference> fromObject(const QJsonObject& object)
 
 InternodeReference InternodeReference::to(const TreeDocument& document, InternodeId id)
 {
-    return {document.tree().key(id), document.index().nodePosition(id)};
+    const Vec3 place = document.index().nodePosition(id);
+    const bool isNear = place.cwiseAbs().maxCoeff() <= static_cast<float>(recipeLimits::kCoordinate);
+    return {document.tree().key(id), isNear ? std::optional(withoutNegativeZeros(place)) : std::nullopt};
 }
 
 Result<InternodeId> InternodeReference::resolve(const TreeDocument& document) const

@@ -28,7 +28,8 @@ public:
           m_place(place.value_or(Vec3(Vec3::Zero())))
     {
     }
-    /// By key and place. Precondition: the document has the internode.
+    /// By key and, unless it is too far away for a recipe, by place. Precondition: the document has the
+    /// internode.
     static InternodeReference to(const TreeDocument& document, InternodeId id);
 
     /// kGreatestNumber for a reference by key or place.

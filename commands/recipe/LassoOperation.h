@@ -5,15 +5,17 @@
 #include "commands/recipe/RecipeOperation.h"
 #include "model/tree/LassoStroke.h"
 
+#include <optional>
+
 namespace espalier {
 
 /// Draws an envelope and lets the tree fill it.
 struct LassoOperation {
     static constexpr QLatin1StringView kName{"lasso"};
-    static constexpr qsizetype kLeastPoints = 3;
 
-    LassoStroke stroke;  ///< Raw: any number of points from kLeastPoints on
-    BudReference only{}; ///< Which buds grow
+    LassoStroke stroke;         ///< Raw: any number of points from kLeastLassoPoints on
+    BudReference only{};        ///< Which buds grow
+    std::optional<int> steps{}; ///< At most so many; nothing for all there are
 
     static LassoOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/PruneOperation.h"
 
-#include "commands/Prune.h"
-
 #include <QCoreApplication>
 
 namespace espalier {
@@ -41,23 +39,6 @@ QJsonObject PruneOperation::write(RecipeWriting&) const
     for (const InternodeReference& internode : internodes)
         array.append(internode.toJson());
     return {{kInternodesKey, array}};
-}
-
-QString PruneOperation::perform(TreeDocument& document) const
-{
-    std::vector<InternodeId> cuts;
-    QStringList faults;
-    for (const InternodeReference& internode : internodes) {
-        const Result<InternodeId> id = internode.resolve(document);
-        if (!id)
-            faults.append(id.error().message);
-        else if (*id == 0)
-            faults.append(Text::tr("internode 0 is the seedling, which cannot be pruned"));
-        else
-            cuts.push_back(*id);
-    }
-    pruneBranches(document, cuts);
-    return joinedFaults(faults);
 }
 
 } // namespace espalier

@@ -14,6 +14,15 @@ namespace espalier {
 /// double with the fewest digits that lead back to the double: 0.1F would be 0.10000000149011612.
 double shortestDouble(float number);
 
+/// The vector with 0 in place of -0, which JSON does not keep.
+template <int Count>
+Eigen::Matrix<float, Count, 1> withoutNegativeZeros(Eigen::Matrix<float, Count, 1> vector)
+{
+    for (int i = 0; i < Count; ++i)
+        vector[i] = vector[i] == 0.0F ? 0.0F : vector[i];
+    return vector;
+}
+
 /// The numbers of an array of exactly @p Count numbers, each within ±@p limit; nothing if it is another one.
 template <int Count>
 std::optional<Eigen::Matrix<float, Count, 1>> vectorFromJson(const QJsonArray& array, double limit)

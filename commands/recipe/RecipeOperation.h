@@ -3,6 +3,7 @@
 
 #include "commands/recipe/Performance.h"
 #include "commands/recipe/RecipeReading.h"
+#include "model/document/TreeDocument.h"
 #include "model/io/JsonReader.h"
 
 #include <concepts>
@@ -78,6 +79,9 @@ public:
 
     /// The object, with its name, that readOperation() turns into the same operation after the same ones.
     QJsonObject write(RecipeWriting& writing) const;
+    /// The same as compact JSON that counts from @p parameters: what a gesture leaves in the journal
+    /// (EditRecord), with the parameters that are in force after it.
+    QByteArray record(const TreeParameters& parameters) const;
     /// Starts to do it to @p document. The operation must outlive the performance.
     std::unique_ptr<Performance> begin(TreeDocument& document) const { return m_content->begin(document); }
 

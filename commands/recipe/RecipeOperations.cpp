@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
+#include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/GrowOperation.h"
 #include "commands/recipe/LassoOperation.h"
 #include "commands/recipe/PruneOperation.h"
@@ -14,6 +15,7 @@
 #include "commands/recipe/UndoOperation.h"
 
 #include <QCoreApplication>
+#include <QJsonDocument>
 
 #include <algorithm>
 
@@ -44,6 +46,7 @@ constexpr OperationKind kKinds[] = {
     kindOf<PruneOperation>(),         kindOf<TravelOperation>(),      kindOf<UndoOperation>(),
     kindOf<RedoOperation>(),          kindOf<BendOperation>(),        kindOf<SetWidthOperation>(),
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
+    kindOf<FillEnvelopesOperation>(),
 };
 
 } // namespace
@@ -53,6 +56,12 @@ QJsonObject RecipeOperation::write(RecipeWriting& writing) const
     QJsonObject json = m_content->write(writing);
     json[QLatin1StringView("op")] = QString(name());
     return json;
+}
+
+QByteArray RecipeOperation::record(const TreeParameters& parameters) const
+{
+    RecipeWriting writing{parameters};
+    return QJsonDocument(write(writing)).toJson(QJsonDocument::Compact);
 }
 
 QStringList operationNames()

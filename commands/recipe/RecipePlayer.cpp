@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/RecipePlayer.h"
 
-#include "commands/SetParameters.h"
+#include "commands/recipe/SetParametersOperation.h"
 
 namespace espalier {
 
@@ -11,7 +11,7 @@ RecipePlayer::RecipePlayer(TreeDocument& document, Recipe recipe, Start start)
     if (start == Start::Anew)
         m_document.reset(m_recipe.seed, m_recipe.parameters);
     else
-        setParameters(m_document, m_recipe.parameters);
+        SetParametersOperation{m_recipe.parameters}.perform(m_document);
 }
 
 RecipePlayer::~RecipePlayer() = default;
@@ -58,8 +58,7 @@ void RecipePlayer::advance(double seconds)
 
 std::optional<BrushSample> RecipePlayer::brush() const
 {
-    const BrushGesture* made = stroke();
-    return made ? std::optional(made->path().back()) : std::nullopt;
+    return m_performance ? m_performance->brush() : std::nullopt;
 }
 
 } // namespace espalier

@@ -43,6 +43,8 @@ const RecipeReading::Image& RecipeReading::image(const QString& name)
 
 Result<void> RecipeReading::readParameters(const QJsonObject& json, const QString& place)
 {
+    if (json.isEmpty())
+        return {};
     TreeParameters base = m_parameters;
     const ImageOfName imageOfName = [this](const QString& name) { return image(name).asset; };
     const QString leaf =

@@ -17,7 +17,9 @@ public:
 
     /// Those that were read last, complete; at first the program's defaults.
     const TreeParameters& parameters() const { return m_parameters; }
-    /// Puts those that @p json names in force, on top of the others.
+    /// What is read next counts from these.
+    void setParameters(const TreeParameters& parameters) { m_parameters = parameters; }
+    /// Puts those that @p json names in force, on top of the others. If it names none, not a bit changes.
     Result<void> readParameters(const QJsonObject& json, const QString& place);
 
     /// Counts @p samples, the size of @p reader's member @p key. False, and the reader has an error, if the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/SetParametersOperation.h"
 
-#include "commands/SetParameters.h"
 #include "model/io/ParametersJson.h"
 
 #include <QCoreApplication>
@@ -34,12 +33,6 @@ QJsonObject SetParametersOperation::write(RecipeWriting& writing) const
     const QJsonObject changes = parametersToJson(parameters, writing.parameters);
     writing.parameters = parameters;
     return {{kParametersKey, changes}};
-}
-
-QString SetParametersOperation::perform(TreeDocument& document) const
-{
-    setParameters(document, parameters);
-    return {};
 }
 
 QJsonObject parametersToJson(const TreeParameters& parameters, const TreeParameters& base)

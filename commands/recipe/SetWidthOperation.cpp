@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/SetWidthOperation.h"
 
-#include "commands/WidthGesture.h"
-
 #include <QCoreApplication>
 
 namespace espalier {
@@ -15,29 +13,25 @@ struct Text {
 
 constexpr QLatin1StringView kInternodeKey("internode");
 constexpr QLatin1StringView kDiameterKey("diameter");
+constexpr QLatin1StringView kFromKey("from");
 
 } // namespace
 
 SetWidthOperation SetWidthOperation::read(JsonReader& reader, RecipeReading&)
 {
-    return {InternodeReference::read(reader, kInternodeKey),
-            reader.number(kDiameterKey, 0.0, kGreatestDiameter)};
+    SetWidthOperation width{InternodeReference::read(reader, kInternodeKey),
+                            reader.number(kDiameterKey, 0.0, kGreatestDiameter)};
+    if (reader.has(kFromKey))
+        width.from = InternodeReference::read(reader, kFromKey);
+    return width;
 }
 
 QJsonObject SetWidthOperation::write(RecipeWriting&) const
 {
-    return {{kInternodeKey, internode.toJson()}, {kDiameterKey, diameter}};
-}
-
-QString SetWidthOperation::perform(TreeDocument& document) const
-{
-    const Result<InternodeId> id = internode.resolve(document);
-    if (!id)
-        return id.error().message;
-    if (diameter == 0.0 && document.tree().widthConstraint(*id) == 0.0F)
-        return Text::tr("internode %1 has no width to take away").arg(*id);
-    setWidth(document, *id, diameter);
-    return {};
+    QJsonObject json{{kInternodeKey, internode.toJson()}, {kDiameterKey, diameter}};
+    if (from)
+        json[kFromKey] = from->toJson();
+    return json;
 }
 
 } // namespace espalier

@@ -13,6 +13,8 @@ struct SetWidthOperation {
 
     InternodeReference internode;
     double diameter = 0.0; ///< m, 0...kGreatestDiameter; 0 takes away what was set there
+    /// Whose width it was until now; nothing if it stays where it is.
+    std::optional<InternodeReference> from{};
 
     static SetWidthOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;

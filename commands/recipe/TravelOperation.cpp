@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/TravelOperation.h"
 
-#include "commands/TimeGesture.h"
-
 #include <QCoreApplication>
 
 namespace espalier {
@@ -28,20 +26,6 @@ TravelOperation TravelOperation::read(JsonReader& reader, RecipeReading&)
 QJsonObject TravelOperation::write(RecipeWriting&) const
 {
     return {{kByKey, by}};
-}
-
-QString TravelOperation::perform(TreeDocument& document) const
-{
-    TimeGesture gesture(document);
-    const auto here = static_cast<std::int64_t>(document.journal().size());
-    const auto end = static_cast<std::int64_t>(gesture.historyLength());
-    const std::int64_t there = std::clamp(here + by, std::int64_t{0}, end);
-    gesture.moveTo(static_cast<std::size_t>(there));
-    gesture.finish();
-    if (there == here + by)
-        return {};
-    return by < 0 ? Text::tr("the history goes back by %1 only, not by %2").arg(here).arg(-by)
-                  : Text::tr("the history goes on by %1 only, not by %2").arg(end - here).arg(by);
 }
 
 } // namespace espalier

@@ -53,6 +53,9 @@ void Edit::apply(TreeDelta delta)
         return;
     if (m_deltas.empty() && m_replaced.empty())
         m_future = m_document.takeFuture();
+    // So that no delta counts as one of the edit before, should that have been cut in its middle.
+    if (m_deltas.empty() && !delta.record)
+        delta.record = EditRecord::unknown();
     m_deltas.push_back(std::make_shared<TreeDelta>(std::move(delta)));
     m_document.apply(m_deltas.back());
 }
@@ -98,10 +101,23 @@ void Edit::travelTo(std::size_t position)
     m_to = position;
 }
 
-void Edit::commit(const QString& text)
+void Edit::record(const QByteArray& operation)
+{
+    if (operation.isEmpty() || operation.size() > EditRecord::kMostBytes || m_deltas.empty())
+        return;
+    // A copy: a snapshot of the journal may be read on another thread.
+    auto first = std::make_shared<TreeDelta>(*m_deltas.front());
+    first->record = std::make_shared<const EditRecord>(
+        EditRecord{operation, static_cast<std::uint32_t>(m_deltas.size())});
+    m_document.m_journal[m_document.m_journal.size() - m_deltas.size()] = first;
+    m_deltas.front() = std::move(first);
+}
+
+void Edit::commit(const QString& text, const QByteArray& operation)
 {
     if (m_hasEnded)
         return;
+    record(operation);
     end();
     if (!hasChanges())
         return;

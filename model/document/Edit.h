@@ -54,14 +54,16 @@ public:
     /// applied, and position <= journal().size() + future().size().
     void travelTo(std::size_t position);
 
-    /// Ends. Makes what was done one undo step, named @p text; none if nothing was done.
-    void commit(const QString& text);
+    /// Ends. Makes what was done one undo step, named @p text; none if nothing was done. @p operation is the
+    /// recipe's operation that does the same, as compact JSON (EditRecord); empty if there is none.
+    void commit(const QString& text, const QByteArray& operation = {});
     void cancel();
 
 private:
     friend class TreeDocument;
 
     void end();
+    void record(const QByteArray& operation);
 
     TreeDocument& m_document;
     Interrupted m_interrupted;

@@ -3,6 +3,12 @@
 
 namespace espalier {
 
+const std::shared_ptr<const EditRecord>& EditRecord::unknown()
+{
+    static const auto record = std::make_shared<const EditRecord>();
+    return record;
+}
+
 void TreeDelta::addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,
                          float lengthAfter)
 {
@@ -31,6 +37,8 @@ std::size_t TreeDelta::bytes() const
     InternodeTable::visit(add, internodes);
     LeafTable::visit(add, leaves);
     SparseTable::visit(add, sparse);
+    if (record)
+        sum += sizeof(*record) + static_cast<std::size_t>(record->operation.capacity());
     return sum;
 }
 
@@ -39,7 +47,8 @@ bool TreeDelta::operator==(const TreeDelta& other) const
     bool isEqual = stepBefore == other.stepBefore && stepAfter == other.stepAfter &&
                    parametersBefore == other.parametersBefore && parametersAfter == other.parametersAfter &&
                    born == other.born && bornLeaves == other.bornLeaves && kept == other.kept &&
-                   died == other.died && lassos == other.lassos;
+                   died == other.died && lassos == other.lassos &&
+                   (record == other.record || (record && other.record && *record == *other.record));
     const auto compare = [&isEqual](const auto&, const auto& a, const auto& b) {
         isEqual = isEqual && a == b;
     };

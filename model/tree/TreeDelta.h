@@ -3,6 +3,8 @@
 
 #include "model/tree/TreeTables.h"
 
+#include <QByteArray>
+
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -14,6 +16,19 @@ struct TreeRows {
     InternodeColumns internodes;
     LeafColumns leaves;
     KeptValues kept;
+};
+
+/// What made the deltas of one edit, as text that the model keeps and does not read.
+struct EditRecord {
+    /// A longer operation is not kept, bytes.
+    static constexpr qsizetype kMostBytes = 64 << 20;
+
+    QByteArray operation;     ///< Compact JSON of a recipe's operation; empty if it is not known
+    std::uint32_t deltas = 1; ///< Of the whole edit; a journal that was cut within it has fewer
+
+    /// The record of an edit of which nothing is known (yet).
+    static const std::shared_ptr<const EditRecord>& unknown();
+    bool operator==(const EditRecord&) const = default;
 };
 
 /// What one edit did to a tree. Tree::apply and Tree::revert of deltas are the only ways to change one.
@@ -41,6 +56,9 @@ struct TreeDelta {
     /// applying moves them back, so a row is stored once. Null in a delta that stands applied, or brings
     /// none.
     std::shared_ptr<TreeRows> rows;
+    /// What made the edit that begins with this delta. Null in its other deltas, and in those of files that
+    /// are older than records.
+    std::shared_ptr<const EditRecord> record;
 
     /// Notes that an internode was bent or stretched (lengths in m), with all that hangs on it.
     void addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void crash_losesNothingThatWasFinished();
     void export_writesTheFileInTheBackground();
     void cancelledExport_leavesNothing();
+    void saveAsRecipe_writesWhatWasDone();
+    void saveAsRecipe_saysWhatIsNotKnownOfAnOldTree();
 };
 
 void FilesTest::brushUndoRedoSaveReopen_givesTheSameDocument()
@@ -302,6 +304,52 @@ void FilesTest::cancelledExport_leavesNothing()
     QVERIFY(cancel);
     QTest::mouseClick(cancel, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(notice().contains(QStringLiteral("was not written")), 30000);
+    QVERIFY(!QFileInfo::exists(name));
+}
+
+void FilesTest::saveAsRecipe_writesWhatWasDone()
+{
+    brush();
+    brush(0.8F, 1.5F, 0.5F);
+    TreeDocument& document = m_window->document();
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(document.undoStack().index(), 1, 30'000);
+    action(ActionId::GrowStep)->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(document.undoStack().index(), 2, 30'000);
+    const Tree grown = document.tree();
+
+    const QString name = m_folder->filePath(QStringLiteral("mine.json"));
+    QTimer::singleShot(0, this, [&] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        QVERIFY(dialog);
+        dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(name);
+        static_cast<QDialog*>(dialog)->accept(); // protected in QFileDialog
+    });
+    action(ActionId::SaveRecipe)->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(notice(), QStringLiteral("Saved mine.json"), 30'000);
+    QVERIFY(m_window->isWindowModified()); // a recipe is no project
+
+    const Result<Recipe> recipe = readRecipe(name);
+    QVERIFY2(recipe, recipe ? "" : qPrintable(recipe.error().message));
+    QCOMPARE(recipe->operations.size(), std::size_t{2});
+    answer(QMessageBox::Discard);
+    m_window->files().openFile(name);
+    QTRY_VERIFY_WITH_TIMEOUT(document.tree() == grown, 30'000);
+    QTRY_VERIFY(!m_window->recipeRunner().isRunning());
+}
+
+void FilesTest::saveAsRecipe_saysWhatIsNotKnownOfAnOldTree()
+{
+    const QDir old(QStringLiteral(SOURCE_DIR "/tests/model/io/version1"));
+    const QStringList projects = old.entryList({QStringLiteral("*.espalier")});
+    QVERIFY(!projects.isEmpty());
+    m_window->files().openFile(old.filePath(projects.constFirst()));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->document().journal().empty(), 30'000);
+    const QString name = m_folder->filePath(QStringLiteral("old.json"));
+    m_window->files().saveRecipeTo(name);
+    QTRY_VERIFY2_WITH_TIMEOUT(notice().contains(QStringLiteral("did not record how")), qPrintable(notice()),
+                              30'000);
+    QVERIFY(m_window->workspace().notice().isWarning());
     QVERIFY(!QFileInfo::exists(name));
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/ZipEntries.h"
+
 #include <QtTest>
 
 #include <sys/resource.h>
@@ -16,6 +18,9 @@ private Q_SLOTS:
     void replay_writesEveryOutputAndNothingElse();
     void replay_continuesOneTreeThroughSeveralRecipes();
     void replay_takesTheSeedOfTheCommandLine();
+    void replayOfAProject_givesTheSameProject();
+    void replayOfAnOldProject_saysWhichStepsAreNotKnown();
+    void replayOfAProject_saysIfAnotherTreeComesOfIt();
     void replay_namesWhatOperationsDoNotFind();
     void strictReplay_writesNothingIfAnOperationFindsNothing();
     void replay_givesTheSameBytesOnOneThreadAndOnTwo_data();
@@ -184,6 +189,52 @@ void ProgramTest::replay_takesTheSeedOfTheCommandLine()
     runWell({"replay", "r.json", "--seed", "10", "-o", "c.csv"});
     QCOMPARE(read("a.csv"), read("b.csv"));
     QVERIFY(read("a.csv") != read("c.csv"));
+}
+
+void ProgramTest::replayOfAProject_givesTheSameProject()
+{
+    write("shape.json", R"({"espalier-recipe": 1, "operations": [
+        {"op": "prune", "internodes": [30]},
+        {"op": "bend", "base": 0, "handles": [{"internode": 9, "target": [0.5, 0.9, 0.1]}]},
+        {"op": "setWidth", "internode": 1, "diameter": 0.1},
+        {"op": "lasso", "points": [[-0.5, 1], [0.5, 1], [0.3, 2]], "steps": 3},
+        {"op": "regrow"},
+        {"op": "travel", "by": -2}]})");
+    runWell({"replay", "r.json", "shape.json", "-o", "one.espalier"});
+    runWell({"replay", "one.espalier", "--strict", "-o", "two.espalier", "-o", "two.glb"});
+    QCOMPARE(read("two.espalier"), read("one.espalier"));
+    // With another seed it is another tree of the same kind.
+    QCOMPARE(run({"replay", "one.espalier", "--seed", "4", "-o", "three.espalier"}).code, 0);
+    QVERIFY(read("three.espalier") != read("one.espalier"));
+}
+
+void ProgramTest::replayOfAnOldProject_saysWhichStepsAreNotKnown()
+{
+    const QString old = QStringLiteral(SOURCE_DIR "/tests/model/io/version1");
+    const QStringList projects = QDir(old).entryList({QStringLiteral("*.espalier")});
+    QVERIFY(!projects.isEmpty());
+    const Outcome outcome = run({"replay", old + QLatin1Char('/') + projects.constFirst(), "-o", "t.csv"});
+    QCOMPARE(outcome.code, 3);
+    QVERIFY2(outcome.error.contains("did not record how") && outcome.error.contains("(1–"),
+             outcome.error.constData());
+    QCOMPARE(outcome.error.count('\n'), 1);
+    QVERIFY(!QFileInfo::exists(path(QStringLiteral("t.csv"))));
+}
+
+void ProgramTest::replayOfAProject_saysIfAnotherTreeComesOfIt()
+{
+    runWell({"replay", "r.json", "-o", "one.espalier"});
+    espalier::test::ZipEntries entries = espalier::test::unpackEntries(read("one.espalier"));
+    QByteArray& records = espalier::test::entry(entries, "journal/records.json");
+    records.replace("\"steps\":3", "\"steps\":2");
+    write("other.espalier", espalier::test::packEntries(entries));
+    const Outcome outcome = run({"replay", "other.espalier", "-o", "t.csv"});
+    QCOMPARE(outcome.code, 0);
+    QCOMPARE(outcome.error,
+             QByteArray("espalier: other.espalier: its history, played again, gives another tree "
+                        "than it holds\n"));
+    QCOMPARE(run({"replay", "other.espalier", "--strict", "-o", "u.csv"}).code, 3);
+    QVERIFY(!QFileInfo::exists(path(QStringLiteral("u.csv"))));
 }
 
 void ProgramTest::replay_namesWhatOperationsDoNotFind()

@@ -5,6 +5,7 @@
 #include "model/mesh/LeafCard.h"
 #include "model/mesh/LeafPlacer.h"
 #include "tests/support/Documents.h"
+#include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
 
 #include <QDir>
@@ -21,6 +22,8 @@ private Q_SLOTS:
     void undoingAndRedoingAll_restoresTheDocument();
     void nothing_liesBelowTheGround_data() { undoingAndRedoingAll_restoresTheDocument_data(); }
     void nothing_liesBelowTheGround();
+    void historyOfAPlayedRecipe_isARecipeOfTheSameTree_data();
+    void historyOfAPlayedRecipe_isARecipeOfTheSameTree();
 };
 
 namespace {
@@ -98,6 +101,21 @@ void SampleRecipesTest::nothing_liesBelowTheGround()
     // Few leaves are lost to it.
     const auto hidden = std::ranges::count_if(leaves, [](const LeafInstance& l) { return l.length <= 0.0F; });
     QVERIFY2(50 * hidden <= static_cast<std::ptrdiff_t>(leaves.size()), qPrintable(QString::number(hidden)));
+}
+
+void SampleRecipesTest::historyOfAPlayedRecipe_isARecipeOfTheSameTree_data()
+{
+    undoingAndRedoingAll_restoresTheDocument_data();
+}
+
+void SampleRecipesTest::historyOfAPlayedRecipe_isARecipeOfTheSameTree()
+{
+    QFETCH(const QString, fileName);
+    const Result<Recipe> recipe = readRecipe(fileName);
+    QVERIFY2(recipe, qPrintable(recipe ? QString() : recipe.error().message));
+    TreeDocument document;
+    RecipePlayer(document, *recipe).playAll();
+    QCOMPARE(replayFault(document), QString());
 }
 
 const TestClass<SampleRecipesTest> sampleRecipesTest;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/JournalRecipe.h"
 #include "model/document/Edit.h"
 #include "model/document/TreeDocument.h"
 #include "model/io/ImageFile.h"
@@ -54,6 +55,10 @@ void FuzzFilesTest::initTestCase()
         ImageAsset(pngOf(repeatingBark(16, 16)), QStringLiteral("bark.png"));
     illustrated.journal.push_back(std::make_shared<TreeDelta>(parameterChange(illustrated.tree, look)));
     illustrated.tree.apply(*illustrated.journal.back());
+    illustrated.journal.back()->record = std::make_shared<const EditRecord>(
+        EditRecord{R"({"op":"brushStroke","samples":[[0,0,0,0,1],[1,0,2,0,1]]})", 1});
+    illustrated.journal.front()->record =
+        std::make_shared<const EditRecord>(EditRecord{R"({"op":"grow","steps":3})", 2});
     m_projects = {*packProject(withPicture), *packProject(sampleProject(25, 2)), *packProject({}),
                   *packProject(illustrated)};
 
@@ -96,6 +101,9 @@ bool FuzzFilesTest::tryProject(const QByteArray& content)
     edit.cancel();
     if (!(document.tree() == project->tree))
         qFatal("the history does not lead back");
+    // A recipe is made of it, or a sentence.
+    if (const Result<Recipe> recipe = recipeOf(*project); !recipe && recipe.error().message.isEmpty())
+        qFatal("an error without a word");
     // And what it is saved as can be opened again.
     const Result<QByteArray> packed = packProject(*project);
     const Result<Project> again = packed ? unpackProject(*packed) : packed.error();

@@ -13,16 +13,17 @@
 #include "tests/support/AllOperations.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace espalier::test {
 
 namespace {
 
-void finish(LassoGesture::Begun begun)
+void finish(LassoGesture::Begun begun, int mostSteps = std::numeric_limits<int>::max())
 {
     if (!begun)
         return;
-    while ((*begun)->step()) {
+    for (int step = 0; step < mostSteps && (*begun)->step(); ++step) {
     }
     (*begun)->finish();
 }
@@ -132,6 +133,15 @@ public:
 
     void operator()(const RegrowOperation&) { finish(LassoGesture::regrow(m_document)); }
 
+    void operator()(const FillEnvelopesOperation& operation)
+    {
+        const Competitors competitors = operation.only.resolve(m_document).competitors;
+        finish(operation.envelopes ? LassoGesture::fillAll(m_document, *operation.envelopes,
+                                                           operation.parameters, competitors)
+                                   : LassoGesture::goOn(m_document, competitors),
+               *operation.steps);
+    }
+
     void operator()(const RemoveLassoOperation&) { removeEnvelopes(m_document); }
 
     /// Does the operation if it is of this kind.
@@ -162,7 +172,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
     const bool isDone =
         doesAny<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
-                RegrowOperation, RemoveLassoOperation>(Hand(document, random), operation);
+                RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation>(Hand(document, random),
+                                                                               operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

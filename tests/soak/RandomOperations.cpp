@@ -320,6 +320,22 @@ LassoOperation RandomOperations::make(const TreeDocument& document, int)
     return operation;
 }
 
+template <>
+FillEnvelopesOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    FillEnvelopesOperation operation;
+    operation.only = only(document);
+    if (onceIn(2)) {
+        LassoStroke stroke;
+        stroke.origin = Vec3(0.0F, internode(document), 0.0F);
+        stroke.points = loop(internode(document) * static_cast<float>(m_random.uniform(1.0, 5.0)));
+        operation.envelopes = {std::move(stroke)};
+        operation.parameters = parameters();
+    }
+    operation.steps = below(20);
+    return operation;
+}
+
 std::span<const RandomOperations::Kind> RandomOperations::kinds()
 {
     static constexpr Kind kKinds[] = {
@@ -329,6 +345,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<RedoOperation>(14, 0),          kindOf<BendOperation>(18, 4),
         kindOf<SetWidthOperation>(16, 4),      kindOf<LassoOperation>(2, 0),
         kindOf<RegrowOperation>(1, 0),         kindOf<RemoveLassoOperation>(1, 1),
+        kindOf<FillEnvelopesOperation>(1, 0),
     };
     return kKinds;
 }

@@ -3,6 +3,7 @@
 
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
+#include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/GrowOperation.h"
 #include "commands/recipe/LassoOperation.h"
 #include "commands/recipe/PruneOperation.h"

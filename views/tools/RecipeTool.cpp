@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/tools/RecipeTool.h"
 
+#include "commands/BrushGesture.h"
+#include "commands/LassoGesture.h"
 #include "views/tools/ToolColours.h"
 
 #include <vector>

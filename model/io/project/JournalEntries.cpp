@@ -4,6 +4,7 @@
 #include "model/io/JsonReader.h"
 #include "model/io/project/ColumnEntries.h"
 #include "model/io/project/ProjectLimits.h"
+#include "model/io/project/RecordEntries.h"
 
 #include <QCoreApplication>
 
@@ -291,6 +292,7 @@ void addJournal(ZipWriter& archive, const Journal& journal)
         addEntry(archive, "journal/lassos.index", columns.lassoIndex);
         addEntry(archive, "journal/lassos.inForce", columns.lassoInForce);
     }
+    addRecords(archive, journal);
 }
 
 Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content)
@@ -304,6 +306,8 @@ Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, cons
         journal.push_back(std::make_shared<TreeDelta>(columns.take(i)));
     if (!numberBirths(journal, content))
         return doesNotAddUp();
+    if (const Result<void> records = readRecords(archive, journal); !records)
+        return records.error();
     return journal;
 }
 

@@ -9,7 +9,8 @@ namespace espalier {
 
 /// Adds a journal to a project's archive, by the lists of columns in TreeTables.h. Entries journal/<number>
 /// have a row a delta. For each kind of change that occurs, journal/<kind>.count has a row a delta, and the
-/// other entries of the kind have the changes of all deltas, in the journal's order. Precondition: each
+/// other entries of the kind have the changes of all deltas, in the journal's order. RecordEntries.h says how
+/// the records are held. Precondition: each
 /// delta's births follow those of the one before.
 void addJournal(ZipWriter& archive, const Journal& journal);
 

@@ -25,6 +25,9 @@ Tree shownTree(const Project& project);
 /// - journal/<number> with a row a delta, and journal/<table>.<column>.count, .row, .before and .after for
 /// the cells that
 ///   the deltas changed;
+/// - journal/records.deltas, .size and .json: what made the edits (EditRecord), the texts one after another;
+/// files
+///   that are older than records have none of these;
 /// - assets/<SHA-256>.png or .jpg: the images that the parameter sets name by that hash, as they were read,
 /// each
 ///   once; project.json has their files' names;

@@ -15,7 +15,8 @@ inline constexpr std::uint32_t kLeaves = 20'000'000; ///< Placed ones
 inline constexpr std::uint32_t kDeltas = 4'000'000;
 inline constexpr std::uint32_t kChanges = 100'000'000; ///< Of one column, in all deltas together
 inline constexpr std::uint32_t kLassos = 100'000;
-inline constexpr std::uint32_t kLassoPoints = 10'000'000; ///< In all
+inline constexpr std::uint32_t kLassoPoints = 10'000'000;       ///< In all
+inline constexpr qsizetype kRecordBytes = qsizetype{512} << 20; ///< Of what made the edits, in all
 inline constexpr std::uint32_t kImages = 4096;
 inline constexpr qsizetype kImageBytes = qsizetype{512} << 20; ///< In all
 } // namespace projectLimits

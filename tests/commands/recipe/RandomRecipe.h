@@ -40,6 +40,8 @@ inline Recipe randomRecipe(std::uint64_t seed)
                 {time, 100.0F * random.inBall(), static_cast<float>(random.uniform() * random.uniform())});
         }
         result.operations.emplace_back(stroke);
+        stroke.until = i % 4 == 0 ? std::optional(stroke.samples.back().time - 0.001) : std::nullopt;
+        result.operations.emplace_back(stroke);
         result.operations.emplace_back(SetParametersOperation{randomParameters()});
         if (i % 3 == 0)
             stroke.only = {static_cast<InternodeId>(random.bits() % 1000), i % kMaxLaterals};
@@ -57,8 +59,17 @@ inline Recipe randomRecipe(std::uint64_t seed)
                 {static_cast<InternodeId>(i + 7 * handle), random.uniform(), 10.0F * random.inBall()});
         }
         result.operations.emplace_back(bend);
+        for (int move = 0; move < i; ++move) {
+            std::vector<Vec3> targets(bend.handles.size());
+            for (Vec3& target : targets)
+                target = 10.0F * random.inBall();
+            bend.moves.push_back({targets, move % 3 == 0 ? std::nullopt : std::optional(move)});
+        }
+        bend.regrips = {{static_cast<InternodeId>(i + 1), bend.handles, bend.moves}, {7U, bend.handles}};
+        result.operations.emplace_back(bend);
         result.operations.emplace_back(
             SetWidthOperation{0xffff'fffe - static_cast<InternodeId>(i), random.uniform(0.0, 100.0)});
+        result.operations.emplace_back(SetWidthOperation{7U, 0.1F, InternodeReference(InternodeKey(i), {})});
         LassoOperation lasso;
         lasso.only = stroke.only;
         lasso.stroke.origin = 100.0F * random.inBall();
@@ -66,6 +77,11 @@ inline Recipe randomRecipe(std::uint64_t seed)
         lasso.stroke.up = anyPerpendicular(lasso.stroke.right);
         for (int j = 0; j < 3 + i; ++j)
             lasso.stroke.points.push_back(10.0F * random.inBall().head<2>());
+        result.operations.emplace_back(lasso);
+        result.operations.emplace_back(FillEnvelopesOperation{{}, {}, lasso.only, i});
+        result.operations.emplace_back(
+            FillEnvelopesOperation{std::vector(2, lasso.stroke), randomParameters(), lasso.only, {}});
+        lasso.steps = i;
         result.operations.emplace_back(lasso);
         result.operations.emplace_back(RegrowOperation{});
         result.operations.emplace_back(RemoveLassoOperation{});

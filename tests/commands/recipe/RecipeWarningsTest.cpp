@@ -114,6 +114,12 @@ std::vector<Case> cases()
          QStringLiteral("The lasso is too small to enclose anything.")},
         {"lasso of a missing bud", lassoOf(missingBud), noBud},
         {"regrow without an envelope", RegrowOperation{}, QStringLiteral("There is no envelope to regrow.")},
+        {"filling on without an envelope", FillEnvelopesOperation{},
+         QStringLiteral("There is no envelope to fill.")},
+        {"filling of what encloses nothing",
+         FillEnvelopesOperation{
+             std::vector{LassoStroke{{}, Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {0, 1}, {0, 1}}}}},
+         QStringLiteral("The lasso is too small to enclose anything.")},
         {"removeLasso without an envelope", RemoveLassoOperation{}, QStringLiteral("there is no envelope")},
     };
 }

@@ -79,6 +79,17 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "grow", "steps": 2, "only": {"internode": 1, "bud": 6}})"),
         "operations[0].only.bud: there is no such bud");
     row(operationsOf(R"({"op": "regrow", "steps": 2})"), "operations[0]: “steps” is not known here");
+    row(operationsOf(R"({"op": "fillEnvelopes", "parameters": {}})"),
+        "operations[0].parameters: they want “envelopes” beside them");
+    row(operationsOf(R"({"op": "fillEnvelopes", "envelopes": []})"),
+        "operations[0].envelopes: 1 to 10000 envelopes are expected");
+    row(operationsOf(R"({"op": "fillEnvelopes", "envelopes": [{"points": [[0, 1], [1, 1]]}]})"),
+        "operations[0].envelopes[0].points: a lasso has at least three points");
+    row(operationsOf(
+            R"({"op": "fillEnvelopes", "envelopes": [{"points": [[0, 1], [1, 1], [1, 2]], "op": "x"}]})"),
+        "operations[0].envelopes[0]: “op” is not known here");
+    row(operationsOf(R"({"op": "fillEnvelopes", "steps": 10001})"),
+        "operations[0].steps: a whole number from 0 to 10000 is expected");
     row(operationsOf(R"({"op": "undo", "count": -1})"),
         "operations[0].count: a whole number from 1 to 100000");
     row(operationsOf(R"({"op": "setParameters"})"), "operations[0].parameters: it is missing");
@@ -122,6 +133,8 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].samples[2]: the time does not go");
     row(stroke("[0,1000.5,0,0,1]"), "operations[0].samples[0]: a coordinate is not within ±1000 m");
     row(stroke("[0,0,0,-1e300,1]"), "operations[0].samples[0]: a coordinate is not within ±1000");
+    row(operationsOf(R"({"op": "brushStroke", "until": 601, "samples": [[0, 0, 0, 0, 1]]})"),
+        "operations[0].until: a number from 0 to 600 is expected");
     row(stroke("[0,0,0,0,-0.01]"), "operations[0].samples[0]: the radius is not within 0…100 m");
     row(stroke("[0,0,0,0,100.01]"), "operations[0].samples[0]: the radius is not within 0…100");
 
@@ -151,6 +164,19 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(bend(held, R"(, "bending": 0)"), "operations[0].bending: a number from 0.01 to 100 is expected");
     row(bend(held, R"(, "stretching": "1")"),
         "operations[0].stretching: a number from 0.01 to 100 is expected");
+    row(bend(held, R"(, "moves": [{"targets": []}])"),
+        "operations[0].moves[0].targets: a target for each handle is expected");
+    row(bend(held, R"(, "moves": [{"targets": [[0, 1]]}])"),
+        "operations[0].moves[0].targets: arrays of three numbers within ±1000 are expected");
+    row(bend(held, R"(, "moves": [{"targets": [[0, 1, 2]], "calls": 0}])"),
+        "operations[0].moves[0].calls: a whole number from 1 to 100000 is expected");
+    row(bend(held, R"(, "moves": [5])"), "operations[0].moves[0]: an object is expected");
+    row(bend(held, R"(, "regrips": [{"base": 0, "handles": []}])"),
+        "operations[0].regrips[0].handles: a bend has from 1 to 100 handles");
+    row(bend(held, R"(, "regrips": [{"base": 0, "handles": [)" + held + R"(], "bending": 1}])"),
+        "operations[0].regrips[0]: “bending” is not known here");
+    row(operationsOf(R"({"op": "setWidth", "internode": 1, "diameter": 1, "from": {}})"),
+        "operations[0].from: a key (“key”) or a place (“at”) is expected");
     row(operationsOf(R"({"op": "setWidth", "internode": 1})"), "operations[0].diameter: it is missing");
     row(operationsOf(R"({"op": "setWidth", "internode": 1, "diameter": -0.1})"),
         "operations[0].diameter: a number from 0 to 100 is expected");

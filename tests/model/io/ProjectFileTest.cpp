@@ -41,6 +41,16 @@ QImage picture()
     return image;
 }
 
+/// A project with records: of an edit of two deltas, and of one of which nothing is known.
+Project recordedProject()
+{
+    Project project = sampleProject(50);
+    project.journal[0]->record =
+        std::make_shared<const EditRecord>(EditRecord{R"({"op":"grow","steps":2})", 2});
+    project.journal[2]->record = EditRecord::unknown();
+    return project;
+}
+
 } // namespace
 
 class ProjectFileTest : public QObject {
@@ -72,6 +82,9 @@ private Q_SLOTS:
     void plainColumns_areLeftOutAndFilledIn();
     void wrongColumns_areRefused_data();
     void wrongColumns_areRefused();
+    void records_areKept();
+    void wrongRecords_areRefused_data();
+    void wrongRecords_areRefused();
     void zipBomb_isRefusedBeforeItIsUnpacked();
     void halfAMillionInternodes_areSavedAndLoadedInSeconds();
 };
@@ -509,6 +522,62 @@ void ProjectFileTest::wrongColumns_areRefused()
     const Result<Project> project = unpackProject(content);
     QVERIFY(!project);
     QVERIFY2(project.error().message.startsWith(message), qPrintable(project.error().message));
+}
+
+void ProjectFileTest::records_areKept()
+{
+    const Project project = recordedProject();
+    const Result<Project> back = unpackProject(*packProject(project));
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QVERIFY(sameJournal(back->journal, project.journal));
+    QCOMPARE(back->journal[0]->record->operation, QByteArray(R"({"op":"grow","steps":2})"));
+    QCOMPARE(back->journal[0]->record->deltas, 2U);
+    QVERIFY(!back->journal[1]->record);
+    QVERIFY(back->journal[2]->record->operation.isEmpty());
+    // Files of before have none.
+    ZipEntries entries = unpackEntries(*packProject(project));
+    std::erase_if(entries, [](const auto& e) { return e.first.startsWith("journal/records"); });
+    const Result<Project> old = unpackProject(packEntries(entries));
+    QVERIFY(old);
+    QVERIFY(old->tree == project.tree);
+    QVERIFY(std::ranges::none_of(old->journal, [](const auto& delta) { return delta->record != nullptr; }));
+}
+
+void ProjectFileTest::wrongRecords_areRefused_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("message");
+    const QByteArray json = "journal/records.json";
+    const QString fault =
+        QStringLiteral("step 1 of the history: the record of what was done is not a JSON object");
+    QTest::newRow("an array") << json << QByteArray(R"(["op","growth","steps"])") << fault;
+    QTest::newRow("no JSON") << json << QByteArray(23, '{') << fault;
+    QTest::newRow("brackets that do not match")
+        << json << QByteArray(R"({"op":)" + QByteArray(8, '[') + QByteArray(9, ']')) << fault;
+    const QString parts = QStringLiteral("the record of what was done: its parts do not add up");
+    QTest::newRow("too short") << json << QByteArray(R"({"op":"grow"})") << parts;
+    QTest::newRow("too long") << json << QByteArray(R"({"op":"grow","steps":2} )") << parts;
+    QTest::newRow("more edits than sizes") << QByteArray("journal/records.size") << QByteArray(4, '\1')
+                                           << QStringLiteral("journal/records.size");
+    QTest::newRow("huge size") << QByteArray("journal/records.size") << QByteArray(8, '\x7f') << parts;
+    QTest::newRow("huge count") << QByteArray("journal/records.deltas") << QByteArray() << parts;
+}
+
+void ProjectFileTest::wrongRecords_areRefused()
+{
+    QFETCH(const QByteArray, name);
+    QFETCH(const QByteArray, content);
+    QFETCH(const QString, message);
+    ZipEntries entries = unpackEntries(*packProject(recordedProject()));
+    QByteArray& changed = entry(entries, name);
+    if (content.isEmpty())
+        std::fill(changed.begin(), changed.begin() + 4, '\x7f');
+    else
+        changed = content;
+    const Result<Project> project = unpackProject(packEntries(entries));
+    QVERIFY(!project);
+    QVERIFY2(project.error().message.contains(message), qPrintable(project.error().message));
 }
 
 void ProjectFileTest::zipBomb_isRefusedBeforeItIsUnpacked()

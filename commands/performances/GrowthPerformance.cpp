@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/performances/GrowthPerformance.h"
+
+#include "commands/GrowGesture.h"
+#include "commands/recipe/GrowOperation.h"
+
+#include <QCoreApplication>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+constexpr double kStepsPerSecond = 12.0;
+
+class FreeGrowthPerformance : public GrowthPerformance {
+public:
+    FreeGrowthPerformance(TreeDocument& document, int steps, BudReference::Found only)
+        : GrowthPerformance(std::make_unique<GrowGesture>(document, only.competitors), steps),
+          m_warning(std::move(only.warning))
+    {
+    }
+
+    QString warning() const override
+    {
+        return m_warning.isEmpty() && gesture().stepCount() == 0 ? Text::tr("nothing grew") : m_warning;
+    }
+
+private:
+    QString m_warning;
+};
+
+} // namespace
+
+GrowthPerformance::GrowthPerformance(std::unique_ptr<GrowthGesture> gesture, int mostSteps)
+    : m_gesture(std::move(gesture)), m_mostSteps(mostSteps)
+{
+}
+
+bool GrowthPerformance::advance(double seconds)
+{
+    m_due += seconds * kStepsPerSecond;
+    for (; m_steps < m_mostSteps; ++m_steps, m_due -= 1.0) {
+        if (m_due < 1.0)
+            return false;
+        if (!m_gesture->step())
+            break;
+    }
+    m_gesture->finish();
+    return true;
+}
+
+std::unique_ptr<Performance> GrowOperation::begin(TreeDocument& document) const
+{
+    return std::make_unique<FreeGrowthPerformance>(document, steps, only.resolve(document));
+}
+
+} // namespace espalier

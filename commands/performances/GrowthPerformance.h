@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "commands/GrowthGesture.h"
+#include "commands/recipe/Performance.h"
+
+#include <limits>
+#include <memory>
+
+namespace espalier {
+
+/// Growth that goes twelve steps a second.
+class GrowthPerformance : public Performance {
+public:
+    explicit GrowthPerformance(std::unique_ptr<GrowthGesture> gesture,
+                               int mostSteps = std::numeric_limits<int>::max());
+
+    bool advance(double seconds) override;
+
+protected:
+    const GrowthGesture& gesture() const { return *m_gesture; }
+
+private:
+    std::unique_ptr<GrowthGesture> m_gesture;
+    int m_mostSteps;
+    int m_steps = 0;
+    double m_due = 0.0; ///< Steps, with what is left of one
+};
+
+} // namespace espalier

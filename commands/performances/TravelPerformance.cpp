@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/TimeGesture.h"
+#include "commands/recipe/TravelOperation.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+} // namespace
+
+QString TravelOperation::perform(TreeDocument& document) const
+{
+    TimeGesture gesture(document);
+    const auto here = static_cast<std::int64_t>(document.journal().size());
+    const auto end = static_cast<std::int64_t>(gesture.historyLength());
+    const std::int64_t there = std::clamp(here + by, std::int64_t{0}, end);
+    gesture.moveTo(static_cast<std::size_t>(there));
+    gesture.finish();
+    if (there == here + by)
+        return {};
+    return by < 0 ? Text::tr("the history goes back by %1 only, not by %2").arg(here).arg(-by)
+                  : Text::tr("the history goes on by %1 only, not by %2").arg(end - here).arg(by);
+}
+
+} // namespace espalier

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/JournalRecipe.h"
+
+#include "commands/recipe/TravelOperation.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace espalier {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Recipe)
+};
+
+/// Runs of unknown steps that an error names.
+constexpr std::size_t kRunsNamed = 3;
+
+/// Deltas of one edit that stand in a journal: [first, end).
+struct Run {
+    std::size_t first;
+    std::size_t end;
+};
+
+/// Whether what made the edit that begins with @p delta is known.
+bool isKnown(const TreeDelta& delta)
+{
+    return delta.record && !delta.record->operation.isEmpty();
+}
+
+/// The edit that begins at @p first, as far as the journal has it.
+Run editAt(const Journal& journal, std::size_t first)
+{
+    const std::size_t deltas = journal[first]->record ? journal[first]->record->deltas : 1;
+    std::size_t end = first + 1;
+    while (end < journal.size() && end - first < deltas && !journal[end]->record)
+        ++end;
+    return {first, end};
+}
+
+/// The steps of which nothing is known, joined where they follow each other.
+std::vector<Run> unknownSteps(const Journal& journal)
+{
+    std::vector<Run> unknown;
+    for (std::size_t i = 0; i < journal.size();) {
+        const Run edit = editAt(journal, i);
+        i = edit.end;
+        if (isKnown(*journal[edit.first]))
+            continue;
+        if (!unknown.empty() && unknown.back().end == edit.first)
+            unknown.back().end = edit.end;
+        else
+            unknown.push_back(edit);
+    }
+    return unknown;
+}
+
+Error notKnown(const std::vector<Run>& unknown, std::size_t steps)
+{
+    std::size_t count = 0;
+    QStringList runs;
+    for (const Run& run : unknown) {
+        count += run.end - run.first;
+        if (runs.size() < static_cast<qsizetype>(kRunsNamed)) {
+            runs.append(run.end == run.first + 1 ? QString::number(run.end)
+                                                 : QStringLiteral("%1–%2").arg(run.first + 1).arg(run.end));
+        }
+    }
+    if (unknown.size() > kRunsNamed)
+        runs.append(QStringLiteral("…"));
+    return inputError(
+        {}, Text::tr("the tree's history cannot become a recipe: of its %1 steps, %2 (%3) were made by a "
+                     "version of Espalier that did not record how")
+                .arg(steps)
+                .arg(count)
+                .arg(runs.join(QLatin1String(", "))));
+}
+
+/// Adds travels by @p deltas, which may be more than one may go.
+void addTravel(Recipe& recipe, std::int64_t deltas)
+{
+    while (deltas != 0) {
+        const auto by =
+            std::clamp<std::int64_t>(deltas, -TravelOperation::kFarthest, TravelOperation::kFarthest);
+        recipe.operations.emplace_back(TravelOperation{static_cast<int>(by)});
+        deltas -= by;
+    }
+}
+
+bool beginsWithASeedling(const Project& project)
+{
+    std::uint32_t internodes = project.tree.size();
+    std::uint32_t leaves = project.tree.placedLeaves().size();
+    for (const auto& delta : project.journal) {
+        internodes -= delta->born.count;
+        leaves -= delta->bornLeaves.count;
+    }
+    return internodes == 1 && leaves == 0;
+}
+
+} // namespace
+
+Result<Recipe> recipeOf(const Project& project)
+{
+    const Journal& journal = project.journal;
+    const QList<TreeParameters>& sets = project.tree.parameterSets();
+    if (const std::vector<Run> unknown = unknownSteps(journal); !unknown.empty())
+        return notKnown(unknown, journal.size());
+    if (!beginsWithASeedling(project))
+        return inputError(
+            {}, Text::tr("the tree's history cannot become a recipe: it does not begin with a seedling"));
+
+    Recipe recipe;
+    recipe.name = project.name;
+    recipe.seed = project.tree.seed();
+    recipe.parameters = journal.empty() ? project.tree.parameters() : sets[journal.front()->parametersBefore];
+    RecipeReading reading({});
+    for (std::size_t i = 0; i < journal.size();) {
+        const Run edit = editAt(journal, i);
+        const TreeDelta& first = *journal[edit.first];
+        // An edit changes parameters with its first delta, if at all.
+        reading.setParameters(sets[first.parametersAfter]);
+        Result<RecipeOperation> operation =
+            readOperation(QJsonDocument::fromJson(first.record->operation).object(),
+                          Text::tr("step %1 of the history").arg(i + 1), reading);
+        if (!operation)
+            return operation.error();
+        recipe.operations.push_back(std::move(*operation));
+        const std::size_t stands = edit.end - edit.first;
+        if (stands < first.record->deltas)
+            addTravel(recipe, -static_cast<std::int64_t>(first.record->deltas - stands));
+        i = edit.end;
+    }
+    addTravel(recipe, -std::int64_t{project.ahead});
+    return recipe;
+}
+
+} // namespace espalier
