@@ -70,6 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_lassoRunner(m_document),
       m_timeRunner(m_document),
       m_recipeRunner(m_document),
+      m_undoRunner(m_document),
       m_actions(*this)
 {
     setMinimumSize(920, 680);
@@ -136,8 +137,10 @@ void MainWindow::connectFiles()
     keep(ActionId::Export, &FileController::exportTree);
     connect(m_actions[ActionId::Settings], &QAction::triggered, this, [this] { showSettings(); });
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
-    connect(m_files.get(), &FileController::aboutToAsk, this,
-            [this] { m_workspace->viewport().finishGesture(); });
+    connect(m_files.get(), &FileController::aboutToAsk, this, [this] {
+        m_workspace->viewport().finishGesture();
+        m_undoRunner.finish();
+    });
     m_files->setWorkInHand({.isUnderWay = [this] { return hasUnfinishedWork(); },
                             .finish =
                                 [this] {
@@ -294,7 +297,7 @@ void MainWindow::followDocument()
     connect(m_actions[ActionId::Undo], &QAction::triggered, this, &MainWindow::undo);
     connect(m_actions[ActionId::Redo], &QAction::triggered, this, [this] {
         if (!isBusy())
-            m_document.redo();
+            m_undoRunner.redo();
     });
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateEnabled);
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateTip);
@@ -312,7 +315,7 @@ void MainWindow::undo()
     finishHand();
     // A gesture that has changed nothing yet is all that there was to undo.
     if (!wasBusy || last() != before)
-        m_document.undo();
+        m_undoRunner.undo();
 }
 
 void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
@@ -393,6 +396,7 @@ void MainWindow::finishHand()
     m_growRunner.end();
     m_lassoRunner.end();
     m_timeRunner.release();
+    m_undoRunner.finish();
 }
 
 bool MainWindow::hasUnfinishedWork() const
@@ -407,6 +411,7 @@ void MainWindow::cancelAll()
     m_growRunner.cancel();
     m_lassoRunner.cancel();
     m_timeRunner.cancel();
+    m_undoRunner.finish();
 }
 
 void MainWindow::cancel()

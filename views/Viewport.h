@@ -92,6 +92,8 @@ public:
 
 Q_SIGNALS:
     void cameraChanged();
+    /// The pointer goes down on the tree. The tool has not looked at the tree yet.
+    void toolAboutToBegin();
     void gestureActiveChanged(bool active);
     void toolChanged();
 

@@ -122,12 +122,17 @@ public:
             live(4000);
             QTest::mouseRelease(&viewport, Qt::LeftButton, {}, middle);
         });
-        measure("all of it is undone, redone", [&] {
-            w.document().undoStack().undo();
+        measure("that is undone", [&] {
+            w.undoRunner().undo();
             live(500);
-            w.document().undoStack().redo();
-            live(500);
-            w.document().undoStack().undo();
+        });
+        measure("all of it is undone", [&] {
+            w.undoRunner().goTo(0);
+            live(1500);
+        });
+        measure("all of it is redone", [&] {
+            w.undoRunner().redo();
+            live(1500);
         });
         for (const ActionId id :
              {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet, ActionId::Background}) {
