@@ -35,6 +35,10 @@ bool GradualUndo::advance(std::chrono::milliseconds time, std::size_t rows)
 {
     if (!m_edit.isActive())
         return false;
+    if (std::exchange(m_isIndexBehind, false)) {
+        m_document.prepareGrowthIndex(0);
+        return true;
+    }
     QElapsedTimer timer;
     timer.start();
     m_rows = 0;
@@ -43,7 +47,8 @@ bool GradualUndo::advance(std::chrono::milliseconds time, std::size_t rows)
             finish();
             return false;
         }
-    } while (m_rows < rows || timer.elapsed() < time.count());
+    } while (m_rows < rows || (m_rows < kMostRows && timer.elapsed() < time.count()));
+    m_isIndexBehind = true;
     return true;
 }
 
