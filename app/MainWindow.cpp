@@ -2,27 +2,14 @@
 #include "app/MainWindow.h"
 
 #include "app/Language.h"
-#include "model/document/Edit.h"
-#include "model/mesh/TreeCounts.h"
-#include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
-#include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
-#include "panels/HistoryPanel.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
-#include "views/tools/BendTool.h"
-#include "views/tools/BrushTool.h"
-#include "views/tools/GrowTool.h"
-#include "views/tools/LassoTool.h"
-#include "views/tools/PruneTool.h"
-#include "views/tools/RecipeTool.h"
-#include "views/tools/SelectBudTool.h"
-#include "views/tools/WidthTool.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -36,30 +23,11 @@ namespace espalier {
 
 namespace {
 
-/// ms between two looks at whether a growing tree is still in sight.
-constexpr int kFollowInterval = 400;
-
 QString droppedFile(const QMimeData& data)
 {
     const QList<QUrl> urls = data.urls();
     const QString name = urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
     return FileController::canOpen(name) ? name : QString();
-}
-
-/// Where the brush and the lasso will be, m; empty if the recipe has no strokes.
-Box3 strokeBounds(const Recipe& recipe)
-{
-    Box3 bounds;
-    for (const RecipeOperation& operation : recipe.operations)
-        bounds.extend(operation.reach());
-    return bounds;
-}
-
-/// The camera, moved back until it shows all of the box and some room for it to grow.
-Camera withHeadroom(const Viewport& viewport, const Box3& bounds)
-{
-    const Vec3 room = 0.06F * bounds.sizes();
-    return viewport.framing(Box3(bounds.min() - room, bounds.max() + room));
 }
 
 } // namespace
@@ -128,8 +96,18 @@ void MainWindow::connectFiles()
         connect(m_actions[id], &QAction::triggered, this, [this, what] {
             if (m_recipeRunner.isRunning())
                 return;
-            finishHand();
-            (m_files.get()->*what)();
+            const auto keepNow = [this, what] {
+                finishHand();
+                (m_files.get()->*what)();
+            };
+            const bool wasFilling = m_lassoRunner.isRunning();
+            m_workspace->viewport().finishGesture();
+            // A lasso's stroke that has just ended fills its envelope first.
+            if (m_lassoRunner.isRunning() && !wasFilling)
+                connect(&m_lassoRunner, &LassoRunner::runningChanged, this, keepNow,
+                        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+            else
+                keepNow();
         });
     };
     keep(ActionId::Save, &FileController::save);
@@ -148,47 +126,14 @@ void MainWindow::connectFiles()
                                     finishHand();
                                 }});
     connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
+    connect(m_files.get(), &FileController::scenePrepared, this,
+            [this](const std::shared_ptr<PreparedScene>& scene) {
+                if (scene)
+                    m_workspace->viewport().expect(std::move(*scene));
+            });
     connect(m_files.get(), &FileController::recipeOpened, this,
             [this](const Recipe& recipe) { playRecipe(recipe, RecipeRunner::Pace::Hurried); });
     connect(&m_files->file(), &DocumentFile::titleChanged, this, &MainWindow::updateTitle);
-}
-
-void MainWindow::connectTools()
-{
-    auto* tools = new QActionGroup(this);
-    for (const ActionId id : Actions::tools())
-        tools->addAction(m_actions[id]);
-    m_actions[ActionId::Brush]->setChecked(true);
-    connect(tools, &QActionGroup::triggered, this, &MainWindow::takeTool);
-
-    const auto resize = [this](double notches) {
-        m_viewSettings.set(&ViewValues::brushRadius,
-                           steppedBrushRadius(m_viewSettings.values().brushRadius, notches));
-    };
-    connect(m_actions[ActionId::SmallerBrush], &QAction::triggered, this, [resize] { resize(-1.0); });
-    connect(m_actions[ActionId::LargerBrush], &QAction::triggered, this, [resize] { resize(1.0); });
-    connect(m_actions[ActionId::Cancel], &QAction::triggered, this, &MainWindow::cancel);
-    connect(m_actions[ActionId::GrowStep], &QAction::triggered, this, [this] {
-        if (!isBusy() || (m_growRunner.isRunning() && !m_workspace->viewport().isGestureActive()))
-            m_growRunner.run(1);
-    });
-    connect(&m_timeRunner, &TimeRunner::runningChanged, this, &MainWindow::updateEnabled);
-    connect(&m_growRunner, &GrowRunner::exhausted, this,
-            [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
-    connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
-    connect(&m_lassoRunner, &LassoRunner::runningChanged, this, &MainWindow::updateEnabled);
-    connect(&m_lassoRunner, &LassoRunner::refused, this,
-            [this](const QString& why) { m_workspace->notice().showInformation(why); });
-    connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
-    connect(&m_recipeRunner, &RecipeRunner::finished, this, [this](bool whole) {
-        if (m_recipeRunner.pace() == RecipeRunner::Pace::Hurried && !m_workspace->notice().isWarning())
-            m_workspace->notice().finish();
-        if (whole)
-            showRecipeWarnings();
-        takeTool();
-        updateEnabled();
-        m_workspace->viewport().frameAll();
-    });
 }
 
 void MainWindow::connectView()
@@ -303,221 +248,12 @@ void MainWindow::followDocument()
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateTip);
 }
 
-/// What is under way becomes an undo step first, so that redo brings it back.
-void MainWindow::undo()
-{
-    if (m_recipeRunner.isRunning())
-        return;
-    QUndoStack& stack = m_document.undoStack();
-    const auto last = [&stack] { return stack.index() > 0 ? stack.command(stack.index() - 1) : nullptr; };
-    const bool wasBusy = isHandBusy();
-    const QUndoCommand* before = last();
-    finishHand();
-    // A gesture that has changed nothing yet is all that there was to undo.
-    if (!wasBusy || last() != before)
-        m_undoRunner.undo();
-}
-
-void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
-{
-    cancelAll();
-    Viewport& viewport = m_workspace->viewport();
-    viewport.setTool(
-        std::make_unique<RecipeTool>(viewport.toolContext(), [this] { return m_recipeRunner.player(); }));
-    m_recipeRunner.start(recipe, pace);
-    // A recipe may take back more than a person wants to.
-    m_document.undoStack().setUndoLimit(0);
-    m_files->file().forgetFile(recipe.name);
-    m_files->autosave().clear();
-    if (const Box3 strokes = strokeBounds(recipe); !strokes.isEmpty())
-        viewport.setCamera(withHeadroom(viewport, strokes));
-    updateEnabled();
-    updateTip();
-}
-
-void MainWindow::showRecipeProgress()
-{
-    if (m_recipeRunner.isRunning() && m_recipeRunner.pace() == RecipeRunner::Pace::Hurried)
-        m_workspace->notice().showProgress(tr("Growing %1").arg(m_files->file().displayName()),
-                                           m_recipeRunner.player()->progress(), [this] { cancelAll(); });
-}
-
-void MainWindow::showRecipeWarnings()
-{
-    const QStringList warnings = m_recipeRunner.warnings();
-    if (warnings.isEmpty())
-        return;
-    m_workspace->notice().showWarning(
-        tr("%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3")
-            .arg(warnings.size())
-            .arg(m_recipeRunner.operationCount())
-            .arg(joinedFaults(warnings)));
-}
-
-void MainWindow::followRecipe()
-{
-    Viewport& viewport = m_workspace->viewport();
-    viewport.update();
-    if (m_followClock.isValid() && m_followClock.elapsed() < kFollowInterval)
-        return;
-    m_followClock.start();
-    showRecipeProgress();
-    const Box3 bounds = treeBounds(m_document.tree(), m_document.index());
-    for (int corner = 0; corner < 8; ++corner) {
-        const auto place = viewport.camera().project(bounds.corner(static_cast<Box3::CornerType>(corner)));
-        if (!place || !QRectF(viewport.clearRect()).contains(*place)) {
-            viewport.flyTo(withHeadroom(viewport, bounds));
-            return;
-        }
-    }
-}
-
-bool MainWindow::isHandBusy() const
-{
-    return m_workspace->viewport().isGestureActive() || m_growRunner.isRunning() ||
-           m_timeRunner.isRunning() || m_lassoRunner.isRunning();
-}
-
-bool MainWindow::mayLeave()
-{
-    m_workspace->viewport().finishGesture();
-    return !isHandBusy() && m_files->mayLeave();
-}
-
-bool MainWindow::isBusy() const
-{
-    return isHandBusy() || m_recipeRunner.isRunning();
-}
-
-void MainWindow::finishHand()
-{
-    // A lasso's stroke begins to fill when it ends.
-    m_workspace->viewport().finishGesture();
-    m_growRunner.end();
-    m_lassoRunner.end();
-    m_timeRunner.release();
-    m_undoRunner.finish();
-}
-
-bool MainWindow::hasUnfinishedWork() const
-{
-    return m_document.edit() != nullptr && m_document.edit()->hasChanges();
-}
-
-void MainWindow::cancelAll()
-{
-    m_recipeRunner.stop();
-    m_workspace->viewport().cancelGesture();
-    m_growRunner.cancel();
-    m_lassoRunner.cancel();
-    m_timeRunner.cancel();
-    m_undoRunner.finish();
-}
-
-void MainWindow::cancel()
-{
-    if (isBusy()) {
-        cancelAll();
-        return;
-    }
-    if (m_workspace->viewport().keyForTool(Qt::Key_Escape))
-        return;
-    if (m_help->putAway())
-        return;
-    if (!m_document.competitors().areAll()) {
-        m_document.setCompetitors({});
-        return;
-    }
-    for (const ActionId id : Actions::sheets()) {
-        if (m_actions[id]->isChecked())
-            m_actions[id]->trigger();
-    }
-}
-
-void MainWindow::updateEnabled()
-{
-    // Undo and redo are not shown disabled while a stroke is made: that would flicker.
-    const QUndoStack& stack = m_document.undoStack();
-    m_actions[ActionId::Undo]->setEnabled(stack.canUndo() || isHandBusy());
-    m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
-    const bool isIdle = !m_recipeRunner.isRunning();
-    for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::Export})
-        m_actions[id]->setEnabled(isIdle);
-    for (const ActionId id : Actions::tools())
-        m_actions[id]->setEnabled(isIdle);
-    // Only one thing at a time may change the document.
-    m_workspace->viewport().setGrowing(m_growRunner.isRunning() || m_lassoRunner.isRunning() ||
-                                       m_recipeRunner.isRunning());
-    m_workspace->growPopOut().setEnabled(!m_recipeRunner.isRunning() &&
-                                         !m_workspace->viewport().isGestureActive());
-    // Parameters may change while the tree grows: growth knows how to wait for them.
-    const bool isGrowing = m_growRunner.isRunning() || m_lassoRunner.isRunning();
-    for (int i = 0; i < Workspace::kSheetCount; ++i) {
-        // What changes the view or the hand alone is never in the way.
-        Bar& sheet = m_workspace->sheet(i);
-        if (&sheet != &m_workspace->background() && &sheet != &m_workspace->brushSheet())
-            sheet.setEnabled(isGrowing || !isBusy());
-    }
-    m_workspace->brushSheet().setParametersEnabled(isGrowing || !isBusy());
-    m_workspace->history().setEnabled(!isBusy());
-    m_workspace->library().setMayKeep(!isBusy());
-}
-
 void MainWindow::updateTitle()
 {
     const DocumentFile& file = m_files->file();
     setWindowTitle(tr("%1[*] – Espalier").arg(file.displayName()));
     setWindowModified(file.isModified());
     m_workspace->topBar().setTitle(file.displayName(), file.isModified());
-}
-
-void MainWindow::updateTip()
-{
-    // Whoever has a tree in hand knows.
-    const bool isNew = m_document.index().livingCount() <= 1 || m_recipeRunner.isRunning();
-    m_workspace->setTip(isNew ? m_workspace->viewport().tool().tip() : QString());
-}
-
-ActionId MainWindow::toolInHand() const
-{
-    return *std::ranges::find_if(Actions::tools(),
-                                 [this](ActionId id) { return m_actions[id]->isChecked(); });
-}
-
-void MainWindow::takeTool()
-{
-    Viewport& viewport = m_workspace->viewport();
-    ToolContext& context = viewport.toolContext();
-    Workspace::PopOut popOut = Workspace::PopOut::None;
-    switch (toolInHand()) {
-    case ActionId::Grow:
-        viewport.setTool(std::make_unique<GrowTool>(context, m_growRunner));
-        popOut = Workspace::PopOut::Grow;
-        break;
-    case ActionId::Prune:
-        viewport.setTool(std::make_unique<PruneTool>(context));
-        break;
-    case ActionId::SelectBud:
-        viewport.setTool(std::make_unique<SelectBudTool>(context));
-        break;
-    case ActionId::Bend:
-        viewport.setTool(std::make_unique<BendTool>(context));
-        popOut = Workspace::PopOut::Bend;
-        break;
-    case ActionId::Width:
-        viewport.setTool(std::make_unique<WidthTool>(context));
-        break;
-    case ActionId::Lasso:
-        viewport.setTool(std::make_unique<LassoTool>(context, m_lassoRunner));
-        popOut = Workspace::PopOut::Lasso;
-        break;
-    default:
-        viewport.setTool(std::make_unique<BrushTool>(context));
-        popOut = Workspace::PopOut::Brush;
-        break;
-    }
-    updateTip();
-    m_workspace->showPopOut(popOut);
 }
 
 void MainWindow::changeEvent(QEvent* event)

@@ -21,7 +21,8 @@ GradualUndo::GradualUndo(TreeDocument& document, int index, std::function<void()
              }),
       m_counting(QObject::connect(&document, &TreeDocument::changed, [this](const TreeChange& change) {
           if (change.delta != nullptr)
-              m_rows += change.delta->born.count + change.delta->died.size();
+              m_rows += 1 + change.delta->born.count + change.delta->died.size() +
+                        m_document.index().recentlyMoved().size();
       }))
 {
 }

@@ -13,7 +13,8 @@ namespace espalier {
 /// edit, saving, TreeDocument::undo() and redo()) finds the stack at the wanted index.
 class GradualUndo {
 public:
-    /// A command that changes fewer rows is undone in one slice, on a slow machine as well.
+    /// A command that changes fewer rows is undone in one slice, on a slow machine as well. A row counts if
+    /// it is born, dies or moves; each delta counts as another one.
     static constexpr std::size_t kLeastRows = 1'000;
     /// A slice ends when more rows have changed: the growth index has as much to do with them as the tree.
     static constexpr std::size_t kMostRows = 6'000;
@@ -38,8 +39,8 @@ private:
 
     TreeDocument& m_document;
     int m_index;
-    Edit m_edit;            ///< Changes nothing by itself
-    std::size_t m_rows = 0;      ///< Changed in this slice
+    Edit m_edit;                  ///< Changes nothing by itself
+    std::size_t m_rows = 0;       ///< Changed in this slice
     bool m_isIndexBehind = false; ///< The growth index, by the last slice
     QMetaObject::Connection m_counting;
 };

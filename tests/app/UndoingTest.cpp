@@ -12,12 +12,6 @@
 
 using namespace espalier;
 
-namespace {
-
-constexpr int kPatience = 30'000; ///< ms
-
-} // namespace
-
 /// A person who undoes and redoes what takes longer than a frame.
 class UndoingTest : public test::WindowFixture {
     Q_OBJECT
@@ -39,7 +33,7 @@ private:
     void growMuch();
     void undo() { QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier); }
     void redo() { QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
-    void waitForRest() { QTRY_VERIFY_WITH_TIMEOUT(!runner().isRunning(), kPatience); }
+    void waitForRest() { QTRY_VERIFY_WITH_TIMEOUT(!runner().isRunning(), 30'000); }
 };
 
 void UndoingTest::growLittle()
@@ -144,7 +138,7 @@ void UndoingTest::save_writesTheUndoneTree()
     QVERIFY(runner().isRunning());
     QSignalSpy saved(&m_window->files().file(), &DocumentFile::saved);
     QTest::keyClick(handle(), Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(saved.count() == 1 || saved.wait(kPatience));
+    QVERIFY(saved.count() == 1 || saved.wait(30'000));
     const Result<Project> project = loadProject(file);
     QVERIFY(project);
     QVERIFY(project->tree == first);

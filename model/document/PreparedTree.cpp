@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/document/PreparedTree.h"
+
+namespace espalier {
+
+PreparedTree::PreparedTree(Tree whole, Journal history, std::size_t ahead)
+    : tree(std::move(whole)), journal(std::move(history))
+{
+    for (; ahead > 0; --ahead) {
+        tree.revert(*journal.back());
+        future.push_back(std::move(journal.back()));
+        journal.pop_back();
+    }
+    index.rebuild(tree);
+    growthIndex.rebuild(tree, index);
+}
+
+} // namespace espalier
