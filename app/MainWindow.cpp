@@ -2,27 +2,14 @@
 #include "app/MainWindow.h"
 
 #include "app/Language.h"
-#include "model/document/Edit.h"
-#include "model/mesh/TreeCounts.h"
-#include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
-#include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
-#include "panels/HistoryPanel.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
-#include "views/tools/BendTool.h"
-#include "views/tools/BrushTool.h"
-#include "views/tools/GrowTool.h"
-#include "views/tools/LassoTool.h"
-#include "views/tools/PruneTool.h"
-#include "views/tools/RecipeTool.h"
-#include "views/tools/SelectBudTool.h"
-#include "views/tools/WidthTool.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -36,30 +23,11 @@ namespace espalier {
 
 namespace {
 
-/// ms between two looks at whether a growing tree is still in sight.
-constexpr int kFollowInterval = 400;
-
 QString droppedFile(const QMimeData& data)
 {
     const QList<QUrl> urls = data.urls();
     const QString name = urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
     return FileController::canOpen(name) ? name : QString();
-}
-
-/// Where the brush and the lasso will be, m; empty if the recipe has no strokes.
-Box3 strokeBounds(const Recipe& recipe)
-{
-    Box3 bounds;
-    for (const RecipeOperation& operation : recipe.operations)
-        bounds.extend(operation.reach());
-    return bounds;
-}
-
-/// The camera, moved back until it shows all of the box and some room for it to grow.
-Camera withHeadroom(const Viewport& viewport, const Box3& bounds)
-{
-    const Vec3 room = 0.06F * bounds.sizes();
-    return viewport.framing(Box3(bounds.min() - room, bounds.max() + room));
 }
 
 } // namespace
@@ -70,6 +38,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_lassoRunner(m_document),
       m_timeRunner(m_document),
       m_recipeRunner(m_document),
+      m_undoRunner(m_document),
       m_actions(*this)
 {
     setMinimumSize(920, 680);
@@ -127,8 +96,18 @@ void MainWindow::connectFiles()
         connect(m_actions[id], &QAction::triggered, this, [this, what] {
             if (m_recipeRunner.isRunning())
                 return;
-            finishHand();
-            (m_files.get()->*what)();
+            const auto keepNow = [this, what] {
+                finishHand();
+                (m_files.get()->*what)();
+            };
+            const bool wasFilling = m_lassoRunner.isRunning();
+            m_workspace->viewport().finishGesture();
+            // A lasso's stroke that has just ended fills its envelope first.
+            if (m_lassoRunner.isRunning() && !wasFilling)
+                connect(&m_lassoRunner, &LassoRunner::runningChanged, this, keepNow,
+                        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+            else
+                keepNow();
         });
     };
     keep(ActionId::Save, &FileController::save);
@@ -137,8 +116,10 @@ void MainWindow::connectFiles()
     keep(ActionId::Export, &FileController::exportTree);
     connect(m_actions[ActionId::Settings], &QAction::triggered, this, [this] { showSettings(); });
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
-    connect(m_files.get(), &FileController::aboutToAsk, this,
-            [this] { m_workspace->viewport().finishGesture(); });
+    connect(m_files.get(), &FileController::aboutToAsk, this, [this] {
+        m_workspace->viewport().finishGesture();
+        m_undoRunner.finish();
+    });
     m_files->setWorkInHand({.isUnderWay = [this] { return hasUnfinishedWork(); },
                             .finish =
                                 [this] {
@@ -146,47 +127,14 @@ void MainWindow::connectFiles()
                                     finishHand();
                                 }});
     connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
+    connect(m_files.get(), &FileController::scenePrepared, this,
+            [this](const std::shared_ptr<PreparedScene>& scene) {
+                if (scene)
+                    m_workspace->viewport().expect(std::move(*scene));
+            });
     connect(m_files.get(), &FileController::recipeOpened, this,
             [this](const Recipe& recipe) { playRecipe(recipe, RecipeRunner::Pace::Hurried); });
     connect(&m_files->file(), &DocumentFile::titleChanged, this, &MainWindow::updateTitle);
-}
-
-void MainWindow::connectTools()
-{
-    auto* tools = new QActionGroup(this);
-    for (const ActionId id : Actions::tools())
-        tools->addAction(m_actions[id]);
-    m_actions[ActionId::Brush]->setChecked(true);
-    connect(tools, &QActionGroup::triggered, this, &MainWindow::takeTool);
-
-    const auto resize = [this](double notches) {
-        m_viewSettings.set(&ViewValues::brushRadius,
-                           steppedBrushRadius(m_viewSettings.values().brushRadius, notches));
-    };
-    connect(m_actions[ActionId::SmallerBrush], &QAction::triggered, this, [resize] { resize(-1.0); });
-    connect(m_actions[ActionId::LargerBrush], &QAction::triggered, this, [resize] { resize(1.0); });
-    connect(m_actions[ActionId::Cancel], &QAction::triggered, this, &MainWindow::cancel);
-    connect(m_actions[ActionId::GrowStep], &QAction::triggered, this, [this] {
-        if (!isBusy() || (m_growRunner.isRunning() && !m_workspace->viewport().isGestureActive()))
-            m_growRunner.run(1);
-    });
-    connect(&m_timeRunner, &TimeRunner::runningChanged, this, &MainWindow::updateEnabled);
-    connect(&m_growRunner, &GrowRunner::exhausted, this,
-            [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
-    connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
-    connect(&m_lassoRunner, &LassoRunner::runningChanged, this, &MainWindow::updateEnabled);
-    connect(&m_lassoRunner, &LassoRunner::refused, this,
-            [this](const QString& why) { m_workspace->notice().showInformation(why); });
-    connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
-    connect(&m_recipeRunner, &RecipeRunner::finished, this, [this](bool whole) {
-        if (m_recipeRunner.pace() == RecipeRunner::Pace::Hurried && !m_workspace->notice().isWarning())
-            m_workspace->notice().finish();
-        if (whole)
-            showRecipeWarnings();
-        takeTool();
-        updateEnabled();
-        m_workspace->viewport().frameAll();
-    });
 }
 
 void MainWindow::connectView()
@@ -295,12 +243,13 @@ void MainWindow::followDocument()
     connect(m_actions[ActionId::Undo], &QAction::triggered, this, &MainWindow::undo);
     connect(m_actions[ActionId::Redo], &QAction::triggered, this, [this] {
         if (!isBusy())
-            m_document.redo();
+            m_undoRunner.redo();
     });
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateEnabled);
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateTip);
 }
 
+<<<<<<< HEAD
 /// What is under way becomes an undo step first, so that redo brings it back.
 void MainWindow::undo()
 {
@@ -459,61 +408,14 @@ void MainWindow::updateEnabled()
     m_workspace->library().setMayKeep(!isBusy());
 }
 
+=======
+>>>>>>> slices
 void MainWindow::updateTitle()
 {
     const DocumentFile& file = m_files->file();
     setWindowTitle(tr("%1[*] – Espalier").arg(file.displayName()));
     setWindowModified(file.isModified());
     m_workspace->topBar().setTitle(file.displayName(), file.isModified());
-}
-
-void MainWindow::updateTip()
-{
-    // Whoever has a tree in hand knows.
-    const bool isNew = m_document.index().livingCount() <= 1 || m_recipeRunner.isRunning();
-    m_workspace->setTip(isNew ? m_workspace->viewport().tool().tip() : QString());
-}
-
-ActionId MainWindow::toolInHand() const
-{
-    return *std::ranges::find_if(Actions::tools(),
-                                 [this](ActionId id) { return m_actions[id]->isChecked(); });
-}
-
-void MainWindow::takeTool()
-{
-    Viewport& viewport = m_workspace->viewport();
-    ToolContext& context = viewport.toolContext();
-    Workspace::PopOut popOut = Workspace::PopOut::None;
-    switch (toolInHand()) {
-    case ActionId::Grow:
-        viewport.setTool(std::make_unique<GrowTool>(context, m_growRunner));
-        popOut = Workspace::PopOut::Grow;
-        break;
-    case ActionId::Prune:
-        viewport.setTool(std::make_unique<PruneTool>(context));
-        break;
-    case ActionId::SelectBud:
-        viewport.setTool(std::make_unique<SelectBudTool>(context));
-        break;
-    case ActionId::Bend:
-        viewport.setTool(std::make_unique<BendTool>(context));
-        popOut = Workspace::PopOut::Bend;
-        break;
-    case ActionId::Width:
-        viewport.setTool(std::make_unique<WidthTool>(context));
-        break;
-    case ActionId::Lasso:
-        viewport.setTool(std::make_unique<LassoTool>(context, m_lassoRunner));
-        popOut = Workspace::PopOut::Lasso;
-        break;
-    default:
-        viewport.setTool(std::make_unique<BrushTool>(context));
-        popOut = Workspace::PopOut::Brush;
-        break;
-    }
-    updateTip();
-    m_workspace->showPopOut(popOut);
 }
 
 void MainWindow::changeEvent(QEvent* event)

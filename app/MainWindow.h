@@ -12,6 +12,7 @@
 #include "app/runners/LassoRunner.h"
 #include "app/runners/RecipeRunner.h"
 #include "app/runners/TimeRunner.h"
+#include "app/runners/UndoRunner.h"
 #include "panels/Actions.h"
 
 #include <QElapsedTimer>
@@ -36,6 +37,7 @@ public:
     FileController& files() { return *m_files; }
     RecipeRunner& recipeRunner() { return m_recipeRunner; }
     GrowRunner& growRunner() { return m_growRunner; }
+    UndoRunner& undoRunner() { return m_undoRunner; }
     HelpController& help() { return *m_help; }
 
     /// Whether a gesture or growth is changing the document now.
@@ -79,7 +81,7 @@ private:
     void followDocument();
     /// Whether an edit is under way that would be lost if it were cancelled.
     bool hasUnfinishedWork() const;
-    /// Ends what a hand has under way, and growth, and keeps what they came to.
+    /// Ends what a hand has under way, and growth, and keeps what they came to; ends undoing and redoing.
     void finishHand();
     /// Takes back what is under way.
     void cancelAll();
@@ -104,6 +106,7 @@ private:
     LassoRunner m_lassoRunner;
     TimeRunner m_timeRunner;
     RecipeRunner m_recipeRunner;
+    UndoRunner m_undoRunner;
     Actions m_actions;
     LatinKeyFilter m_latinKeys;
     QElapsedTimer m_followClock;

@@ -5,6 +5,7 @@
 #include "panels/BrushPanel.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPanel.h"
+#include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
 #include "panels/ParameterPanel.h"
 #include "panels/SettingsSheet.h"
@@ -161,6 +162,9 @@ void MainWindow::connectPopOuts()
 void MainWindow::connectViewport()
 {
     Viewport& viewport = m_workspace->viewport();
+    connect(&m_workspace->history(), &HistoryPanel::indexAsked, &m_undoRunner, &UndoRunner::goTo);
+    // What a tool picks must be there when it changes the tree.
+    connect(&viewport, &Viewport::toolAboutToBegin, &m_undoRunner, &UndoRunner::finish);
     // An eraser or another hand's gesture must find the tree at rest.
     connect(&viewport, &Viewport::gestureActiveChanged, &m_lassoRunner, [this](bool active) {
         if (active)

@@ -15,9 +15,14 @@ Project projectOf(const TreeDocument& document, const QString& name)
     return project;
 }
 
+PreparedTree prepared(Project project)
+{
+    return {std::move(project.tree), std::move(project.journal), project.ahead};
+}
+
 void showProject(TreeDocument& document, Project project)
 {
-    document.reset(std::move(project.tree), std::move(project.journal), project.ahead);
+    document.reset(prepared(std::move(project)));
 }
 
 } // namespace espalier

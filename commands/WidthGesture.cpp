@@ -20,7 +20,8 @@ WidthGesture::WidthGesture(TreeDocument& document, InternodeId id)
 void WidthGesture::set(InternodeId place, double diameter)
 {
     const Tree& tree = m_edit.document().tree();
-    if (!m_edit.isActive() || std::isnan(diameter) || !tree.isAlive(m_id) || !tree.isAlive(place))
+    const auto isThere = [&](InternodeId id) { return id < tree.size() && tree.isAlive(id); };
+    if (!m_edit.isActive() || std::isnan(diameter) || !isThere(m_id) || !isThere(place))
         return;
     // What is taken back first is what the next counts from.
     m_edit.takeBack();

@@ -3,7 +3,9 @@
 
 #include "panels/Theme.h"
 
+#include <QItemSelectionModel>
 #include <QLabel>
+#include <QUndoStack>
 #include <QUndoView>
 #include <QVBoxLayout>
 
@@ -19,6 +21,14 @@ HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent)
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setUniformItemSizes(true);
     m_list->setStyleSheet(QStringLiteral("QListView::item { min-height: %1px; }").arg(theme::kTarget));
+    // The list would take the stack there in one event, however much there is to undo.
+    const QItemSelectionModel* selection = m_list->selectionModel();
+    disconnect(selection, &QItemSelectionModel::currentChanged, m_list->model(), nullptr);
+    connect(selection, &QItemSelectionModel::currentChanged, this,
+            [this, &stack](const QModelIndex& current) {
+                if (current.isValid() && current.row() != stack.index())
+                    Q_EMIT indexAsked(current.row());
+            });
     title->setBuddy(m_list);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 10, 12, 12);

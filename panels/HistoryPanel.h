@@ -8,7 +8,7 @@ class QUndoView;
 
 namespace espalier {
 
-/// All that was done, step by step; a click goes to that step.
+/// All that was done, step by step; a click asks for that step.
 class HistoryPanel : public Bar {
     Q_OBJECT
 
@@ -16,6 +16,10 @@ public:
     explicit HistoryPanel(QUndoStack& stack, QWidget* parent = nullptr);
 
     QSize sizeHint() const override { return {220, 360}; }
+
+Q_SIGNALS:
+    /// The tree as it was when @p index commands of the stack were done is wanted.
+    void indexAsked(int index);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

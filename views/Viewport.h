@@ -35,6 +35,9 @@ public:
     /// Cancels a gesture under way.
     ~Viewport() override;
 
+    /// See TreeScene::expect().
+    void expect(PreparedScene scene) { m_scene.expect(std::move(scene)); }
+
     const Camera& camera() const override { return m_camera; }
     /// At once; ends a flight. The view size is the viewport's own.
     void setCamera(const Camera& camera);
@@ -92,6 +95,8 @@ public:
 
 Q_SIGNALS:
     void cameraChanged();
+    /// The pointer goes down on the tree. The tool has not looked at the tree yet.
+    void toolAboutToBegin();
     void gestureActiveChanged(bool active);
     void toolChanged();
 

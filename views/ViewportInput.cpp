@@ -202,6 +202,7 @@ void Viewport::takeInHand(const PointerSample& sample)
 
 void Viewport::toolBegins(const PointerSample& sample)
 {
+    Q_EMIT toolAboutToBegin();
     takeInHand(sample);
     m_hand->begin(sample);
     startTicking();
@@ -239,6 +240,7 @@ void Viewport::toolHovers(const PointerSample& sample)
 
 void Viewport::budIsAsked(const PointerSample& sample)
 {
+    Q_EMIT toolAboutToBegin();
     const std::vector<PickedBud> buds = pickBuds(sample.position, sample.device, 1.0);
     m_document.setCompetitors(buds.empty() ? Competitors{}
                                            : Competitors{buds.front().bud.node, buds.front().bud.slot});

@@ -2,6 +2,7 @@
 #include "app/files/Autosave.h"
 
 #include "app/runners/Background.h"
+#include "model/document/Edit.h"
 #include "model/io/FileWriter.h"
 
 #include <QDir>
@@ -18,6 +19,8 @@ namespace {
 const QString kProject = QStringLiteral(".espalier");
 const QString kOrigin = QStringLiteral(".origin");
 const QString kLock = QStringLiteral(".lock");
+/// ms
+constexpr int kRetry = 100;
 
 const QString kUnreadable = QStringLiteral("/unreadable");
 
@@ -74,6 +77,7 @@ QString Leftover::displayName() const
 
 Autosave::Autosave(const TreeDocument& document, DocumentFile& file, int interval, QObject* parent)
     : QObject(parent),
+      m_document(document),
       m_file(file),
       m_base(folder() + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces)),
       m_interval(interval * 1000)
@@ -169,6 +173,11 @@ void Autosave::write()
 {
     if (!m_file.isModified())
         return;
+    // An undo that is under way ends soon.
+    if (const Edit* edit = m_document.edit(); edit != nullptr && !edit->hasChanges()) {
+        m_timer.start(kRetry);
+        return;
+    }
     m_isWriting = true;
     m_isDue = false;
     m_sinceWritten.start();

@@ -69,6 +69,7 @@ private:
     /// Removes the safety copy, and what the document was recovered from.
     void removeCopies();
 
+    const TreeDocument& m_document;
     DocumentFile& m_file;
     QString m_base; ///< Of the names of the safety copy's files, with folder
     std::unique_ptr<QLockFile> m_lock;

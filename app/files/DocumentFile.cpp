@@ -3,8 +3,10 @@
 
 #include "app/runners/Background.h"
 #include "commands/DocumentProject.h"
+#include "model/base/Parallel.h"
 #include "model/io/FileWriter.h"
 #include "model/io/JsonReader.h"
+#include "views/render/PreparedScene.h"
 
 #include <QEventLoop>
 #include <QFileInfo>
@@ -49,7 +51,7 @@ void DocumentFile::startNew(const TreeParameters& parameters)
     forgetFile({});
 }
 
-Result<DocumentFile::Read> DocumentFile::read(const QString& fileName)
+Result<DocumentFile::Read> DocumentFile::read(const QString& fileName, const std::atomic<bool>& isCancelled)
 {
     // The content comes first: if the file is replaced while it is read, saving asks once too often, not once
     // too seldom.
@@ -58,21 +60,30 @@ Result<DocumentFile::Read> DocumentFile::read(const QString& fileName)
     Result<Project> project = loadProject(fileName);
     if (!project)
         return project.error();
-    return Read{fileName, std::move(*project), content, stamp};
+    const QString warning = project->warning;
+    Read read{fileName, prepared(std::move(*project)), nullptr, warning, content, stamp};
+    if (isCancelled)
+        return read;
+    leavingOneThread([&read] {
+        PreparedTree& tree = read.tree;
+        tree.preparePicking();
+        read.scene = std::make_shared<PreparedScene>(tree.tree, tree.index, tree.growthModel->space());
+    });
+    return read;
 }
 
 void DocumentFile::show(Read read)
 {
-    showProject(m_document, std::move(read.project));
+    m_document.reset(std::move(read.tree));
     m_content = read.content;
     m_stamp = read.stamp;
     setFile(read.fileName, QFileInfo(read.fileName).fileName());
 }
 
-void DocumentFile::recover(Project project, const QString& fileName, const FileContent& content)
+void DocumentFile::recover(Read read, const QString& fileName, const FileContent& content)
 {
     const QString name = fileName.isEmpty() ? QString() : QFileInfo(fileName).fileName();
-    showProject(m_document, std::move(project));
+    m_document.reset(std::move(read.tree));
     m_document.undoStack().resetClean();
     m_content = content;
     m_stamp = FileStamp::of(fileName);

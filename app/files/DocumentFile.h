@@ -2,14 +2,19 @@
 #pragma once
 
 #include "app/files/FileContent.h"
+#include "model/document/PreparedTree.h"
 #include "model/document/TreeDocument.h"
 #include "model/io/project/ProjectFile.h"
 
 #include <QObject>
 
+#include <atomic>
+#include <memory>
 #include <optional>
 
 namespace espalier {
+
+struct PreparedScene;
 
 /// The file that a document comes from and goes to. It is written on a worker thread, from a snapshot. Of
 /// what the document last read from the file or wrote into it a hash is kept, so that saving does not replace
@@ -18,10 +23,12 @@ class DocumentFile : public QObject {
     Q_OBJECT
 
 public:
-    /// A project that was read, with what to know about its file.
+    /// A project that was read, with what follows from its tree, and what to know about its file.
     struct Read {
         QString fileName;
-        Project project;
+        PreparedTree tree;
+        std::shared_ptr<PreparedScene> scene; ///< Of the tree; null if reading was cancelled
+        QString warning;                      ///< See Project::warning
         FileContent content;
         FileStamp stamp;
     };
@@ -46,13 +53,14 @@ public:
 
     /// A seedling without a file.
     void startNew(const TreeParameters& parameters = {});
-    /// Reads a project; may run on any thread.
-    static Result<Read> read(const QString& fileName);
+    /// Reads a project and prepares all that showing it takes; may run on any thread. What it returns once @p
+    /// isCancelled is set is not whole.
+    static Result<Read> read(const QString& fileName, const std::atomic<bool>& isCancelled);
     /// Shows a project that was read.
     void show(Read read);
     /// Takes over what a crash left: its changes are in no file, @p fileName (may be empty) is where saving
     /// will go, and @p content what that file held when the changes were begun (does not exist if unknown).
-    void recover(Project project, const QString& fileName, const FileContent& content);
+    void recover(Read read, const QString& fileName, const FileContent& content);
     /// A tree that came from elsewhere, and has no file yet.
     void forgetFile(const QString& displayName);
     /// Its file has another name now.

@@ -19,16 +19,7 @@ using dialogs::suffixOf;
 namespace {
 
 /// ms; reading and saving that take longer are shown while they last.
-constexpr int kSlow = 400;
-
-/// A recipe that was read, with a name.
-Result<Recipe> readNamedRecipe(const QString& fileName)
-{
-    Result<Recipe> recipe = readRecipe(fileName);
-    if (recipe && recipe->name.isEmpty())
-        recipe->name = QFileInfo(fileName).completeBaseName();
-    return recipe;
-}
+constexpr int kSlow = 300;
 
 /// Outside the template that shows it, where lupdate finds its context.
 QString openingText(const QString& name)
@@ -92,14 +83,9 @@ void FileController::warn(const QString& sentence)
     m_notice->showWarning(sentence);
 }
 
-void FileController::startNew()
-{
-    startWith({});
-}
-
 void FileController::startWith(const TreeParameters& parameters)
 {
-    ++m_replacementsAsked; // What is still being read does not come any more.
+    cancelOpening();
     if (!mayLeave())
         return;
     Q_EMIT aboutToReplace();
@@ -110,32 +96,47 @@ void FileController::startWith(const TreeParameters& parameters)
 template <class Read, class Show, class Failed>
 void FileController::replaceWith(const QString& name, Read read, Show show, Failed failed)
 {
-    enum class State { Reading, Shown, Done };
-    const auto state = std::make_shared<State>(State::Reading);
-    const int asked = ++m_replacementsAsked;
-    const auto isWanted = [this, asked] { return asked == m_replacementsAsked; };
-    QTimer::singleShot(kSlow, this, [this, name, state, isWanted] {
-        if (*state == State::Done || !isWanted())
+    cancelOpening();
+    const auto opening = std::make_shared<Opening>();
+    m_opening = opening;
+    QTimer::singleShot(kSlow, this, [this, name, opening] {
+        if (m_opening != opening)
             return;
-        *state = State::Shown;
-        m_notice->showProgress(openingText(name), -1.0, [this] { ++m_replacementsAsked; });
+        opening->isShown = true;
+        m_notice->showProgress(openingText(name), -1.0, [this] { cancelOpening(); });
     });
-    runInBackground(this, std::move(read), [=, this](auto result) mutable {
-        if (std::exchange(*state, State::Done) == State::Shown)
-            m_notice->finishProgress();
-        if (!isWanted())
-            return;
-        if (!result)
-            failed(result.error().message);
-        else if (mayLeave() && isWanted())
-            show(std::move(*result));
-    });
+    runInBackground(
+        this, [read = std::move(read), opening] { return read(opening->isCancelled); },
+        [=, this](auto result) mutable {
+            if (m_opening != opening)
+                return;
+            if (std::exchange(opening->isShown, false))
+                m_notice->finishProgress();
+            if (!result)
+                failed(result.error().message);
+            else if (mayLeave() && m_opening == opening)
+                show(std::move(*result));
+            if (m_opening == opening)
+                m_opening.reset();
+        });
+}
+
+bool FileController::cancelOpening()
+{
+    const std::shared_ptr<Opening> opening = std::exchange(m_opening, nullptr);
+    if (!opening)
+        return false;
+    opening->isCancelled = true;
+    if (opening->isShown)
+        m_notice->finishProgress();
+    return true;
 }
 
 void FileController::startFrom(const QString& fileName)
 {
     replaceWith(
-        QFileInfo(fileName).completeBaseName(), [fileName] { return libraryParameters(fileName); },
+        QFileInfo(fileName).completeBaseName(),
+        [fileName](const auto&) { return libraryParameters(fileName); },
         [this](const TreeParameters& parameters) {
             Q_EMIT aboutToReplace();
             m_file.startNew(parameters);
@@ -187,9 +188,10 @@ void FileController::openFile(const QString& fileName)
 void FileController::openProject(const QString& fileName)
 {
     const auto show = [this](DocumentFile::Read read) {
-        const QString warning = read.project.warning;
+        const QString warning = read.warning;
         const QString name = read.fileName;
         Q_EMIT aboutToReplace();
+        Q_EMIT scenePrepared(read.scene);
         m_file.show(std::move(read));
         m_autosave.clear();
         m_notice->finish();
@@ -200,36 +202,43 @@ void FileController::openProject(const QString& fileName)
         Q_EMIT opened(name);
     };
     replaceWith(
-        QFileInfo(fileName).fileName(), [fileName] { return DocumentFile::read(fileName); }, show,
+        QFileInfo(fileName).fileName(),
+        [fileName](const auto& isCancelled) { return DocumentFile::read(fileName, isCancelled); }, show,
         [this](const QString& sentence) { warn(sentence); });
 }
 
 void FileController::openRecipe(const QString& fileName)
 {
-    const auto show = [this, fileName](const Recipe& recipe) {
+    const auto show = [this, fileName](Recipe recipe) {
+        if (recipe.name.isEmpty())
+            recipe.name = QFileInfo(fileName).completeBaseName();
         Q_EMIT aboutToReplace();
         rememberFolder(fileName);
         m_notice->finish();
         Q_EMIT recipeOpened(recipe);
     };
     replaceWith(
-        QFileInfo(fileName).fileName(), [fileName] { return readNamedRecipe(fileName); }, show,
+        QFileInfo(fileName).fileName(), [fileName](const auto&) { return readRecipe(fileName); }, show,
         [this](const QString& sentence) { warn(sentence); });
 }
 
 void FileController::recover(const Leftover& leftover)
 {
-    const auto show = [this, leftover](Project project) {
-        const QString warning = project.warning;
+    const auto show = [this, leftover](DocumentFile::Read read) {
+        const QString warning = read.warning;
         Q_EMIT aboutToReplace();
-        m_file.recover(std::move(project), leftover.original, leftover.content);
+        Q_EMIT scenePrepared(read.scene);
+        m_file.recover(std::move(read), leftover.original, leftover.content);
         m_autosave.adopt(leftover);
         if (!warning.isEmpty())
             warn(warning);
     };
     replaceWith(
-        leftover.displayName(), [fileName = leftover.fileName] { return loadProject(fileName); }, show,
-        [this, leftover](const QString& sentence) { m_recovery.keepAside(leftover, sentence); });
+        leftover.displayName(),
+        [fileName = leftover.fileName](const auto& isCancelled) {
+            return DocumentFile::read(fileName, isCancelled);
+        },
+        show, [this, leftover](const QString& sentence) { m_recovery.keepAside(leftover, sentence); });
 }
 
 void FileController::save()

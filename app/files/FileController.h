@@ -22,9 +22,9 @@ namespace espalier {
 class Notice;
 
 /// Everything that a person does with files: it asks for names, asks about unsaved changes, tells how it
-/// went. A file that replaces the document is read in the background first, while the document, and whatever
-/// grows in it, goes on; only a file that could be read replaces it, and only after the question about
-/// unsaved changes.
+/// went. A file that replaces the document is read in the background first, and all that is derived from its
+/// tree is made there, while the document, and whatever grows in it, goes on; only a file that could be read
+/// replaces it, and only after the question about unsaved changes.
 class FileController : public QObject {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ public:
     DocumentFile& file() { return m_file; }
     Autosave& autosave() { return m_autosave; }
 
-    void startNew();
+    void startNew() { startWith({}); }
     /// A seedling with the parameters of a project or recipe, which is read in the background. Asks about
     /// unsaved changes then.
     void startFrom(const QString& fileName);
@@ -62,6 +62,9 @@ public:
     /// The suffix says the format.
     void exportTo(const QString& fileName);
 
+    /// Gives up the file that is being read; the document stays as it is. Returns false if there is none.
+    bool cancelOpening();
+
     /// Asks about unsaved changes and work that is under way; false if the person would rather stay, or if
     /// saving failed. Staying changes nothing.
     bool mayLeave();
@@ -78,6 +81,8 @@ Q_SIGNALS:
     void aboutToAsk();
     /// Another tree will take the place of this one now.
     void aboutToReplace();
+    /// The next reset of the document shows the tree of @p scene.
+    void scenePrepared(const std::shared_ptr<espalier::PreparedScene>& scene);
     void recipeOpened(const espalier::Recipe& recipe);
     /// The project of this file is shown now.
     void opened(const QString& fileName);
@@ -85,8 +90,9 @@ Q_SIGNALS:
 
 private:
     void startWith(const TreeParameters& parameters);
-    /// Calls @p read() on a worker thread, and with what it gives @p show(value), once the person agrees;
-    /// with an Error @p failed(message). Of several that are under way only the one begun last is shown.
+    /// Calls @p read(isCancelled) on a worker thread, and with what it gives @p show(value), once the person
+    /// agrees; with an Error @p failed(message). Of several that are under way only the one begun last is
+    /// shown.
     template <class Read, class Show, class Failed>
     void replaceWith(const QString& name, Read read, Show show, Failed failed);
     void openProject(const QString& fileName);
@@ -109,7 +115,12 @@ private:
     std::function<QImage()> m_thumbnail;
     WorkInHand m_work;
     QString m_keeping; ///< The library's file that the tree is being saved into
-    int m_replacementsAsked = 0;
+    /// The file that is being read and will replace the document; null if there is none.
+    struct Opening {
+        std::atomic<bool> isCancelled = false;
+        bool isShown = false; ///< As progress
+    };
+    std::shared_ptr<Opening> m_opening;
     bool m_isAsking = false; ///< Whether the question about unsaved changes is open
     // These deliver to what is above.
     DocumentFile m_file;

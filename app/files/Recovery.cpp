@@ -31,8 +31,9 @@ std::vector<Tried> tryToRead(const std::vector<Leftover>& leftovers)
 QString sentenceAbout(const Leftover& leftover, const QString& fault)
 {
     const QString place = Autosave::keepAside(leftover);
+    const QString sentence = fault.endsWith(QLatin1Char('.')) ? fault : fault + QLatin1Char('.');
     return Recovery::tr("The safety copy of %1 cannot be read. %2 It is kept as %3.")
-        .arg(leftover.displayName(), fault, QDir::toNativeSeparators(place));
+        .arg(leftover.displayName(), sentence, QDir::toNativeSeparators(place));
 }
 
 } // namespace

@@ -36,6 +36,8 @@ void GrowRunner::run(int steps)
 
 void GrowRunner::start(Pace pace)
 {
+    // The buds that may grow are those of the tree that another edit leaves.
+    document().interruptEdit();
     const auto gesture = [this] {
         return std::make_unique<GrowGesture>(document(), document().competitors());
     };

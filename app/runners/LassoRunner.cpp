@@ -6,6 +6,7 @@ namespace espalier {
 void LassoRunner::fill(const LassoStroke& stroke)
 {
     end();
+    document().interruptEdit();
     start(LassoGesture::fill(document(), stroke, document().competitors()));
 }
 

@@ -7,11 +7,9 @@ namespace espalier {
 
 namespace {
 
-/// All commands of a document's stack are EditCommands. QUndoStack gives them as const; they are the
-/// document's.
 EditCommand& lastCommand(const QUndoStack& stack)
 {
-    return const_cast<EditCommand&>(static_cast<const EditCommand&>(*stack.command(stack.index() - 1)));
+    return EditCommand::at(stack, stack.index() - 1);
 }
 
 } // namespace

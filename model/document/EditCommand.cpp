@@ -4,36 +4,77 @@
 namespace espalier {
 
 EditCommand::EditCommand(TreeDocument& document, const QString& text, Content content)
-    : QUndoCommand(text), m_document(document), m_content(std::move(content))
+    : QUndoCommand(text),
+      m_document(document),
+      m_content(std::move(content)),
+      m_applied(m_content.deltas.size()),
+      m_takenOut(m_content.replaced.size())
 {
+}
+
+EditCommand& EditCommand::at(const QUndoStack& stack, int index)
+{
+    return const_cast<EditCommand&>(static_cast<const EditCommand&>(*stack.command(index)));
 }
 
 void EditCommand::undo()
 {
     if (m_isHandedOver)
         return;
-    for (std::size_t i = 0; i < m_content.deltas.size(); ++i)
-        m_document.revertLast();
-    for (const auto& delta : m_content.replaced)
-        m_document.apply(delta);
-    if (!isTravel())
-        m_document.setFuture(m_content.future);
-    m_document.travelTo(m_content.from);
-    m_isApplied = false;
+    while (stepBack()) {
+    }
 }
 
 void EditCommand::redo()
 {
-    if (std::exchange(m_isApplied, true))
-        return;
-    m_document.travelTo(m_content.to);
-    if (isTravel())
-        return;
-    m_document.setFuture({});
-    for (std::size_t i = 0; i < m_content.replaced.size(); ++i)
+    while (stepForward()) {
+    }
+}
+
+bool EditCommand::stepBack()
+{
+    if (m_applied == 0 && m_takenOut == 0)
+        return travelOneTowards(m_content.from);
+    if (m_applied > 0) {
         m_document.revertLast();
-    for (const auto& delta : m_content.deltas)
-        m_document.apply(delta);
+        --m_applied;
+    } else {
+        m_document.apply(m_content.replaced[m_content.replaced.size() - m_takenOut]);
+        --m_takenOut;
+    }
+    if (m_applied == 0 && m_takenOut == 0)
+        m_document.setFuture(m_content.future);
+    return true;
+}
+
+bool EditCommand::stepForward()
+{
+    if (m_applied == 0 && m_takenOut == 0) {
+        if (travelOneTowards(m_content.to))
+            return true;
+        if (!isTravel())
+            m_document.setFuture({});
+    }
+    if (m_takenOut < m_content.replaced.size()) {
+        m_document.revertLast();
+        ++m_takenOut;
+    } else if (m_applied < m_content.deltas.size()) {
+        m_document.apply(m_content.deltas[m_applied]);
+        ++m_applied;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/// Travels by one delta; returns false if the document is there already.
+bool EditCommand::travelOneTowards(std::size_t position)
+{
+    const std::size_t here = m_document.journal().size();
+    if (here == position)
+        return false;
+    m_document.travelTo(here < position ? here + 1 : here - 1);
+    return true;
 }
 
 void EditCommand::handOver()

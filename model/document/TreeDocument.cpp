@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/TreeDocument.h"
 
-#include "model/growth/SelfOrganisingModel.h"
+#include "model/document/PreparedTree.h"
 
 namespace espalier {
 
-TreeDocument::TreeDocument(QObject* parent)
-    : QObject(parent), m_growthModel(std::make_unique<SelfOrganisingModel>())
+TreeDocument::TreeDocument(QObject* parent) : QObject(parent)
 {
     reset(1);
 }
@@ -20,21 +19,21 @@ void TreeDocument::reset(std::uint64_t seed, const TreeParameters& parameters)
 
 void TreeDocument::reset(Tree tree, Journal journal, std::size_t ahead)
 {
+    reset(PreparedTree(std::move(tree), std::move(journal), ahead));
+}
+
+void TreeDocument::reset(PreparedTree prepared)
+{
     interruptEdit();
     m_undoStack.clear();
     // An empty stack that was unclean stays so when it is cleared.
     m_undoStack.setClean();
-    m_tree = std::move(tree);
-    m_journal = std::move(journal);
-    m_future.clear();
-    for (; ahead > 0; --ahead) {
-        m_tree.revert(*m_journal.back());
-        m_future.push_back(std::move(m_journal.back()));
-        m_journal.pop_back();
-    }
-    m_index.rebuild(m_tree);
-    m_growthModel->rebuild(m_tree, m_index);
-    m_pickIndex.clear();
+    m_tree = std::move(prepared.tree);
+    m_journal = std::move(prepared.journal);
+    m_future = std::move(prepared.future);
+    m_index = std::move(prepared.index);
+    m_growthModel = std::move(prepared.growthModel);
+    m_pickIndex = std::move(prepared.pickIndex);
     tell({TreeChange::Kind::Reset, nullptr});
 }
 

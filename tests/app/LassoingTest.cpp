@@ -21,6 +21,7 @@ private Q_SLOTS:
     void escapeDuringLassoGrowth_takesAllBack();
     void pressDuringLassoGrowth_keepsWhatGrew();
     void lassoTooSmall_isSaidInOneSentence();
+    void saveDuringTheStroke_writesTheFilledEnvelope();
     void lassoPopOut_regrowsRemovesAndHides();
 
 private:
@@ -161,6 +162,27 @@ void LassoingTest::lassoTooSmall_isSaidInOneSentence()
     QVERIFY(m_window->workspace().notice().isVisible());
     QCOMPARE(m_window->document().undoStack().count(), 0);
     QVERIFY(m_window->document().tree().lassos().isEmpty());
+}
+
+void LassoingTest::saveDuringTheStroke_writesTheFilledEnvelope()
+{
+    takeLasso();
+    const QString file = m_folder->filePath(QStringLiteral("lasso.espalier"));
+    save(file);
+    const std::vector<QPoint> places = lassoPlaces();
+    QTest::mousePress(handle(), Qt::LeftButton, {}, places.front());
+    for (const QPoint& place : places)
+        QTest::mouseMove(handle(), place, 1);
+    QSignalSpy saved(&m_window->files().file(), &DocumentFile::saved);
+    QTest::keyClick(handle(), Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(saved.wait(30'000));
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, places.back());
+    const Result<Project> project = loadProject(file);
+    QVERIFY(project);
+    QVERIFY(project->tree == m_window->document().tree());
+    QCOMPARE(project->tree.lassoIndicesInForce().size(), 1U);
+    QVERIFY(project->tree.size() > 100);
+    QVERIFY(!m_window->files().file().isModified());
 }
 
 void LassoingTest::lassoPopOut_regrowsRemovesAndHides()

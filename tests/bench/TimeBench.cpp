@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BrushGesture.h"
 #include "commands/TimeGesture.h"
+#include "model/document/GradualUndo.h"
 #include "tests/bench/Crowns.h"
 #include "views/render/TreeScene.h"
 
@@ -115,6 +116,62 @@ BENCHMARK(timeSlider_byJumps)
     ->Arg(1000)
     ->UseManualTime()
     ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+/// A "Grow" of so many internodes is undone and redone in slices: how long the window waits for one, with all
+/// that follows the tree, and how long a single delta takes.
+void undoOfGrow(benchmark::State& state)
+{
+    constexpr std::chrono::milliseconds kSlice(6);
+    TreeDocument& document = crown(static_cast<std::uint32_t>(state.range(0)));
+    TreeScene scene(document);
+    const auto connection = QObject::connect(&document, &TreeDocument::changed,
+                                             [&](const TreeChange& change) { scene.follow(change); });
+    QUndoStack& stack = document.undoStack();
+    std::vector<double> pictures;
+    const auto walk = [&](int index, std::chrono::milliseconds slice) {
+        std::vector<double> times;
+        GradualUndo undo(document, index);
+        for (bool isLeft = true; isLeft;) {
+            const double before = cpuTime();
+            isLeft = undo.advance(slice, slice.count() > 0 ? GradualUndo::kLeastRows : 1);
+            const double undone = cpuTime();
+            scene.prepareSome();
+            times.push_back(undone - before);
+            pictures.push_back(cpuTime() - undone);
+        }
+        for (bool isDone = false; !isDone;) {
+            const double before = cpuTime();
+            isDone = scene.prepareSome();
+            pictures.push_back(cpuTime() - before);
+        }
+        return times;
+    };
+    for (auto _ : state) {
+        const int end = stack.index();
+        const double start = cpuTime();
+        std::vector<double> slices = walk(0, kSlice);
+        state.counters["undo_worst_ms"] = 1000.0 * worst(slices);
+        state.counters["undo_slices"] = static_cast<double>(slices.size());
+        state.counters["undo_picture_ms"] = 1000.0 * worst(std::exchange(pictures, {}));
+        slices = walk(end, kSlice);
+        state.counters["redo_picture_ms"] = 1000.0 * worst(std::exchange(pictures, {}));
+        state.counters["redo_worst_ms"] = 1000.0 * worst(slices);
+        state.counters["redo_slices"] = static_cast<double>(slices.size());
+        state.SetIterationTime(cpuTime() - start);
+        state.counters["undo_delta_ms"] = 1000.0 * worst(walk(0, std::chrono::milliseconds(0)));
+        state.counters["redo_delta_ms"] = 1000.0 * worst(walk(end, std::chrono::milliseconds(0)));
+    }
+    QObject::disconnect(connection);
+    state.counters["internodes"] = document.index().livingCount();
+    state.counters["deltas"] = static_cast<double>(document.journal().size());
+}
+BENCHMARK(undoOfGrow)
+    ->ArgName("internodes")
+    ->Arg(20'000)
+    ->Arg(100'000)
+    ->UseManualTime()
+    ->Iterations(3)
     ->Unit(benchmark::kMillisecond);
 
 } // namespace

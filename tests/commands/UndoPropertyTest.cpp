@@ -7,6 +7,7 @@
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
 #include "commands/WidthGesture.h"
+#include "model/document/GradualUndo.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/Replaying.h"
@@ -58,29 +59,34 @@ public:
 
     void act()
     {
-        switch (below(8)) {
+        switch (below(9)) {
         case 0:
         case 1:
-            if (m_index > 0) {
-                m_document.undo();
-                --m_index;
-            }
+            if (m_index > 0)
+                goTo(m_index - 1);
             break;
         case 2:
-            if (m_index < m_entries.size()) {
-                m_document.redo();
-                ++m_index;
-            }
+            if (m_index < m_entries.size())
+                goTo(m_index + 1);
             break;
         case 3:
+            goTo(static_cast<std::size_t>(below(static_cast<int>(m_entries.size()) + 1)));
+            break;
+        case 4:
+            m_document.interruptEdit();
             cancelSomething();
             break;
         default:
+            m_document.interruptEdit();
             doSomething(randomAction());
         }
     }
 
-    const TreeDocument& document() const { return m_document; }
+    const TreeDocument& document()
+    {
+        m_document.interruptEdit();
+        return m_document;
+    }
 
     /// Lives through what counts alone.
     void replay(TreeDocument& document) const
@@ -103,6 +109,16 @@ private:
         }
     }
     std::size_t somewhere() const { return m_document.journal().size() + m_document.future().size(); }
+
+    /// Undoes and redoes, but some of it only when the next edit interrupts it.
+    void goTo(std::size_t index)
+    {
+        m_index = index;
+        m_undo = std::make_unique<GradualUndo>(m_document, static_cast<int>(index));
+        for (int slices = below(8); slices > 0 && m_undo->advance(std::chrono::milliseconds(0), 1);
+             --slices) {
+        }
+    }
 
     /// A step of the stack is what lies between two indices; travels in a row, and what follows one, join.
     void doSomething(const Action& action)
@@ -230,6 +246,7 @@ private:
     std::uint64_t m_seed;
     TreeParameters m_parameters;
     TreeDocument m_document;
+    std::unique_ptr<GradualUndo> m_undo;
     std::vector<std::vector<Action>> m_entries; ///< As the undo stack
     std::size_t m_index = 0;
 };

@@ -35,9 +35,21 @@ TreeScene::TreeScene(const TreeDocument& document) : m_document(document), m_num
 
 void TreeScene::rebuild()
 {
-    m_mesh.rebuild(m_document.tree(), m_document.index());
-    m_lightIsOld = true;
+    const auto isOfThisTree = [this](const PreparedScene& scene) {
+        return scene.tree.columns().parent.isSharedWith(m_document.tree().columns().parent);
+    };
+    if (std::optional<PreparedScene> expected = std::exchange(m_expected, std::nullopt);
+        expected && isOfThisTree(*expected)) {
+        m_mesh = std::move(expected->mesh);
+        m_light = std::move(expected->light);
+        m_lightIsOld = false;
+        m_relit.setEmpty();
+    } else {
+        m_mesh.rebuild(m_document.tree(), m_document.index());
+        m_lightIsOld = true;
+    }
     m_boundsAreOld = true;
+    m_lightWaits = false;
     prepare();
 }
 

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "model/document/TreeDocument.h"
-#include "views/render/LightGrid.h"
-#include "views/render/MeshPool.h"
+#include "views/render/PreparedScene.h"
 
 namespace espalier {
 
@@ -17,6 +16,9 @@ public:
     /// Shows the tree as it is. @p document outlives the scene.
     explicit TreeScene(const TreeDocument& document);
 
+    /// Takes what a worker thread has made of the tree that the document shows at its next reset. It is
+    /// dropped if that shows another one.
+    void expect(PreparedScene prepared) { m_expected = std::move(prepared); }
     /// Follows a change that the document has just told.
     void follow(const TreeChange& change);
     /// Brings up to date what several changes need only once; before mesh(), light() and
@@ -64,6 +66,7 @@ private:
     bool m_isSettling = false;
     bool m_isExact = true;
     bool m_boundsAreOld = false;
+    std::optional<PreparedScene> m_expected;
 };
 
 } // namespace espalier

@@ -147,6 +147,10 @@ void PruneTool::paint(Overlay& overlay) const
     const Tree& tree = context().document().tree();
     const TreeIndex& index = context().document().index();
     const Camera& camera = context().camera();
+    // An undo takes away what the pointer hovers over.
+    const auto isGone = [&tree](InternodeId id) { return id >= tree.size() || !tree.isAlive(id); };
+    if (std::ranges::any_of(m_falling, isGone) || std::ranges::any_of(m_cuts, isGone))
+        return;
     // Axis by axis: a line each.
     std::vector<Vec3> line;
     for (const InternodeId id : m_falling) {

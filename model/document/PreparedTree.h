@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/growth/GrowthModel.h"
+#include "model/picking/PickIndex.h"
+#include "model/tree/Tree.h"
+#include "model/tree/TreeDelta.h"
+#include "model/tree/TreeIndex.h"
+
+namespace espalier {
+
+/// A tree with its history and all that a document derives from it, ready for TreeDocument::reset(). It
+/// belongs to no document, so a worker thread can make it.
+struct PreparedTree {
+    /// @p journal: all deltas of @p tree, of which the last @p ahead lie ahead of the moment to be shown.
+    /// Precondition: ahead <= journal.size().
+    PreparedTree(Tree tree, Journal journal, std::size_t ahead = 0);
+    /// Makes the index for picking as well, which a document otherwise makes at the first question.
+    void preparePicking() { pickIndex.settle(tree, index); }
+
+    Tree tree;
+    Journal journal;
+    Journal future; ///< See TreeDocument::future()
+    TreeIndex index;
+    std::unique_ptr<GrowthModel> growthModel;
+    PickIndex pickIndex;
+};
+
+} // namespace espalier
