@@ -114,7 +114,7 @@ void MainWindow::updateEnabled()
     m_actions[ActionId::Undo]->setEnabled(stack.canUndo() || isHandBusy());
     m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
     const bool isIdle = !m_recipeRunner.isRunning();
-    for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::Export})
+    for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::SaveRecipe, ActionId::Export})
         m_actions[id]->setEnabled(isIdle);
     for (const ActionId id : Actions::tools())
         m_actions[id]->setEnabled(isIdle);
