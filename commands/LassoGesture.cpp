@@ -12,7 +12,7 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct LassoText {
     Q_DECLARE_TR_FUNCTIONS(Lasso)
 };
 
@@ -38,7 +38,7 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
     LassoStroke kept = stroke;
     kept.points = simplified(stroke.points);
     if (!isLasso(kept))
-        return Error{Error::Kind::Input, Text::tr("The lasso's drawing plane is not valid.")};
+        return Error{Error::Kind::Input, LassoText::tr("The lasso's drawing plane is not valid.")};
     std::vector<LassoStroke> strokes = document.tree().lassosInForce();
     // Among others it must enclose something by itself, or it would be kept for nothing.
     if (!strokes.empty()) {
@@ -57,7 +57,7 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
         edit.apply(std::move(delta));
     };
     return std::unique_ptr<LassoGesture>(
-        new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes), competitors, bringIn));
+        new LassoGesture(document, LassoText::tr("Lasso"), std::move(*envelopes), competitors, bringIn));
 }
 
 LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
@@ -65,7 +65,7 @@ LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
     document.interruptEdit();
     const std::vector<std::uint32_t> wanted = document.tree().lassoIndicesInForce();
     if (wanted.empty())
-        return Error{Error::Kind::Input, Text::tr("There is no envelope to regrow.")};
+        return Error{Error::Kind::Input, LassoText::tr("There is no envelope to regrow.")};
     const std::vector<LassoStroke> strokes = document.tree().lassosInForce();
     Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(strokes);
     if (!envelopes)
@@ -91,19 +91,19 @@ LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
         edit.apply(std::move(delta));
     };
     return std::unique_ptr<LassoGesture>(
-        new LassoGesture(document, Text::tr("Regrow"), std::move(*envelopes), {}, goBack));
+        new LassoGesture(document, LassoText::tr("Regrow"), std::move(*envelopes), {}, goBack));
 }
 
 LassoGesture::Begun LassoGesture::goOn(TreeDocument& document, Competitors competitors)
 {
     document.interruptEdit();
     if (document.tree().lassoIndicesInForce().empty())
-        return Error{Error::Kind::Input, Text::tr("There is no envelope to fill.")};
+        return Error{Error::Kind::Input, LassoText::tr("There is no envelope to fill.")};
     Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(document.tree().lassosInForce());
     if (!envelopes)
         return envelopes.error();
     return std::unique_ptr<LassoGesture>(
-        new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes), competitors, {}));
+        new LassoGesture(document, LassoText::tr("Lasso"), std::move(*envelopes), competitors, {}));
 }
 
 LassoGesture::LassoGesture(TreeDocument& document, const QString& text, EnvelopeSet envelopes,
@@ -121,7 +121,7 @@ bool removeEnvelopes(TreeDocument& document)
         delta.lassos.push_back({index, false});
     edit.apply(std::move(delta));
     const bool removes = edit.hasChanges();
-    edit.commit(Text::tr("Remove Envelope"));
+    edit.commit(LassoText::tr("Remove Envelope"));
     return removes;
 }
 

@@ -4,16 +4,11 @@
 #include "commands/BendGesture.h"
 #include "commands/recipe/RecipeJson.h"
 #include "commands/recipe/RecipeLimits.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kBaseKey("base");
 constexpr QLatin1StringView kHandlesKey("handles");
@@ -31,9 +26,8 @@ BendOperation::Handle readHandle(JsonReader& reader)
     if (const auto target = vectorFromJson<3>(reader.array(kTargetKey), recipeLimits::kCoordinate))
         handle.target = *target;
     else
-        reader.fail(
-            kTargetKey,
-            Text::tr("an array of three numbers within ±%1 is expected").arg(recipeLimits::kCoordinate));
+        reader.fail(kTargetKey, RecipeText::tr("an array of three numbers within ±%1 is expected")
+                                    .arg(recipeLimits::kCoordinate));
     return handle;
 }
 
@@ -47,11 +41,11 @@ BendOperation BendOperation::read(JsonReader& reader, RecipeReading&)
     bend.stretching = reader.number(kStretchingKey, kLeastWeight, kGreatestWeight, bend.stretching);
     const QJsonArray array = reader.array(kHandlesKey);
     if (array.isEmpty() || array.size() > kMostHandles)
-        reader.fail(kHandlesKey, Text::tr("a bend has from 1 to %1 handles").arg(kMostHandles));
+        reader.fail(kHandlesKey, RecipeText::tr("a bend has from 1 to %1 handles").arg(kMostHandles));
     for (qsizetype i = 0; i < std::min(array.size(), kMostHandles); ++i) {
         const QString place = QStringLiteral("%1[%2]").arg(reader.placeOf(kHandlesKey)).arg(i);
         if (!array.at(i).isObject()) {
-            reader.fail(inputError(place, Text::tr("an object is expected")));
+            reader.fail(inputError(place, RecipeText::tr("an object is expected")));
             break;
         }
         JsonReader handle(array.at(i).toObject(), place);
@@ -98,8 +92,9 @@ QString BendOperation::perform(TreeDocument& document) const
     const std::span<const InternodeId> path = gesture.path();
     for (const BranchBend::Handle& handle : held) {
         if (path.empty() || std::ranges::find(path.subspan(1), handle.id) == path.end())
-            faults.append(
-                Text::tr("internode %1 is not on the branch above internode %2").arg(handle.id).arg(*baseId));
+            faults.append(RecipeText::tr("internode %1 is not on the branch above internode %2")
+                              .arg(handle.id)
+                              .arg(*baseId));
     }
     gesture.settleAt(targets);
     gesture.finish();

@@ -2,16 +2,11 @@
 #include "commands/recipe/GrowOperation.h"
 
 #include "commands/GrowGesture.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kStepsKey("steps");
 
@@ -25,7 +20,7 @@ public:
 
     QString warning() const override
     {
-        return m_warning.isEmpty() && gesture().stepCount() == 0 ? Text::tr("nothing grew") : m_warning;
+        return m_warning.isEmpty() && gesture().stepCount() == 0 ? RecipeText::tr("nothing grew") : m_warning;
     }
 
 private:

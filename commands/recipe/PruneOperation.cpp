@@ -2,16 +2,11 @@
 #include "commands/recipe/PruneOperation.h"
 
 #include "commands/Prune.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kInternodesKey("internodes");
 
@@ -22,7 +17,7 @@ PruneOperation PruneOperation::read(JsonReader& reader, RecipeReading&)
     const QJsonArray array = reader.array(kInternodesKey);
     PruneOperation prune;
     if (array.isEmpty() || array.size() > kMostCuts)
-        reader.fail(kInternodesKey, Text::tr("1 to %1 internodes are expected").arg(kMostCuts));
+        reader.fail(kInternodesKey, RecipeText::tr("1 to %1 internodes are expected").arg(kMostCuts));
     for (qsizetype i = 0; i < array.size(); ++i) {
         const Result<InternodeReference> reference = InternodeReference::fromJson(array.at(i));
         if (!reference) {
@@ -52,7 +47,7 @@ QString PruneOperation::perform(TreeDocument& document) const
         if (!id)
             faults.append(id.error().message);
         else if (*id == 0)
-            faults.append(Text::tr("internode 0 is the seedling, which cannot be pruned"));
+            faults.append(RecipeText::tr("internode 0 is the seedling, which cannot be pruned"));
         else
             cuts.push_back(*id);
     }

@@ -2,22 +2,13 @@
 #include "commands/recipe/RemoveLassoOperation.h"
 
 #include "commands/LassoGesture.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
-} // namespace
-
 QString RemoveLassoOperation::perform(TreeDocument& document) const
 {
-    return removeEnvelopes(document) ? QString() : Text::tr("there is no envelope");
+    return removeEnvelopes(document) ? QString() : RecipeText::tr("there is no envelope");
 }
 
 } // namespace espalier

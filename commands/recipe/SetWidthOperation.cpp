@@ -2,31 +2,26 @@
 #include "commands/recipe/SetWidthOperation.h"
 
 #include "commands/WidthGesture.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
-constexpr QLatin1StringView kInternodeKey("internode");
+constexpr QLatin1StringView kWidthInternodeKey("internode");
 constexpr QLatin1StringView kDiameterKey("diameter");
 
 } // namespace
 
 SetWidthOperation SetWidthOperation::read(JsonReader& reader, RecipeReading&)
 {
-    return {InternodeReference::read(reader, kInternodeKey),
+    return {InternodeReference::read(reader, kWidthInternodeKey),
             reader.number(kDiameterKey, 0.0, kGreatestDiameter)};
 }
 
 QJsonObject SetWidthOperation::write(RecipeWriting&) const
 {
-    return {{kInternodeKey, internode.toJson()}, {kDiameterKey, diameter}};
+    return {{kWidthInternodeKey, internode.toJson()}, {kDiameterKey, diameter}};
 }
 
 QString SetWidthOperation::perform(TreeDocument& document) const
@@ -35,7 +30,7 @@ QString SetWidthOperation::perform(TreeDocument& document) const
     if (!id)
         return id.error().message;
     if (diameter == 0.0 && document.tree().widthConstraint(*id) == 0.0F)
-        return Text::tr("internode %1 has no width to take away").arg(*id);
+        return RecipeText::tr("internode %1 has no width to take away").arg(*id);
     setWidth(document, *id, diameter);
     return {};
 }

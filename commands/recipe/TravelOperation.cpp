@@ -2,16 +2,11 @@
 #include "commands/recipe/TravelOperation.h"
 
 #include "commands/TimeGesture.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kByKey("by");
 
@@ -21,7 +16,7 @@ TravelOperation TravelOperation::read(JsonReader& reader, RecipeReading&)
 {
     const auto by = reader.integer(kByKey, -kFarthest, kFarthest);
     if (by == 0)
-        reader.fail(kByKey, Text::tr("a number other than 0 is expected"));
+        reader.fail(kByKey, RecipeText::tr("a number other than 0 is expected"));
     return {static_cast<int>(by)};
 }
 
@@ -40,8 +35,8 @@ QString TravelOperation::perform(TreeDocument& document) const
     gesture.finish();
     if (there == here + by)
         return {};
-    return by < 0 ? Text::tr("the history goes back by %1 only, not by %2").arg(here).arg(-by)
-                  : Text::tr("the history goes on by %1 only, not by %2").arg(end - here).arg(by);
+    return by < 0 ? RecipeText::tr("the history goes back by %1 only, not by %2").arg(here).arg(-by)
+                  : RecipeText::tr("the history goes on by %1 only, not by %2").arg(end - here).arg(by);
 }
 
 } // namespace espalier
