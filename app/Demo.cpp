@@ -14,16 +14,16 @@ namespace espalier {
 
 namespace {
 
-const QString kName = QStringLiteral("first-tree");
+const QString kDemoName = QStringLiteral("first-tree");
 
 Result<QStringList> writeAll(MainWindow& window, const QString& view)
 {
     QStringList written;
     const TreeDocument& document = window.document();
     Project project = window.files().file().snapshot();
-    project.name = kName;
+    project.name = kDemoName;
     for (const char* suffix : {".espalier", ".fbx", ".obj", ".glb"}) {
-        const QString fileName = kName + QLatin1String(suffix);
+        const QString fileName = kDemoName + QLatin1String(suffix);
         if (const Result<void> result = writeOutput(project, fileName); !result)
             return result.error();
         written.append(fileName);
@@ -33,9 +33,9 @@ Result<QStringList> writeAll(MainWindow& window, const QString& view)
     const Result<QImage> picture = renderImage(document, request);
     if (!picture)
         return picture.error();
-    if (const Result<void> result = writePicture(*picture, kName + QStringLiteral(".png")); !result)
+    if (const Result<void> result = writePicture(*picture, kDemoName + QStringLiteral(".png")); !result)
         return result.error();
-    written.append(kName + QStringLiteral(".png"));
+    written.append(kDemoName + QStringLiteral(".png"));
     return written;
 }
 

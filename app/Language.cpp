@@ -9,12 +9,12 @@ namespace espalier {
 
 namespace {
 
-const QString kName = QStringLiteral("language");
+const QString kLanguageName = QStringLiteral("language");
 
 void install(const QLocale& locale, const QString& texts)
 {
     auto* translator = new QTranslator(QCoreApplication::instance());
-    translator->setObjectName(kName);
+    translator->setObjectName(kLanguageName);
     if (translator->load(locale, texts, QStringLiteral("_"), QStringLiteral(":/translations")))
         QCoreApplication::installTranslator(translator);
 }
@@ -24,7 +24,8 @@ void install(const QLocale& locale, const QString& texts)
 void speakLanguage(const QString& code)
 {
     // A translator that goes takes its texts along.
-    qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(kName, Qt::FindDirectChildrenOnly));
+    qDeleteAll(
+        QCoreApplication::instance()->findChildren<QTranslator*>(kLanguageName, Qt::FindDirectChildrenOnly));
     const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
     QLocale::setDefault(locale);
     install(locale, QStringLiteral("espalier"));

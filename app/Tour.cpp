@@ -16,10 +16,10 @@ namespace espalier {
 
 namespace {
 
-constexpr int kFollowInterval = 120; ///< ms
-constexpr int kPause = 900;          ///< ms to see what came of it
-constexpr double kTurned = 0.2;      ///< rad; less is a trembling hand
-constexpr int kBaseReach = 26;       ///< Of the ring around the base of the tree, px
+constexpr int kCardInterval = 120; ///< ms
+constexpr int kPause = 900;        ///< ms to see what came of it
+constexpr double kTurned = 0.2;    ///< rad; less is a trembling hand
+constexpr int kBaseReach = 26;     ///< Of the ring around the base of the tree, px
 
 /// The button of an action on a bar of @p workspace.
 const QWidget* buttonOf(const QWidget& workspace, const QAction* action)
@@ -45,7 +45,7 @@ Tour::Tour(Workspace& workspace, const Actions& actions, TreeDocument& document,
     watch(actions);
     connect(m_card, &TourCard::nextAsked, this, &Tour::next);
     connect(m_card, &TourCard::skipAsked, this, &Tour::stop);
-    m_following.setInterval(kFollowInterval);
+    m_following.setInterval(kCardInterval);
     connect(&m_following, &QTimer::timeout, this, &Tour::follow);
     m_pause.setInterval(kPause);
     m_pause.setSingleShot(true);

@@ -96,6 +96,8 @@ function(espalier_library name)
     target_link_libraries(${name} PUBLIC ${arg_LINKS})
     target_precompile_headers(${name} REUSE_FROM ${arg_PRECOMPILED})
     espalier_own_code(${name})
+    # Most of a file's compile time goes into the same headers and templates: together they are read once.
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ${ESPALIER_UNITY} UNITY_BUILD_BATCH_SIZE 10)
 endfunction()
 
 # espalier_resources(name PREFIX prefix BASE folder FILES file…)

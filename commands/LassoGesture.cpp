@@ -17,7 +17,7 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct LassoGestureText {
     Q_DECLARE_TR_FUNCTIONS(Lasso)
 };
 
@@ -45,7 +45,7 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
     kept.points = simplified(drawn.points);
     kept = recordableLasso(std::move(kept));
     if (!isLasso(kept))
-        return Error{Error::Kind::Input, Text::tr("The lasso's drawing plane is not valid.")};
+        return Error{Error::Kind::Input, LassoGestureText::tr("The lasso's drawing plane is not valid.")};
     std::vector<LassoStroke> strokes = document.tree().lassosInForce();
     // Among others it must enclose something by itself, or it would be kept for nothing.
     if (!strokes.empty()) {
@@ -66,8 +66,8 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
     const auto operation = [drawn, only = BudReference::to(document, competitors)](std::optional<int> steps) {
         return LassoOperation{drawn, only, steps};
     };
-    return std::unique_ptr<LassoGesture>(new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes),
-                                                          competitors, operation, bringIn));
+    return std::unique_ptr<LassoGesture>(new LassoGesture(
+        document, LassoGestureText::tr("Lasso"), std::move(*envelopes), competitors, operation, bringIn));
 }
 
 LassoGesture::Begun LassoGesture::fillAll(TreeDocument& document, const std::vector<LassoStroke>& strokes,
@@ -75,10 +75,10 @@ LassoGesture::Begun LassoGesture::fillAll(TreeDocument& document, const std::vec
 {
     document.interruptEdit();
     if (!std::ranges::all_of(strokes, isLasso))
-        return Error{Error::Kind::Input, Text::tr("The lasso's drawing plane is not valid.")};
+        return Error{Error::Kind::Input, LassoGestureText::tr("The lasso's drawing plane is not valid.")};
     if (!document.tree().hasRoomFor(parameters))
-        return Error{Error::Kind::Input, Text::tr("There is no room for more parameter sets.")};
-    return fillAll(document, Text::tr("Lasso"), strokes, parameters, competitors, [](Edit&) {});
+        return Error{Error::Kind::Input, LassoGestureText::tr("There is no room for more parameter sets.")};
+    return fillAll(document, LassoGestureText::tr("Lasso"), strokes, parameters, competitors, [](Edit&) {});
 }
 
 LassoGesture::Begun LassoGesture::fillAll(TreeDocument& document, const QString& text,
@@ -118,10 +118,10 @@ LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
 {
     document.interruptEdit();
     if (document.tree().lassoIndicesInForce().empty())
-        return Error{Error::Kind::Input, Text::tr("There is no envelope to regrow.")};
+        return Error{Error::Kind::Input, LassoGestureText::tr("There is no envelope to regrow.")};
     // What the journal's end brought in goes with it and comes again, the parameters in force too.
     const TreeParameters parameters = document.parameters();
-    return fillAll(document, Text::tr("Regrow"), document.tree().lassosInForce(), parameters, {},
+    return fillAll(document, LassoGestureText::tr("Regrow"), document.tree().lassosInForce(), parameters, {},
                    [from = firstFilling(document)](Edit& edit) { edit.replaceFrom(from); });
 }
 
@@ -129,15 +129,15 @@ LassoGesture::Begun LassoGesture::goOn(TreeDocument& document, Competitors compe
 {
     document.interruptEdit();
     if (document.tree().lassoIndicesInForce().empty())
-        return Error{Error::Kind::Input, Text::tr("There is no envelope to fill.")};
+        return Error{Error::Kind::Input, LassoGestureText::tr("There is no envelope to fill.")};
     Result<EnvelopeSet> envelopes = EnvelopeSet::fromStrokes(document.tree().lassosInForce());
     if (!envelopes)
         return envelopes.error();
     const auto operation = [only = BudReference::to(document, competitors)](std::optional<int> steps) {
         return FillEnvelopesOperation{{}, {}, only, steps};
     };
-    return std::unique_ptr<LassoGesture>(
-        new LassoGesture(document, Text::tr("Lasso"), std::move(*envelopes), competitors, operation));
+    return std::unique_ptr<LassoGesture>(new LassoGesture(document, LassoGestureText::tr("Lasso"),
+                                                          std::move(*envelopes), competitors, operation));
 }
 
 LassoGesture::LassoGesture(TreeDocument& document, const QString& text, EnvelopeSet envelopes,
@@ -161,7 +161,7 @@ bool removeEnvelopes(TreeDocument& document)
         delta.lassos.push_back({index, false});
     edit.apply(std::move(delta));
     const bool removes = edit.hasChanges();
-    commitRecorded(edit, Text::tr("Remove Envelope"), [] { return RemoveLassoOperation{}; });
+    commitRecorded(edit, LassoGestureText::tr("Remove Envelope"), [] { return RemoveLassoOperation{}; });
     return removes;
 }
 

@@ -22,13 +22,11 @@ namespace espalier {
 
 namespace {
 
-using enum Quantity;
-
 template <double TracingImage::*Member>
 constexpr ViewField tracingField(const char* key, const char* label, const char* tip, double least,
                                  double most, ParameterText::Scale scale, const char* unit)
 {
-    return {{key, *unit == '\0' ? Number : Metres, least, most},
+    return {{key, *unit == '\0' ? Quantity::Number : Quantity::Metres, least, most},
             {key, label, "", tip, scale, 2, unit},
             [](const ViewValues& values) { return values.tracing.*Member; },
             [](ViewValues& values, double value) { values.tracing.*Member = value; }};
@@ -69,7 +67,7 @@ enum FieldPlace : std::size_t {
 };
 
 constexpr std::array<ViewField, FieldCount> kFields{{
-    {{"view.backdrop", Choice, 0, kBackdropCount - 1,
+    {{"view.backdrop", Quantity::Choice, 0, kBackdropCount - 1,
       "studio horizon plain gradient dark_studio light_studio"},
      {"view.backdrop", QT_TRANSLATE_NOOP("Parameters", "Behind"), "",
       QT_TRANSLATE_NOOP("Parameters",
@@ -93,14 +91,14 @@ constexpr std::array<ViewField, FieldCount> kFields{{
         "view.sunPinned", QT_TRANSLATE_NOOP("Parameters", "Pin the sun"),
         QT_TRANSLATE_NOOP("Parameters", "The sun stays where it is on the screen when the tree is turned; "
                                         "otherwise it turns with the tree.")),
-    {{"view.sunAzimuth", Angle, -180, 180},
+    {{"view.sunAzimuth", Quantity::Angle, -180, 180},
      {"view.sunAzimuth", QT_TRANSLATE_NOOP("Parameters", "Direction"), "",
       QT_TRANSLATE_NOOP("Parameters", "Where the sun stands: 0° before the tree, 90° to its right; of a "
                                       "pinned sun, as you look at it."),
       kLinear, 0, "°"},
      shownAzimuth,
      [](ViewValues& values, double value) { values.sunAzimuth = radians(value); }},
-    {{"view.sunElevation", Angle, 5, 90},
+    {{"view.sunElevation", Quantity::Angle, 5, 90},
      {"view.sunElevation", QT_TRANSLATE_NOOP("Parameters", "Height"), "",
       QT_TRANSLATE_NOOP("Parameters", "How high the sun stands above the horizon."), kLinear, 0, "°"},
      [](const ViewValues& values) { return degrees(values.sunElevation); },

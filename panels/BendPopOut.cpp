@@ -15,17 +15,17 @@ namespace espalier {
 namespace {
 
 /// Steps of a slider from its middle to either end.
-constexpr int kSteps = 100;
+constexpr int kWeightSteps = 100;
 constexpr int kWidth = 132;
 
 double weightAt(int position)
 {
-    return std::pow(kMostBendWeight, static_cast<double>(position) / kSteps);
+    return std::pow(kMostBendWeight, static_cast<double>(position) / kWeightSteps);
 }
 
 int positionOf(double weight)
 {
-    return static_cast<int>(std::lround(kSteps * std::log(weight) / std::log(kMostBendWeight)));
+    return static_cast<int>(std::lround(kWeightSteps * std::log(weight) / std::log(kMostBendWeight)));
 }
 
 static_assert(kLeastBendWeight * kMostBendWeight == 1.0, "the middle of a slider is 1");
@@ -57,9 +57,9 @@ QSlider* BendPopOut::addSlider(const QString& name, const QString& label, const 
     auto* slider = new QSlider(Qt::Horizontal, this);
     text->setToolTip(toolTip);
     slider->setObjectName(name);
-    slider->setRange(-kSteps, kSteps);
-    slider->setSingleStep(kSteps / 20);
-    slider->setPageStep(kSteps / 4);
+    slider->setRange(-kWeightSteps, kWeightSteps);
+    slider->setSingleStep(kWeightSteps / 20);
+    slider->setPageStep(kWeightSteps / 4);
     slider->setFixedWidth(kWidth);
     slider->setMinimumHeight(theme::kTarget);
     slider->setFocusPolicy(Qt::TabFocus);

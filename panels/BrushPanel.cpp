@@ -20,7 +20,7 @@ namespace {
 // px
 constexpr int kSizeWidth = 128;
 constexpr int kPenWidth = 210;
-constexpr int kColumnWidth = 196;
+constexpr int kBrushColumnWidth = 196;
 constexpr int kShownWidth = 156;
 constexpr int kRadiusHeight = 200;
 constexpr int kCurveHeight = 150;
@@ -58,7 +58,7 @@ BrushPanel::BrushPanel(TreeDocument& document, ViewSettings& settings, double so
     for (const ParameterSection& section : parameterSections()) {
         if (section.sheet != ParameterSheet::Brush)
             continue;
-        QVBoxLayout* column = addBarColumn(*m_content, parameterTr(section.title), kColumnWidth);
+        QVBoxLayout* column = addBarColumn(*m_content, parameterTr(section.title), kBrushColumnWidth);
         for (const ParameterText& text : section.parameters) {
             m_rows.push_back(new ParameterRow(m_editor, text, m_content));
             column->addWidget(m_rows.back());

@@ -20,7 +20,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kMargin = 18;          ///< Around the text, px
+constexpr int kPageMargin = 18;      ///< Around the text, px
 constexpr double kPictureRadius = 8; ///< Of a picture's corners, px
 constexpr double kLineHeight = 132;  ///< %
 /// Of headings, by their level, in sizes of the text.
@@ -101,7 +101,7 @@ HelpPage::HelpPage(QWidget* parent) : QTextBrowser(parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setAccessibleName(tr("Page of the help"));
     viewport()->setAutoFillBackground(false);
-    document()->setDocumentMargin(kMargin);
+    document()->setDocumentMargin(kPageMargin);
     document()->setIndentWidth(24.0);
     connect(this, &QTextBrowser::sourceChanged, this, [this](const QUrl& url) {
         m_url = url;
@@ -238,7 +238,7 @@ void HelpPage::dressTables()
 
 void HelpPage::fitPictures()
 {
-    const int room = viewport()->width() - 2 * kMargin;
+    const int room = viewport()->width() - 2 * kPageMargin;
     if (room == m_fittedWidth || room <= 0)
         return;
     m_fittedWidth = room;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSteps = 1000;
 
-QAccessibleInterface* makeAccessible(const QString&, QObject* object)
+QAccessibleInterface* makeAccessibleSlider(const QString&, QObject* object)
 {
     auto* slider = qobject_cast<ParameterSlider*>(object);
     if (!slider)
@@ -30,7 +30,7 @@ ParameterSlider::ParameterSlider(const ParameterScale& scale, QWidget* parent)
     : QSlider(Qt::Horizontal, parent), m_scale(scale)
 {
     [[maybe_unused]] static const bool isKnown = [] {
-        QAccessible::installFactory(makeAccessible);
+        QAccessible::installFactory(makeAccessibleSlider);
         return true;
     }();
     setRange(0, kSteps);

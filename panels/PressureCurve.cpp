@@ -16,7 +16,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kSteps = 48;
+constexpr int kCurveSteps = 48;
 constexpr int kLongestTrail = 400;
 constexpr double kWidest = 22.0; ///< px, of a trail at full pressure
 /// A drag this close to an edge says nothing about the exponent; in shares of the field.
@@ -149,8 +149,8 @@ void PressureCurve::paintEvent(QPaintEvent*)
     }
 
     QPainterPath curve(at(0.0, 0.0));
-    for (int i = 1; i <= kSteps; ++i) {
-        const double pressure = static_cast<double>(i) / kSteps;
+    for (int i = 1; i <= kCurveSteps; ++i) {
+        const double pressure = static_cast<double>(i) / kCurveSteps;
         curve.lineTo(at(pressure, std::pow(pressure, m_exponent)));
     }
     QPainterPath under = curve;

@@ -15,8 +15,8 @@ namespace espalier {
 
 namespace {
 
-constexpr int kSteps = 600;
-constexpr double kHandleRadius = 12.0;
+constexpr int kRadiusSteps = 600;
+constexpr double kSliderHandleRadius = 12.0;
 constexpr double kTopWidth = 30.0;
 constexpr double kBottomWidth = 7.0;
 
@@ -25,9 +25,9 @@ constexpr double kBottomWidth = 7.0;
 RadiusSlider::RadiusSlider(double maximum, QWidget* parent) : QAbstractSlider(parent), m_maximum(maximum)
 {
     setOrientation(Qt::Vertical);
-    setRange(0, kSteps);
-    setSingleStep(kSteps / 60);
-    setPageStep(kSteps / 12);
+    setRange(0, kRadiusSteps);
+    setSingleStep(kRadiusSteps / 60);
+    setPageStep(kRadiusSteps / 12);
     setFocusPolicy(Qt::TabFocus);
     setAttribute(Qt::WA_Hover);
     setCursor(Qt::PointingHandCursor);
@@ -40,7 +40,7 @@ void RadiusSlider::setRadius(double metres)
         return;
     m_radius = metres;
     const QSignalBlocker quiet(this);
-    setValue(static_cast<int>(std::lround(std::cbrt(metres / m_maximum) * kSteps)));
+    setValue(static_cast<int>(std::lround(std::cbrt(metres / m_maximum) * kRadiusSteps)));
     m_radius = metres;
     update();
 }
@@ -48,7 +48,7 @@ void RadiusSlider::setRadius(double metres)
 void RadiusSlider::sliderChange(SliderChange change)
 {
     if (change == SliderValueChange) {
-        const double t = value() / static_cast<double>(kSteps);
+        const double t = value() / static_cast<double>(kRadiusSteps);
         m_radius = std::min(roundedLength(m_maximum * t * t * t), m_maximum);
         if (!signalsBlocked())
             Q_EMIT radiusEdited(m_radius);
@@ -59,15 +59,15 @@ void RadiusSlider::sliderChange(SliderChange change)
 
 double RadiusSlider::yOf(int position) const
 {
-    const double reach = height() - 2.0 * kHandleRadius - 2.0;
-    return 1.0 + kHandleRadius + reach * (1.0 - position / static_cast<double>(kSteps));
+    const double reach = height() - 2.0 * kSliderHandleRadius - 2.0;
+    return 1.0 + kSliderHandleRadius + reach * (1.0 - position / static_cast<double>(kRadiusSteps));
 }
 
 void RadiusSlider::dragTo(double y)
 {
-    const double reach = height() - 2.0 * kHandleRadius - 2.0;
-    const double t = std::clamp(1.0 - (y - 1.0 - kHandleRadius) / reach, 0.0, 1.0);
-    setValue(static_cast<int>(std::lround(t * kSteps)));
+    const double reach = height() - 2.0 * kSliderHandleRadius - 2.0;
+    const double t = std::clamp(1.0 - (y - 1.0 - kSliderHandleRadius) / reach, 0.0, 1.0);
+    setValue(static_cast<int>(std::lround(t * kRadiusSteps)));
 }
 
 void RadiusSlider::paintEvent(QPaintEvent*)
@@ -75,7 +75,7 @@ void RadiusSlider::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double middle = width() / 2.0;
-    const double top = yOf(kSteps);
+    const double top = yOf(kRadiusSteps);
     const double bottom = yOf(0);
     const double y = yOf(value());
     const auto halfWidthAt = [&](double at) {
@@ -103,7 +103,7 @@ void RadiusSlider::paintEvent(QPaintEvent*)
 
     painter.setPen(hasFocus() ? QPen(theme::kAccent, 2.0) : QPen(QColor(0, 0, 0, 70), 1.0));
     painter.setBrush(underMouse() || isSliderDown() ? theme::kHandle.lighter(112) : theme::kHandle);
-    painter.drawEllipse(QPointF(middle, y), kHandleRadius - 0.5, kHandleRadius - 0.5);
+    painter.drawEllipse(QPointF(middle, y), kSliderHandleRadius - 0.5, kSliderHandleRadius - 0.5);
 }
 
 void RadiusSlider::mousePressEvent(QMouseEvent* event)

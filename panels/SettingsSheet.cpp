@@ -23,7 +23,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kSteps = 100; ///< Of the slider, to either side
+constexpr int kSheetSteps = 100; ///< Of the slider, to either side
 constexpr int kColumn = 300;
 constexpr int kLabel = 148;
 constexpr int kControl = theme::kTarget;
@@ -31,12 +31,12 @@ constexpr int kControl = theme::kTarget;
 /// The slider is logarithmic: its middle is a straight line.
 int sliderOf(double exponent)
 {
-    return static_cast<int>(std::lround(kSteps * std::log(exponent) / std::log(Preferences::kFirmest)));
+    return static_cast<int>(std::lround(kSheetSteps * std::log(exponent) / std::log(Preferences::kFirmest)));
 }
 
 double exponentOf(int slider)
 {
-    return std::pow(Preferences::kFirmest, static_cast<double>(slider) / kSteps);
+    return std::pow(Preferences::kFirmest, static_cast<double>(slider) / kSheetSteps);
 }
 
 QString mouseNote(MouseScheme scheme)
@@ -166,7 +166,7 @@ QLayout* SettingsSheet::makeAppearance()
 
 QLayout* SettingsSheet::makeHand()
 {
-    m_softness->setRange(-kSteps, kSteps);
+    m_softness->setRange(-kSheetSteps, kSheetSteps);
     m_softness->setMinimumHeight(kControl);
     m_softness->setObjectName(QStringLiteral("softness"));
     m_softness->setAccessibleName(tr("Pressure"));

@@ -16,8 +16,8 @@ namespace espalier {
 namespace {
 
 constexpr int kTextWidth = 300; ///< px
-constexpr int kGap = 34;        ///< Between the card and what it points at, px
-constexpr int kEdge = 12;       ///< Between the card and the window's edge, px
+constexpr int kCardGap = 34;    ///< Between the card and what it points at, px
+constexpr int kCardEdge = 12;   ///< Between the card and the window's edge, px
 constexpr int kTop = 62;        ///< Below the bar at the top, px
 constexpr int kRingReach = 5;   ///< Of the ring beyond what it is around, px
 
@@ -118,18 +118,18 @@ void TourCard::setWords(const QString& title, const QString& text, int number, i
 
 QPoint TourCard::placeBeside(const QRect& target) const
 {
-    const QRect room = parentWidget()->rect().adjusted(kEdge, kTop, -kEdge, -kEdge);
+    const QRect room = parentWidget()->rect().adjusted(kCardEdge, kTop, -kCardEdge, -kCardEdge);
     const QPoint middle = target.center() - QPoint(width() / 2, height() / 2);
     const std::array places{
-        QPoint(target.right() + kGap, middle.y()),
-        QPoint(middle.x(), target.top() - kGap - height()),
-        QPoint(middle.x(), target.bottom() + kGap),
-        QPoint(target.left() - kGap - width(), middle.y()),
+        QPoint(target.right() + kCardGap, middle.y()),
+        QPoint(middle.x(), target.top() - kCardGap - height()),
+        QPoint(middle.x(), target.bottom() + kCardGap),
+        QPoint(target.left() - kCardGap - width(), middle.y()),
     };
     for (QPoint place : places) {
         place.setX(std::clamp(place.x(), room.left(), std::max(room.left(), room.right() - width())));
         place.setY(std::clamp(place.y(), room.top(), std::max(room.top(), room.bottom() - height())));
-        if (!QRect(place, size()).intersects(target.adjusted(-kEdge, -kEdge, kEdge, kEdge)))
+        if (!QRect(place, size()).intersects(target.adjusted(-kCardEdge, -kCardEdge, kCardEdge, kCardEdge)))
             return place;
     }
     return room.center() - QPoint(width() / 2, height() / 2);

@@ -16,7 +16,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kRowHeight = theme::kTarget;
+constexpr int kViewRowHeight = theme::kTarget;
 
 QLabel* makeLabel(const QString& text, QWidget* parent)
 {
@@ -34,7 +34,7 @@ ViewRow::ViewRow(const ParameterScale& scale, QWidget* parent) : QWidget(parent)
     setAccessibleName(label);
     setToolTip(QStringLiteral("<b>%1</b><br>%2")
                    .arg(label.toHtmlEscaped(), parameterTr(scale.text().tip).toHtmlEscaped()));
-    setFixedHeight(kRowHeight);
+    setFixedHeight(kViewRowHeight);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -52,7 +52,7 @@ ViewRow::ViewRow(const ParameterScale& scale, QWidget* parent) : QWidget(parent)
         m_choice->addItems(choiceNames(scale.info().choices));
         m_choice->setAccessibleName(label);
         line->addWidget(makeLabel(label, this), 1);
-        m_choice->setFixedHeight(kRowHeight);
+        m_choice->setFixedHeight(kViewRowHeight);
         line->addWidget(m_choice);
         connect(m_choice, &QComboBox::activated, this, [this](int index) { edit(index); });
         break;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kOrbitPerPixel = 0.0065; ///< rad
 constexpr double kZoomPerNotch = 0.88;
 /// A key that is only tapped moves the camera as much as one held for this long, s.
-constexpr double kTap = 0.04;
+constexpr double kCameraTap = 0.04;
 
 } // namespace
 
@@ -88,7 +88,7 @@ void Viewport::keyPressEvent(QKeyEvent* event)
         return;
     if (m_keys.press(event->key(), event->modifiers())) {
         m_flight.stop();
-        moveByKeys(kTap);
+        moveByKeys(kCameraTap);
         startTicking();
         return;
     }

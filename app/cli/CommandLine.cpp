@@ -17,7 +17,7 @@ namespace {
 
 using Verb = CommandLine::Verb;
 
-struct Text {
+struct CommandLineText {
     Q_DECLARE_TR_FUNCTIONS(CommandLine)
 };
 
@@ -36,7 +36,7 @@ Result<QSize> parseSize(const QString& text)
     const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
     if (!match.hasMatch() || size.width() < 1 || size.height() < 1 || size.width() > kMaxPictureEdge ||
         size.height() > kMaxPictureEdge)
-        return usage(Text::tr("--size wants WIDTHxHEIGHT of up to %1 pixels each, not \"%2\"")
+        return usage(CommandLineText::tr("--size wants WIDTHxHEIGHT of up to %1 pixels each, not \"%2\"")
                          .arg(kMaxPictureEdge)
                          .arg(text));
     return size;
@@ -61,7 +61,8 @@ constexpr Option kOptions[] = {
     {"o", " replay export ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          if (QFileInfo(value).suffix().toLower() != QLatin1String("espalier") && !exportFormatOf(value)) {
-             return usage(Text::tr("%1: the suffix of an output says its format, and is one of .espalier .%2")
+             return usage(CommandLineText::tr(
+                              "%1: the suffix of an output says its format, and is one of .espalier .%2")
                               .arg(value, exportSuffixes().join(QLatin1String(" ."))));
          }
          line.outputs.append(value);
@@ -85,7 +86,8 @@ constexpr Option kOptions[] = {
          static const QStringList known{QStringLiteral("front"), QStringLiteral("side"),
                                         QStringLiteral("top"), QStringLiteral("three-quarter")};
          if (!known.contains(value))
-             return usage(Text::tr("--camera is front, side, top or three-quarter, not \"%1\"").arg(value));
+             return usage(
+                 CommandLineText::tr("--camera is front, side, top or three-quarter, not \"%1\"").arg(value));
          line.camera = value;
          return {};
      }},
@@ -117,8 +119,9 @@ constexpr Option kOptions[] = {
          bool isNumber = false;
          line.threads = value.toInt(&isNumber);
          if (!isNumber || line.threads < 1 || line.threads > kMaxThreads)
-             return usage(
-                 Text::tr("--threads wants a number from 1 to %1, not \"%2\"").arg(kMaxThreads).arg(value));
+             return usage(CommandLineText::tr("--threads wants a number from 1 to %1, not \"%2\"")
+                              .arg(kMaxThreads)
+                              .arg(value));
          return {};
      }},
     {"seed", " replay ",
@@ -126,8 +129,9 @@ constexpr Option kOptions[] = {
          bool isNumber = false;
          line.seed = value.toULongLong(&isNumber);
          if (!isNumber)
-             return usage(Text::tr("--seed wants a whole number from 0 to 18446744073709551615, not \"%1\"")
-                              .arg(value));
+             return usage(
+                 CommandLineText::tr("--seed wants a whole number from 0 to 18446744073709551615, not \"%1\"")
+                     .arg(value));
          return {};
      }},
 };
@@ -148,16 +152,17 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
     // The parser takes what comes first for the program's name.
     if (!parser.parse(QStringList{verb} + arguments)) {
         if (const QStringList unknown = parser.unknownOptionNames(); !unknown.isEmpty())
-            return usage(Text::tr("%1 knows no option %2").arg(verb, Option::dashed(unknown.constFirst())));
+            return usage(
+                CommandLineText::tr("%1 knows no option %2").arg(verb, Option::dashed(unknown.constFirst())));
         for (const Option* option : known) {
             const QString withValue = option->shown() + QLatin1Char('=');
             if (option->isFlag && std::ranges::any_of(arguments, [&](const QString& argument) {
                     return argument.startsWith(withValue);
                 }))
-                return usage(Text::tr("%1 wants no value").arg(option->shown()));
+                return usage(CommandLineText::tr("%1 wants no value").arg(option->shown()));
         }
         // Only the last argument has none after it.
-        return usage(Text::tr("%1 wants a value after it").arg(arguments.constLast()));
+        return usage(CommandLineText::tr("%1 wants a value after it").arg(arguments.constLast()));
     }
     for (const Option* option : known) {
         const QString name = QString::fromLatin1(option->name);
@@ -165,7 +170,7 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
             option->isFlag && parser.isSet(name) ? QStringList{{}} : parser.values(name);
         for (const QString& value : values) {
             if (value.isEmpty() && !option->isFlag)
-                return usage(Text::tr("%1 wants a value after it").arg(option->shown()));
+                return usage(CommandLineText::tr("%1 wants a value after it").arg(option->shown()));
             if (const Result<void> taken = option->take(line, value); !taken)
                 return taken.error();
         }
@@ -178,30 +183,31 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
 Result<void> checkComplete(const CommandLine& line)
 {
     if (line.transparent && line.picture.isEmpty())
-        return usage(Text::tr("--transparent wants --png FILE"));
+        return usage(CommandLineText::tr("--transparent wants --png FILE"));
     if (line.groundShadow && !line.transparent)
-        return usage(Text::tr("--ground-shadow wants --transparent"));
+        return usage(CommandLineText::tr("--ground-shadow wants --transparent"));
     switch (line.verb) {
     case Verb::Replay:
         if (line.inputs.isEmpty())
-            return usage(Text::tr("replay wants at least one recipe or project"));
+            return usage(CommandLineText::tr("replay wants at least one recipe or project"));
         break;
     case Verb::Export:
     case Verb::Render:
         if (line.inputs.size() != 1)
             return usage(
-                Text::tr("%1 wants one project")
+                CommandLineText::tr("%1 wants one project")
                     .arg(line.verb == Verb::Export ? QStringLiteral("export") : QStringLiteral("render")));
         if (line.verb == Verb::Render && line.picture.isEmpty())
-            return usage(Text::tr("render wants --png FILE"));
+            return usage(CommandLineText::tr("render wants --png FILE"));
         break;
     case Verb::Info:
         if (line.inputs.size() != 1)
-            return usage(Text::tr("info wants one file"));
+            return usage(CommandLineText::tr("info wants one file"));
         break;
     default:
         if (line.inputs.size() > 1)
-            return usage(Text::tr("a window shows one file, so what is \"%1\"?").arg(line.inputs[1]));
+            return usage(
+                CommandLineText::tr("a window shows one file, so what is \"%1\"?").arg(line.inputs[1]));
     }
     return {};
 }
@@ -263,43 +269,44 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments)
 
 QString commandLineHelp()
 {
-    return Text::tr("Espalier: brush trees into being.\n"
-                    "\n"
-                    "espalier [PROJECT]\n"
-                    "    Opens the window.\n"
-                    "\n"
-                    "espalier --demo [RECIPE]\n"
-                    "    Opens the window and brushes a tree in it; then it is yours.\n"
-                    "\n"
-                    "espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]\n"
-                    "                [--camera front|side|top|three-quarter]\n"
-                    "                [--transparent [--ground-shadow]]\n"
-                    "                [--stats FILE] [--threads N] [--seed N] [--strict]\n"
-                    "    Does what a recipe says, without a window, and writes what comes of it.\n"
-                    "    Of a project, all is done again that was done to its tree.\n"
-                    "    Of several recipes each continues the tree of the one before: the first\n"
-                    "    says the seed, and each begins by putting its parameters in force.\n"
-                    "    What operations do not find in the tree is printed; with --strict it is an\n"
-                    "    error, and nothing is written.\n"
-                    "\n"
-                    "espalier export PROJECT [-o OUT]...\n"
-                    "    Writes a project in other formats.\n"
-                    "\n"
-                    "espalier render PROJECT --png FILE [--size WxH] [--camera ...]\n"
-                    "                [--transparent [--ground-shadow]]\n"
-                    "    Takes a picture. It wants a display; a virtual one will do.\n"
-                    "    --transparent: the tree alone, with straight alpha; --ground-shadow keeps\n"
-                    "    its shadow, as black of some opacity.\n"
-                    "\n"
-                    "espalier info FILE\n"
-                    "    Says as JSON what is in a project.\n"
-                    "\n"
-                    "espalier --help, --version\n"
-                    "\n"
-                    "OUT ends in .espalier (project) or in the ending of a format:\n"
-                    "%1"
-                    "Ends with 0 when done, 2 when the command line is wrong, 3 when an input is\n"
-                    "unreadable or wrong, 4 when an output could not be written.\n")
+    return CommandLineText::tr(
+               "Espalier: brush trees into being.\n"
+               "\n"
+               "espalier [PROJECT]\n"
+               "    Opens the window.\n"
+               "\n"
+               "espalier --demo [RECIPE]\n"
+               "    Opens the window and brushes a tree in it; then it is yours.\n"
+               "\n"
+               "espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]\n"
+               "                [--camera front|side|top|three-quarter]\n"
+               "                [--transparent [--ground-shadow]]\n"
+               "                [--stats FILE] [--threads N] [--seed N] [--strict]\n"
+               "    Does what a recipe says, without a window, and writes what comes of it.\n"
+               "    Of a project, all is done again that was done to its tree.\n"
+               "    Of several recipes each continues the tree of the one before: the first\n"
+               "    says the seed, and each begins by putting its parameters in force.\n"
+               "    What operations do not find in the tree is printed; with --strict it is an\n"
+               "    error, and nothing is written.\n"
+               "\n"
+               "espalier export PROJECT [-o OUT]...\n"
+               "    Writes a project in other formats.\n"
+               "\n"
+               "espalier render PROJECT --png FILE [--size WxH] [--camera ...]\n"
+               "                [--transparent [--ground-shadow]]\n"
+               "    Takes a picture. It wants a display; a virtual one will do.\n"
+               "    --transparent: the tree alone, with straight alpha; --ground-shadow keeps\n"
+               "    its shadow, as black of some opacity.\n"
+               "\n"
+               "espalier info FILE\n"
+               "    Says as JSON what is in a project.\n"
+               "\n"
+               "espalier --help, --version\n"
+               "\n"
+               "OUT ends in .espalier (project) or in the ending of a format:\n"
+               "%1"
+               "Ends with 0 when done, 2 when the command line is wrong, 3 when an input is\n"
+               "unreadable or wrong, 4 when an output could not be written.\n")
         .arg(formatList());
 }
 

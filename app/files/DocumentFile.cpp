@@ -184,14 +184,14 @@ void DocumentFile::lookAtDisk()
 {
     if (m_fileName.isEmpty() || !m_content.exists() || m_isSaving)
         return;
-    using Look = std::pair<FileStamp, FileContent>;
+    using OnDisk = std::pair<FileStamp, FileContent>;
     runInBackground(
         this,
-        [name = m_fileName, before = m_stamp, content = m_content]() -> Look {
+        [name = m_fileName, before = m_stamp, content = m_content]() -> OnDisk {
             const FileStamp stamp = FileStamp::of(name);
             return {stamp, stamp == before ? content : FileContent::of(name)};
         },
-        [this, name = m_fileName, before = m_stamp](const Look& look) {
+        [this, name = m_fileName, before = m_stamp](const OnDisk& look) {
             // Saving or opening, which came between, knows better.
             if (name == m_fileName && before == m_stamp && !m_isSaving)
                 compareWithDisk(look.first, look.second);

@@ -15,7 +15,7 @@ namespace espalier::dialogs {
 
 namespace {
 
-struct Text {
+struct DialogText {
     Q_DECLARE_TR_FUNCTIONS(FileDialogs)
 };
 
@@ -29,14 +29,15 @@ QString suffixOf(const QString& fileName)
 QString askForOpening(QWidget& window, const Settings& settings)
 {
     return QFileDialog::getOpenFileName(
-        &window, Text::tr("Open"), settings.folder(),
-        Text::tr(
+        &window, DialogText::tr("Open"), settings.folder(),
+        DialogText::tr(
             "Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)"));
 }
 
 QString askForSaving(QWidget& window, const QString& start)
 {
-    QFileDialog dialog(&window, Text::tr("Save"), QFileInfo(start).path(), Text::tr("Trees (*.espalier)"));
+    QFileDialog dialog(&window, DialogText::tr("Save"), QFileInfo(start).path(),
+                       DialogText::tr("Trees (*.espalier)"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kProjectSuffix);
     dialog.selectFile(QFileInfo(start).completeBaseName());
@@ -59,7 +60,7 @@ QString askForExport(QWidget& window, const QString& start, const Settings& sett
     QStringList filters;
     for (const ExportFormat* format : exportFormats())
         filters.append(QStringLiteral("%1 (*.%2)").arg(format->name(), format->suffix()));
-    QFileDialog dialog(&window, Text::tr("Export"), QFileInfo(start).path());
+    QFileDialog dialog(&window, DialogText::tr("Export"), QFileInfo(start).path());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters(filters);
     const qsizetype last = std::max<qsizetype>(0, suffixes.indexOf(settings.exportSuffix()));
@@ -75,11 +76,11 @@ QString askForExport(QWidget& window, const QString& start, const Settings& sett
 
 Unsaved askAboutUnsaved(QWidget& window, const QString& name, bool isGrowing)
 {
-    QMessageBox question(QMessageBox::NoIcon, Text::tr("Espalier"),
-                         isGrowing
-                             ? Text::tr("%1 is still growing. What has grown so far is not saved.").arg(name)
-                             : Text::tr("%1 has changes that are not saved.").arg(name),
-                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
+    QMessageBox question(
+        QMessageBox::NoIcon, DialogText::tr("Espalier"),
+        isGrowing ? DialogText::tr("%1 is still growing. What has grown so far is not saved.").arg(name)
+                  : DialogText::tr("%1 has changes that are not saved.").arg(name),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
     question.setDefaultButton(QMessageBox::Save);
     switch (question.exec()) {
     case QMessageBox::Save:
@@ -94,13 +95,14 @@ Unsaved askAboutUnsaved(QWidget& window, const QString& name, bool isGrowing)
 Changed askAboutChanged(QWidget& window, const QString& name)
 {
     QMessageBox question(
-        QMessageBox::NoIcon, Text::tr("Espalier"),
-        Text::tr("%1 was changed by another window or program since it was opened or saved here. "
-                 "Overwriting it loses those changes.")
+        QMessageBox::NoIcon, DialogText::tr("Espalier"),
+        DialogText::tr("%1 was changed by another window or program since it was opened or saved here. "
+                       "Overwriting it loses those changes.")
             .arg(name),
         QMessageBox::Cancel, &window);
-    QAbstractButton* saveAs = question.addButton(Text::tr("Save As…"), QMessageBox::AcceptRole);
-    QAbstractButton* overwrite = question.addButton(Text::tr("Overwrite"), QMessageBox::DestructiveRole);
+    QAbstractButton* saveAs = question.addButton(DialogText::tr("Save As…"), QMessageBox::AcceptRole);
+    QAbstractButton* overwrite =
+        question.addButton(DialogText::tr("Overwrite"), QMessageBox::DestructiveRole);
     saveAs->setObjectName(QStringLiteral("saveAs"));
     overwrite->setObjectName(QStringLiteral("overwrite"));
     question.setDefaultButton(qobject_cast<QPushButton*>(saveAs));

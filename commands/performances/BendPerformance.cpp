@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BendGesture.h"
 #include "commands/recipe/BendOperation.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 #include <algorithm>
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 /// A grip whose internodes were found.
 struct FoundGrip {
@@ -51,7 +46,7 @@ void pull(BendGesture& gesture, const FoundGrip& grip, std::span<const BendOpera
     const std::span<const InternodeId> path = gesture.path();
     for (const BranchBend::Handle& handle : grip.handles) {
         if (path.empty() || std::ranges::find(path.subspan(1), handle.id) == path.end())
-            faults.append(Text::tr("internode %1 is not on the branch above internode %2")
+            faults.append(RecipeText::tr("internode %1 is not on the branch above internode %2")
                               .arg(handle.id)
                               .arg(grip.base));
     }

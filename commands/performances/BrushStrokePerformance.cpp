@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BrushGesture.h"
 #include "commands/recipe/BrushStrokeOperation.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,10 +9,6 @@
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 /// A stroke that takes its own time.
 class StrokePerformance : public Performance {
@@ -40,7 +35,7 @@ public:
                 return false;
         }
         if (m_warning.isEmpty() && m_document.journal().size() == m_historyBefore)
-            m_warning = Text::tr("nothing grew");
+            m_warning = RecipeText::tr("nothing grew");
         m_gesture.finish();
         return true;
     }

@@ -3,18 +3,13 @@
 #include "commands/performances/GrowthPerformance.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/RecipeText.h"
 #include "commands/recipe/RegrowOperation.h"
 #include "commands/recipe/RemoveLassoOperation.h"
-
-#include <QCoreApplication>
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 class LassoPerformance : public GrowthPerformance {
 public:
@@ -77,7 +72,7 @@ std::unique_ptr<Performance> RegrowOperation::begin(TreeDocument& document) cons
 
 QString RemoveLassoOperation::perform(TreeDocument& document) const
 {
-    return removeEnvelopes(document) ? QString() : Text::tr("there is no envelope");
+    return removeEnvelopes(document) ? QString() : RecipeText::tr("there is no envelope");
 }
 
 } // namespace espalier

@@ -3,16 +3,11 @@
 
 #include "commands/GrowGesture.h"
 #include "commands/recipe/GrowOperation.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr double kStepsPerSecond = 12.0;
 
@@ -26,7 +21,7 @@ public:
 
     QString warning() const override
     {
-        return m_warning.isEmpty() && gesture().stepCount() == 0 ? Text::tr("nothing grew") : m_warning;
+        return m_warning.isEmpty() && gesture().stepCount() == 0 ? RecipeText::tr("nothing grew") : m_warning;
     }
 
 private:

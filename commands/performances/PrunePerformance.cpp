@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/Prune.h"
 #include "commands/recipe/PruneOperation.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
-} // namespace
 
 QString PruneOperation::perform(TreeDocument& document) const
 {
@@ -23,7 +14,7 @@ QString PruneOperation::perform(TreeDocument& document) const
         if (!id)
             faults.append(id.error().message);
         else if (*id == 0)
-            faults.append(Text::tr("internode 0 is the seedling, which cannot be pruned"));
+            faults.append(RecipeText::tr("internode 0 is the seedling, which cannot be pruned"));
         else
             cuts.push_back(*id);
     }

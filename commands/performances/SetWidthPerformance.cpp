@@ -1,18 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/WidthGesture.h"
+#include "commands/recipe/RecipeText.h"
 #include "commands/recipe/SetWidthOperation.h"
 
-#include <QCoreApplication>
-
 namespace espalier {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
-} // namespace
 
 QString SetWidthOperation::perform(TreeDocument& document) const
 {
@@ -24,7 +15,7 @@ QString SetWidthOperation::perform(TreeDocument& document) const
         return before.error().message;
     const auto hasWidth = [&](InternodeId place) { return document.tree().widthConstraint(place) != 0.0F; };
     if (diameter == 0.0 && !hasWidth(*id) && !hasWidth(*before))
-        return Text::tr("internode %1 has no width to take away").arg(*id);
+        return RecipeText::tr("internode %1 has no width to take away").arg(*id);
     WidthGesture gesture(document, *before);
     gesture.set(*id, diameter);
     gesture.finish();

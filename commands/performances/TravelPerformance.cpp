@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/TimeGesture.h"
+#include "commands/recipe/RecipeText.h"
 #include "commands/recipe/TravelOperation.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace espalier {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
-} // namespace
 
 QString TravelOperation::perform(TreeDocument& document) const
 {
@@ -26,8 +17,8 @@ QString TravelOperation::perform(TreeDocument& document) const
     gesture.finish();
     if (there == here + by)
         return {};
-    return by < 0 ? Text::tr("the history goes back by %1 only, not by %2").arg(here).arg(-by)
-                  : Text::tr("the history goes on by %1 only, not by %2").arg(end - here).arg(by);
+    return by < 0 ? RecipeText::tr("the history goes back by %1 only, not by %2").arg(here).arg(-by)
+                  : RecipeText::tr("the history goes on by %1 only, not by %2").arg(end - here).arg(by);
 }
 
 } // namespace espalier

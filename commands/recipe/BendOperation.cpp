@@ -3,16 +3,11 @@
 
 #include "commands/recipe/RecipeJson.h"
 #include "commands/recipe/RecipeLimits.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kBaseKey("base");
 constexpr QLatin1StringView kHandlesKey("handles");
@@ -34,9 +29,8 @@ BendOperation::Handle readHandle(JsonReader& reader)
     if (const auto target = vectorFromJson<3>(reader.array(kTargetKey), recipeLimits::kCoordinate))
         handle.target = *target;
     else
-        reader.fail(
-            kTargetKey,
-            Text::tr("an array of three numbers within ±%1 is expected").arg(recipeLimits::kCoordinate));
+        reader.fail(kTargetKey, RecipeText::tr("an array of three numbers within ±%1 is expected")
+                                    .arg(recipeLimits::kCoordinate));
     return handle;
 }
 
@@ -55,7 +49,7 @@ void readMember(JsonReader& parent, QLatin1StringView key, const QJsonArray& arr
 {
     const QString place = QStringLiteral("%1[%2]").arg(parent.placeOf(key)).arg(index);
     if (!array.at(index).isObject()) {
-        parent.fail(inputError(place, Text::tr("an object is expected")));
+        parent.fail(inputError(place, RecipeText::tr("an object is expected")));
         return;
     }
     JsonReader reader(array.at(index).toObject(), place);
@@ -73,13 +67,12 @@ BendOperation::Move readMove(JsonReader& reader, std::size_t handles, RecipeRead
     if (!reading.admitSamples(reader, kTargetsKey, array.size()))
         return move;
     if (array.size() != static_cast<qsizetype>(handles))
-        reader.fail(kTargetsKey, Text::tr("a target for each handle is expected"));
+        reader.fail(kTargetsKey, RecipeText::tr("a target for each handle is expected"));
     for (const QJsonValue& value : array) {
         const auto target = vectorFromJson<3>(value.toArray(), recipeLimits::kCoordinate);
         if (!target) {
-            reader.fail(
-                kTargetsKey,
-                Text::tr("arrays of three numbers within ±%1 are expected").arg(recipeLimits::kCoordinate));
+            reader.fail(kTargetsKey, RecipeText::tr("arrays of three numbers within ±%1 are expected")
+                                         .arg(recipeLimits::kCoordinate));
             break;
         }
         move.targets.push_back(*target);
@@ -94,7 +87,7 @@ BendOperation::Grip readGrip(JsonReader& reader, RecipeReading& reading)
     const QJsonArray handles = reader.array(kHandlesKey);
     if (handles.isEmpty() || handles.size() > BendOperation::kMostHandles)
         reader.fail(kHandlesKey,
-                    Text::tr("a bend has from 1 to %1 handles").arg(BendOperation::kMostHandles));
+                    RecipeText::tr("a bend has from 1 to %1 handles").arg(BendOperation::kMostHandles));
     for (qsizetype i = 0; i < std::min(handles.size(), BendOperation::kMostHandles); ++i) {
         readMember(reader, kHandlesKey, handles, i,
                    [&](JsonReader& handle) { grip.handles.push_back(readHandle(handle)); });
@@ -103,7 +96,7 @@ BendOperation::Grip readGrip(JsonReader& reader, RecipeReading& reading)
         return grip;
     const QJsonArray moves = reader.array(kMovesKey);
     if (moves.size() > BendOperation::kMostMoves)
-        reader.fail(kMovesKey, Text::tr("there are more than %1").arg(BendOperation::kMostMoves));
+        reader.fail(kMovesKey, RecipeText::tr("there are more than %1").arg(BendOperation::kMostMoves));
     for (qsizetype i = 0; i < std::min(moves.size(), BendOperation::kMostMoves); ++i) {
         readMember(reader, kMovesKey, moves, i, [&](JsonReader& move) {
             grip.moves.push_back(readMove(move, grip.handles.size(), reading));
@@ -147,7 +140,7 @@ BendOperation BendOperation::read(JsonReader& reader, RecipeReading& reading)
         return bend;
     const QJsonArray regrips = reader.array(kRegripsKey);
     if (regrips.size() > kMostGrips)
-        reader.fail(kRegripsKey, Text::tr("there are more than %1").arg(kMostGrips));
+        reader.fail(kRegripsKey, RecipeText::tr("there are more than %1").arg(kMostGrips));
     for (qsizetype i = 0; i < std::min(regrips.size(), kMostGrips); ++i) {
         readMember(reader, kRegripsKey, regrips, i,
                    [&](JsonReader& grip) { bend.regrips.push_back(readGrip(grip, reading)); });

@@ -3,16 +3,11 @@
 
 #include "commands/recipe/RecipeJson.h"
 #include "commands/recipe/RecipeLimits.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kSamplesKey("samples");
 constexpr QLatin1StringView kUntilKey("until");
@@ -28,18 +23,18 @@ std::optional<QString> readSample(const QJsonValue& value, double previousTime, 
         numbers[static_cast<std::size_t>(i)] = array.at(i).toDouble();
     }
     if (!good)
-        return Text::tr("an array of five numbers is expected: time, x, y, z, radius");
+        return RecipeText::tr("an array of five numbers is expected: time, x, y, z, radius");
     const auto& [time, x, y, z, radius] = numbers;
     if (!(time >= 0.0 && time <= BrushStrokeOperation::kGreatestTime))
-        return Text::tr("the time is not within 0…%1 s").arg(BrushStrokeOperation::kGreatestTime);
+        return RecipeText::tr("the time is not within 0…%1 s").arg(BrushStrokeOperation::kGreatestTime);
     if (time <= previousTime)
-        return Text::tr("the time does not go forwards");
+        return RecipeText::tr("the time does not go forwards");
     for (const double coordinate : {x, y, z}) {
         if (!(std::abs(coordinate) <= recipeLimits::kCoordinate))
-            return Text::tr("a coordinate is not within ±%1 m").arg(recipeLimits::kCoordinate);
+            return RecipeText::tr("a coordinate is not within ±%1 m").arg(recipeLimits::kCoordinate);
     }
     if (!(radius >= 0.0 && radius <= BrushStrokeOperation::kGreatestRadius))
-        return Text::tr("the radius is not within 0…%1 m").arg(BrushStrokeOperation::kGreatestRadius);
+        return RecipeText::tr("the radius is not within 0…%1 m").arg(BrushStrokeOperation::kGreatestRadius);
     sample = {time, Vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)),
               static_cast<float>(radius)};
     return {};
@@ -55,7 +50,7 @@ BrushStrokeOperation BrushStrokeOperation::read(JsonReader& reader, RecipeReadin
     if (reader.has(kUntilKey))
         stroke.until = reader.number(kUntilKey, 0.0, kGreatestTime);
     if (array.isEmpty())
-        reader.fail(kSamplesKey, Text::tr("a stroke has at least one sample"));
+        reader.fail(kSamplesKey, RecipeText::tr("a stroke has at least one sample"));
     if (!reading.admitSamples(reader, kSamplesKey, array.size()))
         return stroke;
     stroke.samples.resize(static_cast<std::size_t>(array.size()));

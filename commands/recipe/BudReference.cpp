@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/BudReference.h"
 
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
 constexpr QLatin1StringView kOnlyKey("only");
-constexpr QLatin1StringView kInternodeKey("internode");
+constexpr QLatin1StringView kBudInternodeKey("internode");
 constexpr QLatin1StringView kBudKey("bud");
 
 /// Whether the bud is there, or a living branch that it has grown into. @p node is alive.
@@ -53,7 +49,7 @@ BudReference::Found BudReference::resolve(const TreeDocument& document) const
     if (!node) {
         found.warning = node.error().message;
     } else if (found.competitors.node = *node; !hasBud(document, *node, slot)) {
-        found.warning = Text::tr("internode %1 has no bud %2").arg(*node).arg(slot);
+        found.warning = RecipeText::tr("internode %1 has no bud %2").arg(*node).arg(slot);
     }
     return found;
 }
@@ -64,10 +60,10 @@ BudReference BudReference::read(JsonReader& parent)
         return {};
     JsonReader reader(parent.object(kOnlyKey), parent.placeOf(kOnlyKey));
     BudReference bud;
-    bud.internode = InternodeReference::read(reader, kInternodeKey);
+    bud.internode = InternodeReference::read(reader, kBudInternodeKey);
     bud.slot = static_cast<int>(reader.integer(kBudKey, 0, kTerminalSlot, kTerminalSlot));
     if (bud.slot >= kMaxLaterals && bud.slot != kTerminalSlot)
-        reader.fail(kBudKey, Text::tr("there is no such bud"));
+        reader.fail(kBudKey, RecipeText::tr("there is no such bud"));
     if (const Result<void> end = reader.finish(); !end)
         parent.fail(end.error());
     return bud;
@@ -76,7 +72,7 @@ BudReference BudReference::read(JsonReader& parent)
 void BudReference::write(QJsonObject& json) const
 {
     if (internode)
-        json[kOnlyKey] = QJsonObject{{kInternodeKey, internode->toJson()}, {kBudKey, slot}};
+        json[kOnlyKey] = QJsonObject{{kBudInternodeKey, internode->toJson()}, {kBudKey, slot}};
 }
 
 } // namespace espalier

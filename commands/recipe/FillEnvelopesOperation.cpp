@@ -2,17 +2,12 @@
 #include "commands/recipe/FillEnvelopesOperation.h"
 
 #include "commands/recipe/LassoJson.h"
+#include "commands/recipe/RecipeText.h"
 #include "commands/recipe/SetParametersOperation.h"
-
-#include <QCoreApplication>
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kEnvelopesKey("envelopes");
 constexpr QLatin1StringView kParametersKey("parameters");
@@ -30,19 +25,20 @@ FillEnvelopesOperation FillEnvelopesOperation::read(JsonReader& reader, RecipeRe
         if (!read)
             reader.fail(read.error());
         if (!reader.has(kEnvelopesKey))
-            reader.fail(kParametersKey, Text::tr("they want “%1” beside them").arg(QString(kEnvelopesKey)));
+            reader.fail(kParametersKey,
+                        RecipeText::tr("they want “%1” beside them").arg(QString(kEnvelopesKey)));
     }
     if (!reader.has(kEnvelopesKey))
         return fill;
     fill.parameters = reading.parameters();
     const QJsonArray array = reader.array(kEnvelopesKey);
     if (array.isEmpty() || array.size() > kMostEnvelopes)
-        reader.fail(kEnvelopesKey, Text::tr("1 to %1 envelopes are expected").arg(kMostEnvelopes));
+        reader.fail(kEnvelopesKey, RecipeText::tr("1 to %1 envelopes are expected").arg(kMostEnvelopes));
     fill.envelopes.emplace();
     for (qsizetype i = 0; i < std::min(array.size(), kMostEnvelopes); ++i) {
         const QString place = QStringLiteral("%1[%2]").arg(reader.placeOf(kEnvelopesKey)).arg(i);
         if (!array.at(i).isObject()) {
-            reader.fail(inputError(place, Text::tr("an object is expected")));
+            reader.fail(inputError(place, RecipeText::tr("an object is expected")));
             break;
         }
         JsonReader envelope(array.at(i).toObject(), place);

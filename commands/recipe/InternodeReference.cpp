@@ -3,18 +3,13 @@
 
 #include "commands/recipe/RecipeJson.h"
 #include "commands/recipe/RecipeLimits.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 #include <cmath>
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kKeyKey("key");
 constexpr QLatin1StringView kAtKey("at");
@@ -59,18 +54,17 @@ Result<InternodeReference> fromObject(const QJsonObject& object)
         bool isNumber = false;
         key = text.toULongLong(&isNumber, 16);
         if (!isNumber || text.size() != kKeyDigits)
-            reader.fail(kKeyKey, Text::tr("%1 hexadecimal digits are expected").arg(kKeyDigits));
+            reader.fail(kKeyKey, RecipeText::tr("%1 hexadecimal digits are expected").arg(kKeyDigits));
     }
     std::optional<Vec3> place;
     if (reader.has(kAtKey)) {
         place = vectorFromJson<3>(reader.array(kAtKey), recipeLimits::kCoordinate);
         if (!place)
-            reader.fail(
-                kAtKey,
-                Text::tr("an array of three numbers within ±%1 is expected").arg(recipeLimits::kCoordinate));
+            reader.fail(kAtKey, RecipeText::tr("an array of three numbers within ±%1 is expected")
+                                    .arg(recipeLimits::kCoordinate));
     }
     if (!key && !place)
-        reader.fail(inputError({}, Text::tr("a key (“key”) or a place (“at”) is expected")));
+        reader.fail(inputError({}, RecipeText::tr("a key (“key”) or a place (“at”) is expected")));
     if (const Result<void> end = reader.finish(); !end)
         return end.error();
     return InternodeReference(key, place);
@@ -105,13 +99,13 @@ Result<InternodeId> InternodeReference::resolve(const TreeDocument& document) co
 QString InternodeReference::text() const
 {
     if (isNumber())
-        return Text::tr("there is no internode %1").arg(m_number);
+        return RecipeText::tr("there is no internode %1").arg(m_number);
     if (!m_hasPlace)
-        return Text::tr("there is no internode with the key %1").arg(keyText(m_key));
+        return RecipeText::tr("there is no internode with the key %1").arg(keyText(m_key));
     const auto coordinate = [this](int axis) {
         return QString::number(static_cast<double>(m_place[axis]), 'g', 4);
     };
-    return Text::tr("there is no internode near (%1, %2, %3) m")
+    return RecipeText::tr("there is no internode near (%1, %2, %3) m")
         .arg(coordinate(0), coordinate(1), coordinate(2));
 }
 
@@ -121,7 +115,7 @@ Result<InternodeReference> InternodeReference::fromJson(const QJsonValue& value)
         return fromObject(value.toObject());
     const double number = value.toDouble(-1.0);
     if (!(number >= 0.0 && number <= static_cast<double>(kGreatestNumber) && number == std::floor(number)))
-        return inputError({}, Text::tr("a whole number from 0 to %1 is expected").arg(kGreatestNumber));
+        return inputError({}, RecipeText::tr("a whole number from 0 to %1 is expected").arg(kGreatestNumber));
     return InternodeReference(static_cast<InternodeId>(number));
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/JournalRecipe.h"
 
+#include "commands/recipe/RecipeText.h"
 #include "commands/recipe/TravelOperation.h"
 
-#include <QCoreApplication>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -11,10 +11,6 @@
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 /// Runs of unknown steps that an error names.
 constexpr std::size_t kRunsNamed = 3;
@@ -72,11 +68,12 @@ Error notKnown(const std::vector<Run>& unknown, std::size_t steps)
     if (unknown.size() > kRunsNamed)
         runs.append(QStringLiteral("…"));
     return inputError(
-        {}, Text::tr("the tree's history cannot become a recipe: of its %1 steps, %2 (%3) were made by a "
-                     "version of Espalier that did not record how")
-                .arg(steps)
-                .arg(count)
-                .arg(runs.join(QLatin1String(", "))));
+        {},
+        RecipeText::tr("the tree's history cannot become a recipe: of its %1 steps, %2 (%3) were made by a "
+                       "version of Espalier that did not record how")
+            .arg(steps)
+            .arg(count)
+            .arg(runs.join(QLatin1String(", "))));
 }
 
 /// Adds travels by @p deltas, which may be more than one may go.
@@ -111,7 +108,8 @@ Result<Recipe> recipeOf(const Project& project)
         return notKnown(unknown, journal.size());
     if (!beginsWithASeedling(project))
         return inputError(
-            {}, Text::tr("the tree's history cannot become a recipe: it does not begin with a seedling"));
+            {},
+            RecipeText::tr("the tree's history cannot become a recipe: it does not begin with a seedling"));
 
     Recipe recipe;
     recipe.name = project.name;
@@ -125,7 +123,7 @@ Result<Recipe> recipeOf(const Project& project)
         reading.setParameters(sets[first.parametersAfter]);
         Result<RecipeOperation> operation =
             readOperation(QJsonDocument::fromJson(first.record->operation).object(),
-                          Text::tr("step %1 of the history").arg(i + 1), reading);
+                          RecipeText::tr("step %1 of the history").arg(i + 1), reading);
         if (!operation)
             return operation.error();
         recipe.operations.push_back(std::move(*operation));

@@ -3,16 +3,11 @@
 
 #include "commands/recipe/RecipeJson.h"
 #include "commands/recipe/RecipeLimits.h"
-
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kStepsKey("steps");
 constexpr QLatin1StringView kPointsKey("points");
@@ -36,16 +31,16 @@ LassoStroke readLasso(JsonReader& reader, RecipeReading& reading)
         if (const auto read = vectorFromJson<3>(reader.array(key), recipeLimits::kCoordinate))
             stroke.*vector = *read;
         else
-            reader.fail(key,
-                        Text::tr("three numbers within ±%1 are expected").arg(recipeLimits::kCoordinate));
+            reader.fail(
+                key, RecipeText::tr("three numbers within ±%1 are expected").arg(recipeLimits::kCoordinate));
     }
     if (!isLasso(stroke))
         reader.fail(QLatin1StringView("up"),
-                    Text::tr("right and up must have length 1 and be at right angles"));
+                    RecipeText::tr("right and up must have length 1 and be at right angles"));
 
     const QJsonArray array = reader.array(kPointsKey);
     if (array.size() < kLeastLassoPoints)
-        reader.fail(kPointsKey, Text::tr("a lasso has at least three points"));
+        reader.fail(kPointsKey, RecipeText::tr("a lasso has at least three points"));
     if (!reading.admitSamples(reader, kPointsKey, array.size()))
         return stroke;
     stroke.points.reserve(static_cast<std::size_t>(array.size()));
@@ -53,7 +48,7 @@ LassoStroke readLasso(JsonReader& reader, RecipeReading& reading)
         const auto point = vectorFromJson<2>(array.at(i).toArray(), recipeLimits::kCoordinate);
         if (!point) {
             reader.fail(inputError(QStringLiteral("%1[%2]").arg(reader.placeOf(kPointsKey)).arg(i),
-                                   Text::tr("two numbers within ±%1 are expected, right and up, in m")
+                                   RecipeText::tr("two numbers within ±%1 are expected, right and up, in m")
                                        .arg(recipeLimits::kCoordinate)));
             break;
         }

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/Performance.h"
 
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr qsizetype kFaultsNamed = 3;
 
@@ -20,7 +16,7 @@ QString joinedFaults(const QStringList& faults)
     const QString named = faults.mid(0, kFaultsNamed).join(QLatin1String("; "));
     return faults.size() <= kFaultsNamed
                ? named
-               : Text::tr("%1; and %2 more").arg(named).arg(faults.size() - kFaultsNamed);
+               : RecipeText::tr("%1; and %2 more").arg(named).arg(faults.size() - kFaultsNamed);
 }
 
 } // namespace espalier

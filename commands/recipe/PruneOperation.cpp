@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/PruneOperation.h"
 
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kInternodesKey("internodes");
 
@@ -20,7 +16,7 @@ PruneOperation PruneOperation::read(JsonReader& reader, RecipeReading&)
     const QJsonArray array = reader.array(kInternodesKey);
     PruneOperation prune;
     if (array.isEmpty() || array.size() > kMostCuts)
-        reader.fail(kInternodesKey, Text::tr("1 to %1 internodes are expected").arg(kMostCuts));
+        reader.fail(kInternodesKey, RecipeText::tr("1 to %1 internodes are expected").arg(kMostCuts));
     for (qsizetype i = 0; i < array.size(); ++i) {
         const Result<InternodeReference> reference = InternodeReference::fromJson(array.at(i));
         if (!reference) {

@@ -2,9 +2,9 @@
 #include "commands/recipe/Recipe.h"
 
 #include "commands/recipe/RecipeLimits.h"
+#include "commands/recipe/RecipeText.h"
 #include "model/io/ParametersJson.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -13,14 +13,10 @@ namespace espalier {
 
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
 constexpr QLatin1StringView kNameKey("name");
 constexpr QLatin1StringView kDescriptionKey("description");
 constexpr QLatin1StringView kSeedKey("seed");
-constexpr QLatin1StringView kParametersKey("parameters");
+constexpr QLatin1StringView kFirstParametersKey("parameters");
 constexpr QLatin1StringView kCameraKey("camera");
 constexpr QLatin1StringView kViewKey("view");
 constexpr QLatin1StringView kOperationsKey("operations");
@@ -33,9 +29,9 @@ RecipeCamera readCamera(JsonReader& parent)
     RecipeCamera camera;
     camera.view = reader.text(kViewKey, QString());
     if (reader.has(kViewKey) && std::ranges::find(kViews, camera.view) == std::end(kViews)) {
-        reader.fail(
-            kViewKey,
-            Text::tr("there is no view “%1”; there are front, side, top and three-quarter").arg(camera.view));
+        reader.fail(kViewKey,
+                    RecipeText::tr("there is no view “%1”; there are front, side, top and three-quarter")
+                        .arg(camera.view));
     }
     if (const Result<void> end = reader.finish(); !end)
         parent.fail(end.error());
@@ -51,16 +47,17 @@ Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
         return parsed.error();
     JsonReader reader(*parsed, {});
     if (!reader.has(recipeLimits::kVersionKey)) {
-        return inputError({}, Text::tr("this is no recipe: one begins with “%1”: %2")
+        return inputError({}, RecipeText::tr("this is no recipe: one begins with “%1”: %2")
                                   .arg(QString(recipeLimits::kVersionKey))
                                   .arg(recipeLimits::kVersion));
     }
     const auto version =
         reader.integer(recipeLimits::kVersionKey, 1, std::numeric_limits<std::int32_t>::max());
     if (version > recipeLimits::kVersion) {
-        return inputError({}, Text::tr("the recipe is of version %1, this program reads versions up to %2")
-                                  .arg(version)
-                                  .arg(recipeLimits::kVersion));
+        return inputError({},
+                          RecipeText::tr("the recipe is of version %1, this program reads versions up to %2")
+                              .arg(version)
+                              .arg(recipeLimits::kVersion));
     }
     Recipe recipe;
     recipe.name = reader.text(kNameKey, QString());
@@ -68,7 +65,7 @@ Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
     recipe.seed = reader.seed(kSeedKey, 1);
     RecipeReading reading(folder);
     if (const Result<void> read =
-            reading.readParameters(reader.object(kParametersKey), QString(kParametersKey));
+            reading.readParameters(reader.object(kFirstParametersKey), QString(kFirstParametersKey));
         !read)
         reader.fail(read.error());
     recipe.parameters = reading.parameters();
@@ -76,7 +73,7 @@ Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
     const QJsonArray operations = reader.array(kOperationsKey);
     if (operations.size() > recipeLimits::kOperations) {
         reader.fail(kOperationsKey,
-                    Text::tr("a recipe has at most %1 operations").arg(recipeLimits::kOperations));
+                    RecipeText::tr("a recipe has at most %1 operations").arg(recipeLimits::kOperations));
     }
     if (const Result<void> end = reader.finish(); !end)
         return end.error();
@@ -117,7 +114,7 @@ QByteArray writeRecipe(const Recipe& recipe)
                      {kNameKey, recipe.name},
                      {kDescriptionKey, recipe.description},
                      {kSeedKey, seedToJson(recipe.seed)},
-                     {kParametersKey, toJson(recipe.parameters, &ImageAsset::name)},
+                     {kFirstParametersKey, toJson(recipe.parameters, &ImageAsset::name)},
                      {kOperationsKey, operations}};
     if (!recipe.camera.view.isEmpty())
         json[kCameraKey] = QJsonObject{{kViewKey, recipe.camera.view}};

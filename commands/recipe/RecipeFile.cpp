@@ -3,10 +3,10 @@
 
 #include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/RecipeLimits.h"
+#include "commands/recipe/RecipeText.h"
 #include "commands/recipe/SetParametersOperation.h"
 #include "model/io/FileWriter.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -16,10 +16,6 @@
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr qsizetype kHashDigits = 8; ///< Of an image, in the name of its file
 
@@ -77,7 +73,8 @@ Result<void> writeImage(const ImageAsset& image, const QString& fileName)
         return writeFile(fileName, image.file());
     if (there.open(QIODevice::ReadOnly) && there.readAll() == image.file())
         return {};
-    return notWritten(fileName, Text::tr("another file of this name lies where the recipe's image belongs"));
+    return notWritten(fileName,
+                      RecipeText::tr("another file of this name lies where the recipe's image belongs"));
 }
 
 } // namespace
@@ -86,7 +83,8 @@ Result<void> saveRecipe(Recipe recipe, const QString& fileName)
 {
     const Images images = renameImages(recipe);
     if (images.size() > recipeLimits::kImages)
-        return notWritten(fileName, Text::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
+        return notWritten(fileName,
+                          RecipeText::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
     const QByteArray text = writeRecipe(recipe);
     const QDir folder(QFileInfo(fileName).path());
     for (const ImageAsset& image : images) {
@@ -97,7 +95,7 @@ Result<void> saveRecipe(Recipe recipe, const QString& fileName)
     if (!read)
         return notWritten(fileName, read.error().message);
     if (!(*read == recipe))
-        return notWritten(fileName, Text::tr("the recipe's numbers cannot be written exactly"));
+        return notWritten(fileName, RecipeText::tr("the recipe's numbers cannot be written exactly"));
     return writeFile(fileName, text);
 }
 

@@ -6,6 +6,7 @@
 #include "commands/recipe/LassoOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/RecipeOperation.h"
+#include "commands/recipe/RecipeText.h"
 #include "commands/recipe/RedoOperation.h"
 #include "commands/recipe/RegrowOperation.h"
 #include "commands/recipe/RemoveLassoOperation.h"
@@ -14,7 +15,6 @@
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/UndoOperation.h"
 
-#include <QCoreApplication>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -22,10 +22,6 @@
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 struct OperationKind {
     QLatin1StringView name;
@@ -75,14 +71,14 @@ QStringList operationNames()
 Result<RecipeOperation> readOperation(const QJsonValue& value, const QString& place, RecipeReading& reading)
 {
     if (!value.isObject())
-        return inputError(place, Text::tr("an object is expected"));
+        return inputError(place, RecipeText::tr("an object is expected"));
     JsonReader reader(value.toObject(), place);
     const QLatin1StringView key("op");
     const QString name = reader.text(key);
     const auto* kind =
         std::ranges::find_if(kKinds, [&](const OperationKind& known) { return name == known.name; });
     if (kind == std::end(kKinds)) {
-        reader.fail(key, Text::tr("there is no operation “%1”; there are %2")
+        reader.fail(key, RecipeText::tr("there is no operation “%1”; there are %2")
                              .arg(name, operationNames().join(QLatin1String(", "))));
         return reader.finish().error();
     }

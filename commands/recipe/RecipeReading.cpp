@@ -2,31 +2,23 @@
 #include "commands/recipe/RecipeReading.h"
 
 #include "commands/recipe/RecipeLimits.h"
+#include "commands/recipe/RecipeText.h"
 #include "model/io/ImageFile.h"
 #include "model/io/ParametersJson.h"
 #include "model/texture/OwnTextures.h"
 
-#include <QCoreApplication>
 #include <QDir>
 
 namespace espalier {
 
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
-} // namespace
-
 Result<ImageAsset> RecipeReading::readImage(const QString& name) const
 {
     if (m_folder.isEmpty())
-        return inputError(name, Text::tr("a recipe that is no file has no images"));
+        return inputError(name, RecipeText::tr("a recipe that is no file has no images"));
     if (m_images.size() >= recipeLimits::kImages)
-        return inputError(name, Text::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
+        return inputError(name, RecipeText::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
     if (QDir::isAbsolutePath(name))
-        return inputError(name, Text::tr("a path relative to the recipe is expected"));
+        return inputError(name, RecipeText::tr("a path relative to the recipe is expected"));
     return readImageFile(QDir(m_folder).filePath(name), name);
 }
 
@@ -68,7 +60,7 @@ bool RecipeReading::admitSamples(JsonReader& reader, QLatin1StringView key, qsiz
 {
     m_samples += samples;
     if (m_samples > recipeLimits::kSamples)
-        reader.fail(key, Text::tr("a recipe has at most %1 samples").arg(recipeLimits::kSamples));
+        reader.fail(key, RecipeText::tr("a recipe has at most %1 samples").arg(recipeLimits::kSamples));
     return m_samples <= recipeLimits::kSamples;
 }
 

@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/RedoOperation.h"
 
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
-
-constexpr QLatin1StringView kCountKey("count");
+constexpr QLatin1StringView kRedoCountKey("count");
 
 } // namespace
 
 RedoOperation RedoOperation::read(JsonReader& reader, RecipeReading&)
 {
-    return {static_cast<int>(reader.integer(kCountKey, 1, kMostCount, 1))};
+    return {static_cast<int>(reader.integer(kRedoCountKey, 1, kMostCount, 1))};
 }
 
 QJsonObject RedoOperation::write(RecipeWriting&) const
 {
-    return {{kCountKey, count}};
+    return {{kRedoCountKey, count}};
 }
 
 QString RedoOperation::perform(TreeDocument& document) const
@@ -30,7 +26,7 @@ QString RedoOperation::perform(TreeDocument& document) const
     QUndoStack& stack = document.undoStack();
     for (int done = 0; done < count; ++done) {
         if (!stack.canRedo())
-            return Text::tr("there are %1 commands to redo only, not %2").arg(done).arg(count);
+            return RecipeText::tr("there are %1 commands to redo only, not %2").arg(done).arg(count);
         stack.redo();
     }
     return {};

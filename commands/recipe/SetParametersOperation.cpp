@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/SetParametersOperation.h"
 
+#include "commands/recipe/RecipeText.h"
 #include "model/io/ParametersJson.h"
-
-#include <QCoreApplication>
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kParametersKey("parameters");
 
@@ -20,7 +15,7 @@ constexpr QLatin1StringView kParametersKey("parameters");
 SetParametersOperation SetParametersOperation::read(JsonReader& reader, RecipeReading& reading)
 {
     if (!reader.has(kParametersKey))
-        reader.fail(kParametersKey, Text::tr("it is missing"));
+        reader.fail(kParametersKey, RecipeText::tr("it is missing"));
     const Result<void> read =
         reading.readParameters(reader.object(kParametersKey), reader.placeOf(kParametersKey));
     if (!read)

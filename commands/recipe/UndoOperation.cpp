@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/UndoOperation.h"
 
-#include <QCoreApplication>
+#include "commands/recipe/RecipeText.h"
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Recipe)
-};
 
 constexpr QLatin1StringView kCountKey("count");
 
@@ -30,7 +26,7 @@ QString UndoOperation::perform(TreeDocument& document) const
     QUndoStack& stack = document.undoStack();
     for (int done = 0; done < count; ++done) {
         if (!stack.canUndo())
-            return Text::tr("there are %1 commands to undo only, not %2").arg(done).arg(count);
+            return RecipeText::tr("there are %1 commands to undo only, not %2").arg(done).arg(count);
         stack.undo();
     }
     return {};

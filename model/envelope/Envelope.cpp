@@ -22,7 +22,7 @@ constexpr double kLeastArea = 9.0;
 /// Attempts at one marker. One in two succeeds, so it is never reached but by numbers at their limits.
 constexpr int kAttempts = 1000;
 
-Error inputError(const char* text)
+Error envelopeError(const char* text)
 {
     return {Error::Kind::Input, QCoreApplication::translate("Envelope", text)};
 }
@@ -128,7 +128,7 @@ void Envelope::Content::measure()
 Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, const EnvelopeOptions& options)
 {
     if (strokes.empty())
-        return inputError(QT_TRANSLATE_NOOP("Envelope", "There is no lasso stroke."));
+        return envelopeError(QT_TRANSLATE_NOOP("Envelope", "There is no lasso stroke."));
     Content content;
     const LassoStroke& first = strokes.front();
     const Point3 origin = first.origin.cast<double>();
@@ -138,7 +138,7 @@ Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, con
     // Unit vectors but for what cannot be one; comparisons with NaN fail too.
     if (!(std::abs(content.front.norm() - 1.0) < 1e-6 && std::abs(content.right.norm() - 1.0) < 1e-6 &&
           origin.allFinite()))
-        return inputError(QT_TRANSLATE_NOOP("Envelope", "The lasso's drawing plane is not valid."));
+        return envelopeError(QT_TRANSLATE_NOOP("Envelope", "The lasso's drawing plane is not valid."));
 
     std::vector<Loop> loops;
     Eigen::AlignedBox2d box;
@@ -150,7 +150,8 @@ Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, con
                                   double{point.y()} * stroke.up.cast<double>();
             loop.emplace_back(content.right.dot(offset), content.up.dot(offset));
             if (!loop.back().allFinite())
-                return inputError(QT_TRANSLATE_NOOP("Envelope", "The lasso's drawing plane is not valid."));
+                return envelopeError(
+                    QT_TRANSLATE_NOOP("Envelope", "The lasso's drawing plane is not valid."));
         }
         if (loop.size() < 3)
             continue;
@@ -160,7 +161,7 @@ Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, con
     }
     const double longest = loops.empty() ? 0.0 : box.sizes().maxCoeff();
     if (longest < kShortestSide)
-        return inputError(QT_TRANSLATE_NOOP("Envelope", "The lasso is too small to enclose anything."));
+        return envelopeError(QT_TRANSLATE_NOOP("Envelope", "The lasso is too small to enclose anything."));
 
     content.spacing = longest / std::clamp(options.resolution, 32, 1024);
     const Eigen::Vector2d corner = box.min().array() - kFieldMargin * content.spacing;
@@ -179,14 +180,14 @@ Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, con
         return sum;
     };
     if (content.field.isEmpty() || area() < kLeastArea)
-        return inputError(QT_TRANSLATE_NOOP("Envelope", "The lasso encloses no area."));
+        return envelopeError(QT_TRANSLATE_NOOP("Envelope", "The lasso encloses no area."));
 
     content.measure();
     const bool tooFar =
         std::numeric_limits<float>::epsilon() * content.corner.cwiseAbs().maxCoeff() > content.spacing;
     Envelope envelope(std::make_shared<const Content>(std::move(content)));
     if (tooFar || !envelope.contains(envelope.deepest()))
-        return inputError(
+        return envelopeError(
             QT_TRANSLATE_NOOP("Envelope", "The lasso is too small for how far it is from the origin."));
     return envelope;
 }

@@ -9,7 +9,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kAttempts = 10000;
+constexpr int kMarkerAttempts = 10000;
 constexpr std::size_t kVolumePoints = 20000;
 
 } // namespace
@@ -101,7 +101,7 @@ std::vector<Vec3> EnvelopeSet::sampleUniform(std::size_t count, std::uint64_t se
         for (std::size_t i = begin; i < end; ++i) {
             Random random(seed, step, static_cast<std::uint32_t>(i), Purpose::LassoMarker);
             markers[i] = m_envelopes.front().deepest();
-            for (int attempt = 0; attempt < kAttempts; ++attempt) {
+            for (int attempt = 0; attempt < kMarkerAttempts; ++attempt) {
                 const auto chosen = std::ranges::upper_bound(upTo, random.uniform() * total) - upTo.begin();
                 const std::size_t one = std::min(static_cast<std::size_t>(chosen), upTo.size() - 1);
                 const std::optional<Vec3> point = m_envelopes[one].propose(random);

@@ -8,13 +8,13 @@ namespace espalier {
 
 namespace {
 
-struct Step {
+struct GridStep {
     int x;
     int y;
 };
 
 /// The neighbours P2...P9 of the paper: north, then clockwise. Neighbour k is bit k of a neighbourhood.
-constexpr std::array<Step, 8> kNeighbours{
+constexpr std::array<GridStep, 8> kNeighbours{
     {{0, -1}, {1, -1}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}}};
 
 /// Whether the first or second subiteration deletes a node with these neighbours.

@@ -17,7 +17,7 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct WriterText {
     Q_DECLARE_TR_FUNCTIONS(FileWriter)
 };
 
@@ -48,15 +48,15 @@ QString problemWithPlace(const QFileInfo& target)
 {
     const QFileInfo folder(target.absolutePath());
     if (!folder.exists())
-        return Text::tr("the folder %1 does not exist").arg(folder.filePath());
+        return WriterText::tr("the folder %1 does not exist").arg(folder.filePath());
     if (!folder.isDir())
-        return Text::tr("%1 is no folder").arg(folder.filePath());
+        return WriterText::tr("%1 is no folder").arg(folder.filePath());
     if (target.isDir())
-        return Text::tr("there is a folder of this name");
+        return WriterText::tr("there is a folder of this name");
     if (!target.exists() && !folder.isWritable())
-        return Text::tr("you may not write into the folder %1").arg(folder.filePath());
+        return WriterText::tr("you may not write into the folder %1").arg(folder.filePath());
     if (target.exists() && !target.isWritable())
-        return Text::tr("you may not change this file");
+        return WriterText::tr("you may not change this file");
     return {};
 }
 
@@ -76,25 +76,25 @@ QString systemReason(int number)
 {
     switch (number) {
     case ENOSPC:
-        return Text::tr("the disk is full");
+        return WriterText::tr("the disk is full");
     case EDQUOT:
-        return Text::tr("your share of the disk is full");
+        return WriterText::tr("your share of the disk is full");
     case EROFS:
-        return Text::tr("the disk can only be read");
+        return WriterText::tr("the disk can only be read");
     case EACCES:
     case EPERM:
-        return Text::tr("you may not write here");
+        return WriterText::tr("you may not write here");
     case EFBIG:
-        return Text::tr("the file is too large for this disk");
+        return WriterText::tr("the file is too large for this disk");
     case EIO:
-        return Text::tr("the disk is faulty");
+        return WriterText::tr("the disk is faulty");
     case ENAMETOOLONG:
-        return Text::tr("the name is too long");
+        return WriterText::tr("the name is too long");
     case EMFILE:
     case ENFILE:
-        return Text::tr("too many files are open");
+        return WriterText::tr("too many files are open");
     default:
-        return number == 0 ? Text::tr("the system does not say why") : qt_error_string(number);
+        return number == 0 ? WriterText::tr("the system does not say why") : qt_error_string(number);
     }
 }
 
@@ -113,7 +113,7 @@ FileWriter::~FileWriter()
 void FileWriter::openTarget()
 {
     if (m_fileName.isEmpty()) {
-        fail(Text::tr("a file needs a name"));
+        fail(WriterText::tr("a file needs a name"));
         return;
     }
     struct stat status = {};

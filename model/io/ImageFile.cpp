@@ -17,13 +17,13 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct ImageText {
     Q_DECLARE_TR_FUNCTIONS(ImageFile)
 };
 
 Error tooManyBytes(const QString& name)
 {
-    return inputError(name, Text::tr("it is larger than %1 MB").arg(imageLimits::kBytes >> 20));
+    return inputError(name, ImageText::tr("it is larger than %1 MB").arg(imageLimits::kBytes >> 20));
 }
 
 } // namespace
@@ -34,20 +34,21 @@ Result<ImageAsset> glanceAtImage(const QByteArray& file, const QString& name)
         return tooManyBytes(name);
     const QByteArray format = imageFormat(file);
     if (format.isEmpty())
-        return inputError(name, Text::tr("it is neither a PNG nor a JPEG image"));
+        return inputError(name, ImageText::tr("it is neither a PNG nor a JPEG image"));
     QBuffer buffer;
     buffer.setData(file);
     const QSize size = QImageReader(&buffer, format).size();
     if (size.isEmpty())
-        return inputError(name, Text::tr("the image is broken"));
+        return inputError(name, ImageText::tr("the image is broken"));
     if (std::max(size.width(), size.height()) > imageLimits::kEdge) {
-        return inputError(name, Text::tr("it has %1 × %2 pixels; %3 along an edge are the most")
+        return inputError(name, ImageText::tr("it has %1 × %2 pixels; %3 along an edge are the most")
                                     .arg(size.width())
                                     .arg(size.height())
                                     .arg(imageLimits::kEdge));
     }
     if (std::min(size.width(), size.height()) < imageLimits::kLeastEdge)
-        return inputError(name, Text::tr("it has only %1 × %2 pixels").arg(size.width()).arg(size.height()));
+        return inputError(name,
+                          ImageText::tr("it has only %1 × %2 pixels").arg(size.width()).arg(size.height()));
     return ImageAsset(file, name);
 }
 
@@ -55,7 +56,7 @@ Result<ImageAsset> readImage(const QByteArray& file, const QString& name)
 {
     Result<ImageAsset> image = glanceAtImage(file, name);
     if (image && image->pixels().isNull())
-        return inputError(name, Text::tr("the image is broken"));
+        return inputError(name, ImageText::tr("the image is broken"));
     return image;
 }
 
@@ -64,7 +65,7 @@ Result<ImageAsset> readImageFile(const QString& fileName, const QString& name)
     const QString shown = name.isEmpty() ? QFileInfo(fileName).fileName() : name;
     // A pipe or a device would be read for ever.
     if (!QFileInfo(fileName).isFile())
-        return inputError(shown, Text::tr("there is no such file"));
+        return inputError(shown, ImageText::tr("there is no such file"));
     QFile file(fileName);
     if (!file.open(QIODevice::ReadOnly))
         return inputError(shown, file.errorString());

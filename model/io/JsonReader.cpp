@@ -11,7 +11,7 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct JsonText {
     Q_DECLARE_TR_FUNCTIONS(JsonReader)
 };
 
@@ -31,28 +31,28 @@ bool isWhole(const QJsonValue& value)
 
 Error inputError(const QString& place, const QString& what)
 {
-    return {Error::Kind::Input, place.isEmpty() ? what : Text::tr("%1: %2").arg(place, what)};
+    return {Error::Kind::Input, place.isEmpty() ? what : JsonText::tr("%1: %2").arg(place, what)};
 }
 
 Result<QJsonObject> parseJsonObject(const QByteArray& json, qsizetype maximumBytes)
 {
     if (json.size() > maximumBytes)
-        return inputError({}, Text::tr("it is larger than %1 MB").arg(maximumBytes >> 20));
+        return inputError({}, JsonText::tr("it is larger than %1 MB").arg(maximumBytes >> 20));
     // Brackets and commas inside strings count too: they only bring the limit nearer.
     const auto occurrences = [&](char c) { return std::count(json.begin(), json.end(), c); };
     if (occurrences('[') + occurrences('{') > kMaximumContainers || occurrences(',') > kMaximumValues)
-        return inputError({}, Text::tr("it holds too many values"));
+        return inputError({}, JsonText::tr("it holds too many values"));
 
     QJsonParseError fault;
     const QJsonDocument document = QJsonDocument::fromJson(json, &fault);
     if (fault.error != QJsonParseError::NoError) {
         const qsizetype offset = std::clamp<qsizetype>(fault.offset, 0, json.size());
         const auto line = 1 + std::count(json.begin(), json.begin() + offset, '\n');
-        return inputError(Text::tr("line %1").arg(line),
-                          Text::tr("not valid JSON: %1").arg(fault.errorString()));
+        return inputError(JsonText::tr("line %1").arg(line),
+                          JsonText::tr("not valid JSON: %1").arg(fault.errorString()));
     }
     if (!document.isObject())
-        return inputError({}, Text::tr("a JSON object is expected"));
+        return inputError({}, JsonText::tr("a JSON object is expected"));
     return document.object();
 }
 
@@ -66,7 +66,7 @@ QJsonValue JsonReader::take(QLatin1StringView key, bool required)
     m_asked.append(key);
     const QJsonValue value = m_object.value(key);
     if (value.isUndefined() && required)
-        fail(key, Text::tr("it is missing"));
+        fail(key, JsonText::tr("it is missing"));
     return value;
 }
 
@@ -78,7 +78,7 @@ std::int64_t JsonReader::integer(QLatin1StringView key, std::int64_t minimum, st
         return fallback.value_or(minimum);
     const double number = value.toDouble();
     if (!isWhole(value) || number < static_cast<double>(minimum) || number > static_cast<double>(maximum)) {
-        fail(key, Text::tr("a whole number from %1 to %2 is expected").arg(minimum).arg(maximum));
+        fail(key, JsonText::tr("a whole number from %1 to %2 is expected").arg(minimum).arg(maximum));
         return minimum;
     }
     return value.toInteger();
@@ -92,7 +92,7 @@ double JsonReader::number(QLatin1StringView key, double minimum, double maximum,
         return fallback.value_or(minimum);
     const double number = value.toDouble();
     if (!value.isDouble() || !(number >= minimum && number <= maximum)) {
-        fail(key, Text::tr("a number from %1 to %2 is expected").arg(minimum).arg(maximum));
+        fail(key, JsonText::tr("a number from %1 to %2 is expected").arg(minimum).arg(maximum));
         return minimum;
     }
     return number;
@@ -102,7 +102,7 @@ QString JsonReader::text(QLatin1StringView key, const std::optional<QString>& fa
 {
     const QJsonValue value = take(key, !fallback);
     if (!value.isString() && !(value.isUndefined() && fallback))
-        fail(key, Text::tr("a string is expected"));
+        fail(key, JsonText::tr("a string is expected"));
     return value.toString(fallback.value_or(QString()));
 }
 
@@ -118,8 +118,8 @@ std::uint64_t JsonReader::seed(QLatin1StringView key, std::optional<std::uint64_
     good = !digits.isEmpty() && std::ranges::all_of(digits, [](QChar c) { return c >= u'0' && c <= u'9'; });
     const std::uint64_t number = good ? digits.toULongLong(&good) : 0;
     if (!good) {
-        fail(key,
-             Text::tr("a whole number of at most 64 bits is expected, from 2^53 on as a string of digits"));
+        fail(key, JsonText::tr(
+                      "a whole number of at most 64 bits is expected, from 2^53 on as a string of digits"));
         return 0;
     }
     return number;
@@ -129,7 +129,7 @@ QJsonObject JsonReader::object(QLatin1StringView key)
 {
     const QJsonValue value = take(key, false);
     if (!value.isUndefined() && !value.isObject())
-        fail(key, Text::tr("an object is expected"));
+        fail(key, JsonText::tr("an object is expected"));
     return value.toObject();
 }
 
@@ -137,7 +137,7 @@ QJsonArray JsonReader::array(QLatin1StringView key)
 {
     const QJsonValue value = take(key, false);
     if (!value.isUndefined() && !value.isArray())
-        fail(key, Text::tr("an array is expected"));
+        fail(key, JsonText::tr("an array is expected"));
     return value.toArray();
 }
 
@@ -153,7 +153,7 @@ Result<void> JsonReader::finish() const
         return *m_error;
     for (auto member = m_object.begin(); member != m_object.end(); ++member) {
         if (!m_asked.contains(member.key()))
-            return inputError(m_place, Text::tr("“%1” is not known here").arg(member.key()));
+            return inputError(m_place, JsonText::tr("“%1” is not known here").arg(member.key()));
     }
     return {};
 }

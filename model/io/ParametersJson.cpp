@@ -16,7 +16,7 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct ParametersText {
     Q_DECLARE_TR_FUNCTIONS(ParametersJson)
 };
 
@@ -84,21 +84,25 @@ std::optional<QString> readValue(const ParameterInfo& info, const QJsonValue& va
 {
     if constexpr (std::is_same_v<T, bool>) {
         if (!value.isBool())
-            return Text::tr("true or false is expected");
+            return ParametersText::tr("true or false is expected");
         field = value.toBool();
     } else if constexpr (std::is_enum_v<T>) {
         const QStringList choices = choicesOf(info);
         const auto choice = value.isString() ? choices.indexOf(value.toString()) : -1;
         if (choice < 0)
-            return Text::tr("one of these is expected: %1").arg(choices.join(QLatin1String(", ")));
+            return ParametersText::tr("one of these is expected: %1").arg(choices.join(QLatin1String(", ")));
         field = static_cast<T>(choice);
     } else {
         const double number = value.toDouble();
         constexpr bool whole = std::is_same_v<T, int>;
         if (!value.isDouble() || (whole && std::floor(number) != number))
-            return whole ? Text::tr("a whole number is expected") : Text::tr("a number is expected");
+            return whole ? ParametersText::tr("a whole number is expected")
+                         : ParametersText::tr("a number is expected");
         if (!(number >= info.minimum && number <= info.maximum))
-            return Text::tr("%1 is not within %2…%3").arg(number).arg(info.minimum).arg(info.maximum);
+            return ParametersText::tr("%1 is not within %2…%3")
+                .arg(number)
+                .arg(info.minimum)
+                .arg(info.maximum);
         field = static_cast<T>(info.quantity == Quantity::Angle ? radians(number) : number);
     }
     return {};
@@ -109,13 +113,13 @@ std::optional<QString> readImageName(const QJsonValue& value, const ImageOfName&
                                      ImageAsset& image)
 {
     if (!value.isString())
-        return Text::tr("the name of an image is expected");
+        return ParametersText::tr("the name of an image is expected");
     if (value.toString().isEmpty()) {
         image = {};
         return {};
     }
     if (!imageOfName)
-        return Text::tr("there are no images here");
+        return ParametersText::tr("there are no images here");
     const Result<ImageAsset> found = imageOfName(value.toString());
     if (!found)
         return found.error().message;
@@ -142,11 +146,11 @@ std::optional<Error> contradiction(const GrowthParameters& growth, const QString
 {
     if (growth.axisWeight + growth.tropismWeight + growth.spaceWeight <= 0.0) {
         return inputError(place + QLatin1String(".growth.axisWeight"),
-                          Text::tr("axisWeight, tropismWeight and spaceWeight must not all be 0"));
+                          ParametersText::tr("axisWeight, tropismWeight and spaceWeight must not all be 0"));
     }
     if (std::abs(growth.ellipseOffset) > 0.99 * growth.ellipseVertical) {
         return inputError(place + QLatin1String(".growth.ellipseOffset"),
-                          Text::tr("it must not be beyond 0.99 times ellipseVertical, which is %1")
+                          ParametersText::tr("it must not be beyond 0.99 times ellipseVertical, which is %1")
                               .arg(growth.ellipseVertical));
     }
     return {};
@@ -228,7 +232,8 @@ Result<TreeParameters> fromJson(const QJsonObject& json, const TreeParameters& b
         if (error || group.isUndefined())
             return;
         if (!group.isObject()) {
-            error = inputError(place + QLatin1Char('.') + key.group, Text::tr("an object is expected"));
+            error =
+                inputError(place + QLatin1Char('.') + key.group, ParametersText::tr("an object is expected"));
             return;
         }
         const QJsonValue value = group.toObject().value(key.name);
@@ -248,7 +253,8 @@ Result<TreeParameters> fromJson(const QJsonObject& json, const TreeParameters& b
     });
     if (!error) {
         if (const QString name = unknownName(json, known); !name.isEmpty())
-            error = inputError(place + QLatin1Char('.') + name, Text::tr("there is no such parameter"));
+            error =
+                inputError(place + QLatin1Char('.') + name, ParametersText::tr("there is no such parameter"));
     }
     if (!error)
         error = contradiction(result.growth, place);

@@ -12,7 +12,7 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct ZipText {
     Q_DECLARE_TR_FUNCTIONS(ZipArchive)
 };
 
@@ -37,12 +37,12 @@ struct CloseFile {
 Error outputError(const char* reason)
 {
     return {Error::Kind::Output,
-            Text::tr("the archive could not be packed: %1").arg(QString::fromUtf8(reason))};
+            ZipText::tr("the archive could not be packed: %1").arg(QString::fromUtf8(reason))};
 }
 
 Error damaged(const char* name)
 {
-    return inputError(QString::fromUtf8(name), Text::tr("it is damaged"));
+    return inputError(QString::fromUtf8(name), ZipText::tr("it is damaged"));
 }
 
 Result<QByteArray> contentOf(zip_source_t* source)
@@ -114,12 +114,12 @@ Result<ZipReader> ZipReader::openSource(zip_source_t* source)
         source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error);
     if (archive == nullptr) {
         zip_source_free(source);
-        return inputError({}, Text::tr("it is no project file, or a damaged one (%1)")
+        return inputError({}, ZipText::tr("it is no project file, or a damaged one (%1)")
                                   .arg(QString::fromUtf8(zip_error_strerror(&error))));
     }
     ZipReader reader(archive);
     if (zip_get_num_entries(archive, 0) <= 0) // to libzip an empty file is an empty archive
-        return inputError({}, Text::tr("it is no project file: it is empty"));
+        return inputError({}, ZipText::tr("it is no project file: it is empty"));
     return reader;
 }
 
@@ -143,7 +143,7 @@ Result<std::uint64_t> ZipReader::sizeOf(const char* name) const
 {
     zip_stat_t stat;
     if (!contains(name))
-        return inputError(QString::fromUtf8(name), Text::tr("it is missing"));
+        return inputError(QString::fromUtf8(name), ZipText::tr("it is missing"));
     if (zip_stat(m_archive.get(), name, 0, &stat) != 0)
         return damaged(name);
     constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
@@ -160,7 +160,7 @@ Result<void> ZipReader::expectSize(const char* name, std::uint64_t bytes) const
         return size.error();
     if (*size != bytes) {
         return inputError(QString::fromUtf8(name),
-                          Text::tr("it has %1 bytes, but %2 are expected").arg(*size).arg(bytes));
+                          ZipText::tr("it has %1 bytes, but %2 are expected").arg(*size).arg(bytes));
     }
     return {};
 }
@@ -171,7 +171,8 @@ Result<QByteArray> ZipReader::read(const char* name, std::uint64_t maximumBytes)
     if (!size)
         return size.error();
     if (*size > maximumBytes)
-        return inputError(QString::fromUtf8(name), Text::tr("it is larger than %1 bytes").arg(maximumBytes));
+        return inputError(QString::fromUtf8(name),
+                          ZipText::tr("it is larger than %1 bytes").arg(maximumBytes));
     QByteArray content(static_cast<qsizetype>(*size), Qt::Uninitialized);
     const auto bytes =
         std::as_writable_bytes(std::span(content.data(), static_cast<std::size_t>(content.size())));

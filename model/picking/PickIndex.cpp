@@ -11,15 +11,15 @@ namespace {
 
 /// Edge of a cell in internodes of mean length, to begin with.
 constexpr float kInternodesPerEdge = 8.0F;
-constexpr float kLeastEdge = 1e-4F; ///< m
+constexpr float kLeastCellEdge = 1e-4F; ///< m
 /// Cells that hold more nodes than this on average are too large; fewer, too small.
 constexpr std::uint32_t kMostNodes = 320;
 constexpr std::uint32_t kFewestNodes = 5;
 /// A tree of fewer nodes is looked through at once, whatever its cells are.
 constexpr std::uint32_t kSmallTree = 2'000;
-/// Cells are numbered from -kFarthest to kFarthest along each axis; what lies farther out is in the
+/// Cells are numbered from -kFarthestPoint to kFarthestPoint along each axis; what lies farther out is in the
 /// outermost.
-constexpr float kFarthest = 1'000'000.0F;
+constexpr float kFarthestPoint = 1'000'000.0F;
 
 } // namespace
 
@@ -81,7 +81,7 @@ void PickIndex::readAll(const Tree& tree, const TreeIndex& index)
         ++count;
     }
     const double mean = length / std::max(count, 1U);
-    m_edge = std::max(kInternodesPerEdge * static_cast<float>(mean), kLeastEdge);
+    m_edge = std::max(kInternodesPerEdge * static_cast<float>(mean), kLeastCellEdge);
     do
         fill(tree, index);
     while (suitDensity());
@@ -105,11 +105,11 @@ bool PickIndex::suitDensity()
 {
     const std::size_t cells = std::max<std::size_t>(m_cells.size(), 1);
     // Nodes at one and the same place cannot be parted.
-    if (m_nodeCount > kSmallTree && m_nodeCount > kMostNodes * cells && m_edge > kLeastEdge) {
-        m_edge = std::max(0.5F * m_edge, kLeastEdge);
+    if (m_nodeCount > kSmallTree && m_nodeCount > kMostNodes * cells && m_edge > kLeastCellEdge) {
+        m_edge = std::max(0.5F * m_edge, kLeastCellEdge);
         return true;
     }
-    if (m_cells.size() > kSmallTree && m_nodeCount < kFewestNodes * cells && m_edge < kFarthest) {
+    if (m_cells.size() > kSmallTree && m_nodeCount < kFewestNodes * cells && m_edge < kFarthestPoint) {
         // Where cells have become empty, it is enough to drop these.
         const auto empty = static_cast<std::size_t>(
             std::ranges::count_if(m_cells, [](const Cell& cell) { return cell.nodes.empty(); }));
@@ -142,7 +142,7 @@ void PickIndex::update(const Tree& tree, const TreeIndex& index, InternodeId id)
 std::uint64_t PickIndex::keyOf(const Vec3& position) const
 {
     const auto along = [this](float coordinate) {
-        const float cell = std::clamp(std::floor(coordinate / m_edge), -kFarthest, kFarthest);
+        const float cell = std::clamp(std::floor(coordinate / m_edge), -kFarthestPoint, kFarthestPoint);
         return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell) + std::int64_t{1'000'000});
     };
     return along(position.x()) | along(position.y()) << 21 | along(position.z()) << 42;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeastShare = 0.01; ///< Of its length that is left of an internode
 /// m; whoever bends the same branch for ever does not make it vanish or fill the world.
-constexpr double kLeastLength = 1e-5;
+constexpr double kLeastBranchLength = 1e-5;
 
 ChainPose poseOf(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> path)
 {
@@ -103,7 +103,7 @@ std::vector<FrameChange> BranchBend::changes() const
         const double length = (bent.nodes[i + 1] - bent.nodes[i]).norm();
         const double before = static_cast<double>(m_lengths[i]);
         const double wanted = lengthAtRest > 0.0 ? before * (length / lengthAtRest) : length;
-        const double least = std::max(kLeastShare * before, std::min(kLeastLength, before));
+        const double least = std::max(kLeastShare * before, std::min(kLeastBranchLength, before));
         const auto lengthAfter =
             static_cast<float>(std::clamp(wanted, least, static_cast<double>(kGreatestLength)));
         // Rounding must not add up over many bends.

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Matrix3d cross(const Vector3d& v)
+Matrix3d crossMatrix(const Vector3d& v)
 {
     Matrix3d m;
     m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
@@ -82,8 +82,8 @@ void ChainEnergy::addJoint(const Motions& motions, std::size_t index, bool withC
     const Vector3d q = upper.rotation * m_prisms[index + 1].lower;
     const Vector3d gap = lower.centre + p - upper.centre - q;
     const double s = joint.stretching;
-    const Matrix3d pCross = s * cross(p);
-    const Matrix3d qCross = s * cross(q);
+    const Matrix3d pCross = s * crossMatrix(p);
+    const Matrix3d qCross = s * crossMatrix(q);
     one.own.topLeftCorner<3, 3>() += s * inertia(p, p);
     one.own.topRightCorner<3, 3>() += pCross;
     one.own.bottomLeftCorner<3, 3>() -= pCross;

@@ -9,14 +9,14 @@ namespace espalier {
 
 namespace {
 
-constexpr double kSmallestExponent = 0.5;
-constexpr double kLargestExponent = 10.0;
+constexpr double kSmallestRegionExponent = 0.5;
+constexpr double kLargestRegionExponent = 10.0;
 constexpr int kMostIterations = 60;
 constexpr double kSmallestTip = 1e-9; ///< m
 constexpr double kLargestDiameter = 1e6;
 /// A seedling that is to become a thick tree is no thicker than this share of its length.
 constexpr double kThickestStem = 1.0 / 3.0;
-constexpr std::uint32_t kTableSize = 1024;
+constexpr std::uint32_t kRegionTableSize = 1024;
 
 /// ln Σ c_i d_i^n, and its derivative by n.
 struct LogSum {
@@ -177,7 +177,7 @@ private:
         const double rise = logDiameter(region.law.exponent, extremities) - m_logTip;
         if (rise > 1e-9)
             region.power *= 1.0 + region.law.logFactor / rise;
-        for (std::uint32_t tips = 0; tips <= std::min(twigs, kTableSize - 1); ++tips)
+        for (std::uint32_t tips = 0; tips <= std::min(twigs, kRegionTableSize - 1); ++tips)
             region.table.push_back(radiusOfTwigs(region, tips));
 
         for (const std::uint32_t end : region.ends) {
@@ -276,15 +276,15 @@ WidthLaw solveWidths(std::optional<double> logBase, std::span<const WidthExtremi
         count += e.count;
         thickest = std::max(thickest, e.logDiameter);
     }
-    double exponent = std::clamp(fallback, kSmallestExponent, kLargestExponent);
+    double exponent = std::clamp(fallback, kSmallestRegionExponent, kLargestRegionExponent);
     if (!logBase || count <= 0.0)
         return {exponent, 0.0};
     if (count >= 2.0) {
         const bool hasRoot = *logBase > thickest;
-        exponent = hasRoot ? solveExponent(*logBase, extremities) : kLargestExponent;
-        if (hasRoot && exponent >= kSmallestExponent && exponent <= kLargestExponent)
+        exponent = hasRoot ? solveExponent(*logBase, extremities) : kLargestRegionExponent;
+        if (hasRoot && exponent >= kSmallestRegionExponent && exponent <= kLargestRegionExponent)
             return {exponent, 0.0};
-        exponent = std::clamp(exponent, kSmallestExponent, kLargestExponent);
+        exponent = std::clamp(exponent, kSmallestRegionExponent, kLargestRegionExponent);
     }
     return {exponent, *logBase - logDiameter(exponent, extremities)};
 }

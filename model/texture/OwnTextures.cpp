@@ -271,7 +271,7 @@ HeightMap lightness(const QImage& image)
 }
 
 /// A photograph's noise makes no relief.
-HeightMap smoothed(const HeightMap& map, bool repeats)
+HeightMap smoothedMap(const HeightMap& map, bool repeats)
 {
     HeightMap result = map;
     const auto at = [&](int x, int y) {
@@ -298,7 +298,7 @@ HeightMap smoothed(const HeightMap& map, bool repeats)
 }
 
 /// Roughness around @p middle: what is darker than the mean is duller.
-QImage roughnessOf(const HeightMap& lightness, float middle)
+QImage roughnessMap(const HeightMap& lightness, float middle)
 {
     double sum = 0.0;
     for (const float value : lightness.values)
@@ -491,14 +491,14 @@ SurfaceTextures barkTextures(const BarkParameters& bark, int size)
     if (const QImage normal = bark.normalImage.pixels(); !normal.isNull()) {
         textures.normal = sized(tile(normal), textures.colour.size());
     } else {
-        textures.normal =
-            normalMap(smoothed(light, true), kBarkRelief * static_cast<float>(textures.colour.width()), true);
+        textures.normal = normalMap(smoothedMap(light, true),
+                                    kBarkRelief * static_cast<float>(textures.colour.width()), true);
     }
     if (const QImage roughness = bark.roughnessImage.pixels(); !roughness.isNull()) {
         textures.roughness =
             sized(tile(roughness), textures.colour.size()).convertToFormat(QImage::Format_Grayscale8);
     } else {
-        textures.roughness = roughnessOf(light, 0.82F);
+        textures.roughness = roughnessMap(light, 0.82F);
     }
     return textures;
 }
@@ -512,7 +512,8 @@ SurfaceTextures leafTextures(const LeafParameters& leaves, int size)
         return leafTextures(leaves.shape, size);
     const HeightMap light = lightness(leaf->convertToFormat(QImage::Format_RGB888));
     const float edge = static_cast<float>(std::max(leaf->width(), leaf->height()));
-    return {*leaf, normalMap(smoothed(light, false), kLeafRelief * edge, false), roughnessOf(light, 0.55F)};
+    return {*leaf, normalMap(smoothedMap(light, false), kLeafRelief * edge, false),
+            roughnessMap(light, 0.55F)};
 }
 
 std::array<double, 3> hueFactors(double angle)

@@ -10,7 +10,7 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct TreeText {
     Q_DECLARE_TR_FUNCTIONS(Tree)
 };
 
@@ -25,7 +25,7 @@ QString valueFault(const Columns& columns, std::uint32_t row)
                 fault = info.faultOf(column[row]);
         },
         columns);
-    return fault == nullptr ? QString() : Text::tr(fault);
+    return fault == nullptr ? QString() : TreeText::tr(fault);
 }
 
 template <class Table, class Columns>
@@ -46,15 +46,15 @@ QString internodeFault(const TreeContent& t, InternodeId id)
     const InternodeColumns& c = t.internodes;
     const InternodeId parent = c.parent[id];
     if (parent != kNoInternode && parent >= id)
-        return Text::tr("its parent does not come before it");
+        return TreeText::tr("its parent does not come before it");
     if (c.parameterSet[id] >= t.kept.parameters.size())
-        return Text::tr("its parameters are missing");
+        return TreeText::tr("its parameters are missing");
     if (c.birth[id] > t.step)
-        return Text::tr("it was born in the future");
+        return TreeText::tr("it was born in the future");
     if (c.death[id] != kNever && (c.death[id] < c.birth[id] || c.death[id] > t.step))
-        return Text::tr("it died before it was born, or in the future");
+        return TreeText::tr("it died before it was born, or in the future");
     if (c.death[id] == kNever && parent != kNoInternode && c.death[parent] != kNever)
-        return Text::tr("it lives on a dead internode");
+        return TreeText::tr("it lives on a dead internode");
     return {};
 }
 
@@ -62,30 +62,30 @@ QString internodesFault(const TreeContent& t)
 {
     const InternodeColumns& c = t.internodes;
     if (!haveEqualSizes<InternodeTable>(c))
-        return Text::tr("the columns of the tree have different lengths");
+        return TreeText::tr("the columns of the tree have different lengths");
     if (c.size() == 0 || t.kept.parameters.isEmpty() || t.currentParameters >= t.kept.parameters.size())
-        return Text::tr("the tree is empty or lacks its parameters");
+        return TreeText::tr("the tree is empty or lacks its parameters");
     if (t.kept.parameters.size() > kMostParameterSets)
-        return Text::tr("the tree has more than %1 parameter sets").arg(kMostParameterSets);
+        return TreeText::tr("the tree has more than %1 parameter sets").arg(kMostParameterSets);
     std::vector<bool> continued(c.size(), false);
     std::unordered_set<InternodeKey> keys;
     keys.reserve(c.size());
     for (InternodeId id = 0; id < c.size(); ++id) {
         QString fault = valueFault<InternodeTable>(c, id);
         if (id == 0 && (c.parent[0] != kNoInternode || c.death[0] != kNever))
-            fault = Text::tr("the seedling must stand at the base");
+            fault = TreeText::tr("the seedling must stand at the base");
         if (fault.isEmpty())
             fault = internodeFault(t, id);
         if (const InternodeId parent = c.parent[id]; fault.isEmpty() && parent != kNoInternode &&
                                                      c.death[id] == kNever && c.slot[id] == kTerminalSlot) {
             if (continued[parent])
-                fault = Text::tr("two internodes continue the same axis");
+                fault = TreeText::tr("two internodes continue the same axis");
             continued[parent] = true;
         }
         if (fault.isEmpty() && !keys.insert(c.key[id]).second)
-            fault = Text::tr("another internode has its key");
+            fault = TreeText::tr("another internode has its key");
         if (!fault.isEmpty())
-            return Text::tr("internode %1: %2").arg(id).arg(fault);
+            return TreeText::tr("internode %1: %2").arg(id).arg(fault);
     }
     return {};
 }
@@ -94,15 +94,15 @@ QString leavesFault(const TreeContent& t)
 {
     const LeafColumns& c = t.leaves;
     if (!haveEqualSizes<LeafTable>(c))
-        return Text::tr("the columns of the placed leaves have different lengths");
+        return TreeText::tr("the columns of the placed leaves have different lengths");
     for (LeafId id = 0; id < c.size(); ++id) {
         QString fault = valueFault<LeafTable>(c, id);
         if (fault.isEmpty() && c.internode[id] >= t.internodes.size())
-            fault = Text::tr("its internode is missing");
+            fault = TreeText::tr("its internode is missing");
         if (fault.isEmpty() && (c.birth[id] > t.step || (c.death[id] != kNever && c.death[id] < c.birth[id])))
-            fault = Text::tr("it died before it was born, or in the future");
+            fault = TreeText::tr("it died before it was born, or in the future");
         if (!fault.isEmpty())
-            return Text::tr("placed leaf %1: %2").arg(id).arg(fault);
+            return TreeText::tr("placed leaf %1: %2").arg(id).arg(fault);
     }
     return {};
 }
@@ -122,9 +122,9 @@ QString sparseFault(const TreeContent& t)
                 else
                     wrong = info.faultOf(cells[i].value);
                 if (wrong != nullptr)
-                    fault = Text::tr("entry %1 of “%2”: %3")
+                    fault = TreeText::tr("entry %1 of “%2”: %3")
                                 .arg(i)
-                                .arg(QLatin1String(info.name), Text::tr(wrong));
+                                .arg(QLatin1String(info.name), TreeText::tr(wrong));
             }
         },
         t.sparse);
@@ -136,11 +136,11 @@ QString lassosFault(const TreeContent& t)
     const QList<LassoStroke>& strokes = t.kept.lassos;
     for (qsizetype i = 0; i < strokes.size(); ++i) {
         if (!isLasso(strokes.at(i)))
-            return Text::tr("lasso %1: its plane or its points are not valid").arg(i);
+            return TreeText::tr("lasso %1: its plane or its points are not valid").arg(i);
     }
     for (std::size_t i = 0; i < t.lassosInForce.size(); ++i) {
         if (t.lassosInForce[i] >= strokes.size() || (i > 0 && t.lassosInForce[i] <= t.lassosInForce[i - 1]))
-            return Text::tr("the lassos in force are out of order");
+            return TreeText::tr("the lassos in force are out of order");
     }
     return {};
 }

@@ -28,9 +28,9 @@ namespace {
 // px
 constexpr int kLeastCard = 166;
 constexpr int kMostCard = 330;
-constexpr int kColumnWidth = 162;
-constexpr int kSpacing = 10;
-constexpr int kMargin = 14;
+constexpr int kDiagramWidth = 162;
+constexpr int kDiagramSpacing = 10;
+constexpr int kPanelMargin = 14;
 constexpr int kLeastDiagram = 150;
 constexpr int kMostDiagram = 290;
 /// The tree keeps at least the other part of the window's height.
@@ -53,13 +53,13 @@ ArchitecturePanel::ArchitecturePanel(TreeDocument& document, QWidget* parent)
     setAccessibleName(tr("Architecture"));
     auto* content = new QWidget;
     auto* line = new QHBoxLayout(content);
-    line->setContentsMargins(kMargin, 14, kMargin, 8);
-    line->setSpacing(kSpacing);
+    line->setContentsMargins(kPanelMargin, 14, kPanelMargin, 8);
+    line->setSpacing(kDiagramSpacing);
     m_more->setParent(content);
     m_more->hide();
     auto* moreLine = new QHBoxLayout(m_more);
     moreLine->setContentsMargins(0, 0, 0, 0);
-    moreLine->setSpacing(kSpacing);
+    moreLine->setSpacing(kDiagramSpacing);
 
     using enum ParameterSection::Look;
     for (const ParameterSection& section : parameterSections()) {
@@ -143,7 +143,7 @@ QWidget* ArchitecturePanel::makeCard(const ParameterSection& section, QWidget* p
 QWidget* ArchitecturePanel::makeColumn(const ParameterSection& section, QWidget* parent)
 {
     auto* column = new QWidget(parent);
-    column->setFixedWidth(kColumnWidth);
+    column->setFixedWidth(kDiagramWidth);
     auto* lines = new QVBoxLayout(column);
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(3);
@@ -158,9 +158,9 @@ QWidget* ArchitecturePanel::makeColumn(const ParameterSection& section, QWidget*
 
 void ArchitecturePanel::fit(const QSize& room)
 {
-    const int columns = 2 * (kColumnWidth + 2 * kSpacing + 1);
+    const int columns = 2 * (kDiagramWidth + 2 * kDiagramSpacing + 1);
     const int count = static_cast<int>(m_cards.size());
-    const int wide = (room.width() - 2 * kMargin - columns) / count - 2 * kSpacing - 1;
+    const int wide = (room.width() - 2 * kPanelMargin - columns) / count - 2 * kDiagramSpacing - 1;
     const int card = std::clamp(wide, kLeastCard, kMostCard);
     const int tall = std::clamp(std::min(card * 5 / 6, static_cast<int>(kMostHeight * room.height())),
                                 kLeastDiagram, kMostDiagram);
@@ -200,7 +200,7 @@ void ArchitecturePanel::showMore(bool shown)
     Q_EMIT sizeWanted();
     // Once everything has its place.
     if (shown)
-        QTimer::singleShot(0, this, [this] { m_sideways->ensureWidgetVisible(m_more, kMargin); });
+        QTimer::singleShot(0, this, [this] { m_sideways->ensureWidgetVisible(m_more, kPanelMargin); });
 }
 
 } // namespace espalier

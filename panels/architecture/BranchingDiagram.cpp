@@ -9,7 +9,7 @@ namespace espalier {
 
 namespace {
 
-enum Handle { Lateral, Axis };
+enum BranchingHandle { Lateral, Axis };
 
 /// A twig with a leaf at its end.
 void drawTwig(QPainter& painter, const QPointF& from, const QPointF& to, double width)

@@ -10,7 +10,7 @@ namespace espalier {
 
 namespace {
 
-QAccessibleInterface* makeAccessible(const QString&, QObject* object)
+QAccessibleInterface* makeAccessibleHandle(const QString&, QObject* object)
 {
     auto* handle = qobject_cast<DiagramHandle*>(object);
     if (!handle)
@@ -27,7 +27,7 @@ DiagramHandle::DiagramHandle(QWidget& parent, Owner& owner, int number, std::vec
     : QWidget(&parent), m_owner(owner), m_number(number), m_keys(std::move(keys))
 {
     [[maybe_unused]] static const bool isKnown = [] {
-        QAccessible::installFactory(makeAccessible);
+        QAccessible::installFactory(makeAccessibleHandle);
         return true;
     }();
     QStringList explanations;

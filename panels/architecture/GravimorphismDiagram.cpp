@@ -13,9 +13,9 @@ namespace espalier {
 
 namespace {
 
-enum Handle { Vertical, Parallel, Offset };
+enum EllipseHandle { Vertical, Parallel, Offset };
 
-constexpr double kMargin = 14.0; ///< px
+constexpr double kEllipseMargin = 14.0; ///< px
 /// To each side of the branch the drawing has room for so much; for larger ellipses it shrinks.
 constexpr double kRoom = 1.25;
 
@@ -25,13 +25,13 @@ GravimorphismEllipse ellipseOf(const GrowthParameters& growth)
 }
 
 /// How far the drawing reaches from the branch.
-struct Extent {
+struct EllipseExtent {
     double above;
     double below;
     double side;
 };
 
-Extent extentOf(const GrowthParameters& growth)
+EllipseExtent ellipseExtentOf(const GrowthParameters& growth)
 {
     return {std::max(kRoom, growth.ellipseVertical + growth.ellipseOffset),
             std::max(kRoom, growth.ellipseVertical - growth.ellipseOffset),
@@ -65,16 +65,16 @@ QString GravimorphismDiagram::caption() const
 
 QPointF GravimorphismDiagram::axis() const
 {
-    const Extent extent = extentOf(fitted());
-    const double unused = height() - 2.0 * kMargin - unit() * (extent.above + extent.below);
-    return {width() / 2.0, kMargin + unused / 2.0 + unit() * extent.above};
+    const EllipseExtent extent = ellipseExtentOf(fitted());
+    const double unused = height() - 2.0 * kEllipseMargin - unit() * (extent.above + extent.below);
+    return {width() / 2.0, kEllipseMargin + unused / 2.0 + unit() * extent.above};
 }
 
 double GravimorphismDiagram::unit() const
 {
-    const Extent extent = extentOf(fitted());
-    return std::min((height() - 2.0 * kMargin) / (extent.above + extent.below),
-                    (width() / 2.0 - kMargin) / extent.side);
+    const EllipseExtent extent = ellipseExtentOf(fitted());
+    return std::min((height() - 2.0 * kEllipseMargin) / (extent.above + extent.below),
+                    (width() / 2.0 - kEllipseMargin) / extent.side);
 }
 
 QPointF GravimorphismDiagram::rayEnd(double chi) const

@@ -10,18 +10,18 @@ namespace espalier {
 
 namespace {
 
-enum Handle { Radius, Depth, Angle };
+enum PerceptionHandle { Radius, Depth, Angle };
 
-constexpr double kMargin = 13.0; ///< px
+constexpr double kPerceptionMargin = 13.0; ///< px
 
 /// How far the drawing reaches to each side of the bud, in internodes.
-struct Extent {
+struct PerceptionExtent {
     double above;
     double below;
     double side;
 };
 
-Extent extentOf(const GrowthParameters& growth)
+PerceptionExtent perceptionExtentOf(const GrowthParameters& growth)
 {
     const double reach = growth.occupancyRadius + growth.perceptionDepth;
     const double half = growth.perceptionAngle / 2.0;
@@ -48,9 +48,9 @@ QString PerceptionDiagram::caption() const
 
 double PerceptionDiagram::unitFor(const GrowthParameters& growth) const
 {
-    const Extent extent = extentOf(growth);
-    return std::min((height() - 2.0 * kMargin) / (extent.above + extent.below),
-                    (width() / 2.0 - kMargin) / extent.side);
+    const PerceptionExtent extent = perceptionExtentOf(growth);
+    return std::min((height() - 2.0 * kPerceptionMargin) / (extent.above + extent.below),
+                    (width() / 2.0 - kPerceptionMargin) / extent.side);
 }
 
 double PerceptionDiagram::unit() const
@@ -60,9 +60,9 @@ double PerceptionDiagram::unit() const
 
 QPointF PerceptionDiagram::bud() const
 {
-    const Extent extent = extentOf(fitted());
-    const double unused = height() - 2.0 * kMargin - unit() * (extent.above + extent.below);
-    return {width() / 2.0, height() - kMargin - unused / 2.0 - unit() * extent.below};
+    const PerceptionExtent extent = perceptionExtentOf(fitted());
+    const double unused = height() - 2.0 * kPerceptionMargin - unit() * (extent.above + extent.below);
+    return {width() / 2.0, height() - kPerceptionMargin - unused / 2.0 - unit() * extent.below};
 }
 
 QPointF PerceptionDiagram::place(int number, const GrowthParameters& growth) const

@@ -10,7 +10,7 @@ namespace espalier {
 
 namespace {
 
-constexpr double kMargin = 8.0; ///< px
+constexpr double kTropismMargin = 8.0; ///< px
 
 // Of the drawing's height: twigs stay visible, trunks slim.
 constexpr double kTwig = 0.0065;
@@ -71,7 +71,8 @@ void TropismDiagram::pull(int, const QPointF& to, TreeParameters& parameters) co
 
 void TropismDiagram::draw(QPainter& painter, const GrowthParameters& growth)
 {
-    drawSchematic(painter, schematic(), QRectF(rect()).adjusted(kMargin, kMargin, -kMargin, -2.0));
+    drawSchematic(painter, schematic(),
+                  QRectF(rect()).adjusted(kTropismMargin, kTropismMargin, -kTropismMargin, -2.0));
 
     const bool isInferred = growth.tropismFromStroke;
     const QColor colour = isInferred ? theme::kFaintText : theme::kHandle;

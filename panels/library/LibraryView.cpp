@@ -22,7 +22,7 @@ namespace espalier {
 namespace {
 
 constexpr int kLeastColumn = 212; ///< px
-constexpr int kMargin = 7;        ///< px around a card
+constexpr int kCardMargin = 7;    ///< px around a card
 constexpr int kInset = 9;         ///< px between a card's edge and what is on it
 constexpr int kLines = 2;
 constexpr int kOverlap = 6;     ///< px by which the lines reach into the finger's room around the name
@@ -44,8 +44,8 @@ QFont lineFont(QFont font)
 
 QRect picturePlace(const QRect& card)
 {
-    const int width = card.width() - 2 * kMargin;
-    return {card.left() + kMargin, card.top() + kMargin, width, qRound(width * kPictureAspect)};
+    const int width = card.width() - 2 * kCardMargin;
+    return {card.left() + kCardMargin, card.top() + kCardMargin, width, qRound(width * kPictureAspect)};
 }
 
 QRect namePlace(const QRect& card)
@@ -103,7 +103,7 @@ int CardPainter::heightFor(int width, const QFont& font)
 {
     const QRect card(0, 0, width, 0);
     return namePlace(card).bottom() + 1 - kOverlap + kLines * QFontMetrics(lineFont(font)).lineSpacing() +
-           kInset + kMargin;
+           kInset + kCardMargin;
 }
 
 QRect CardPainter::menuPlace(const QRect& card)
@@ -125,7 +125,7 @@ void CardPainter::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     const bool hasFocus = isChosen && option.state & QStyle::State_HasFocus;
     painter->save();
     painter->setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-    const QRectF body = QRectF(option.rect).adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    const QRectF body = QRectF(option.rect).adjusted(kCardMargin, kCardMargin, -kCardMargin, -kCardMargin);
     QPainterPath outline;
     outline.addRoundedRect(body, theme::kRadius, theme::kRadius);
     painter->fillPath(outline, isChosen ? theme::kAccentFill : theme::kRaised);
@@ -159,8 +159,8 @@ void CardPainter::paint(QPainter* painter, const QStyleOptionViewItem& option, c
         painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, name.width()));
     painter->setFont(lineFont(option.font));
     painter->setPen(theme::kDimText);
-    const QRect lines(name.left(), name.bottom() + 1 - kOverlap, option.rect.width() - 2 * (kMargin + kInset),
-                      0);
+    const QRect lines(name.left(), name.bottom() + 1 - kOverlap,
+                      option.rect.width() - 2 * (kCardMargin + kInset), 0);
     drawLines(*painter, lines, index.data(LibraryCards::LineRole).toString());
 
     painter->setPen(Qt::NoPen);

@@ -8,7 +8,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kLargestEdge = 2048; ///< px
+constexpr int kLargestTracingEdge = 2048; ///< px
 
 } // namespace
 
@@ -31,8 +31,9 @@ void TracingLayer::load(const QString& file)
     if (image.isNull())
         return;
     m_aspect = static_cast<float>(image.width()) / static_cast<float>(image.height());
-    if (std::max(image.width(), image.height()) > kLargestEdge)
-        image = image.scaled(kLargestEdge, kLargestEdge, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    if (std::max(image.width(), image.height()) > kLargestTracingEdge)
+        image = image.scaled(kLargestTracingEdge, kLargestTracingEdge, Qt::KeepAspectRatio,
+                             Qt::SmoothTransformation);
     // It is shown as it is, so its colours stay as they are.
     m_gl.glActiveTexture(GL_TEXTURE0);
     fillTexture(m_gl, m_texture, image, TextureContent::Data, false);

@@ -19,10 +19,10 @@ constexpr double kFingerPinReach = 24.0;
 constexpr int kLastCalls = 30;
 
 const QColor kPathColour(232, 168, 100);
-const QColor kHintColour(190, 202, 218);
+const QColor kBendHintColour(190, 202, 218);
 const QColor kPinColour(240, 168, 184);
 
-double length(const QPointF& way)
+double bentLength(const QPointF& way)
 {
     return std::hypot(way.x(), way.y());
 }
@@ -62,8 +62,8 @@ const BendTool::Pin* BendTool::pinAt(const PointerSample& sample) const
     double best = sample.device == PointerDevice::Finger ? kFingerPinReach : kPinReach;
     const auto consider = [&](const Pin& pin) {
         const auto seen = context().camera().project(placeOf(pin));
-        if (isThere(pin) && seen && length(*seen - sample.position) <= best) {
-            best = length(*seen - sample.position);
+        if (isThere(pin) && seen && bentLength(*seen - sample.position) <= best) {
+            best = bentLength(*seen - sample.position);
             nearest = &pin;
         }
     };
@@ -180,7 +180,7 @@ void BendTool::move(const PointerSample& sample)
         return;
     hand->position = sample.position;
     const double slip = sample.device == PointerDevice::Finger ? kFingerSlip : kSlip;
-    if (!m_gesture && length(hand->position - hand->pressed) > slip)
+    if (!m_gesture && bentLength(hand->position - hand->pressed) > slip)
         grip();
     m_isSettled = false;
 }
@@ -326,10 +326,10 @@ void BendTool::paint(Overlay& overlay) const
             paintPin(hand.pin);
     } else if (m_hovered && isThere(*m_hovered)) {
         std::vector<InternodeId> path = pathBetween(tree, baseFor(*m_hovered), m_hovered->id);
-        QColor colour = kHintColour;
+        QColor colour = kBendHintColour;
         colour.setAlphaF(0.8F);
         paintPath(overlay, path, colour);
-        overlay.addDots(std::array{place(*m_hovered)}, kHintColour, 6.0F);
+        overlay.addDots(std::array{place(*m_hovered)}, kBendHintColour, 6.0F);
     }
     if (!m_base || !isThere(*m_base))
         return;

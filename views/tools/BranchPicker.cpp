@@ -112,18 +112,18 @@ std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& sc
     Picker picker(scene, screen, reach);
     const QList<float>& lengths = scene.tree.columns().length;
     const float beyond = scene.index.greatestLength() + scene.greatestRadius;
-    struct Cell {
+    struct PickCell {
         float depth;
         PickIndex::Nodes nodes;
     };
-    std::vector<Cell> cells;
+    std::vector<PickCell> cells;
     scene.nodes.forEachCell([&](const Vec3& centre, float radius, PickIndex::Nodes nodes) {
         if (picker.mayReach(centre, radius + beyond))
             cells.push_back({picker.leastDepth(centre, radius + beyond), nodes});
     });
     // From front to back: what is under the pointer itself hides all that is behind it.
-    std::ranges::stable_sort(cells, {}, &Cell::depth);
-    for (const Cell& cell : cells) {
+    std::ranges::stable_sort(cells, {}, &PickCell::depth);
+    for (const PickCell& cell : cells) {
         if (picker.isSettledBefore(cell.depth))
             break;
         for (const PickIndex::Node& node : cell.nodes) {

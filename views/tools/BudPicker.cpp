@@ -15,7 +15,7 @@ namespace {
 
 /// How far outside the bark a bud's dot stands, in internodes.
 constexpr float kOffset = 0.15F;
-constexpr double kNoDifference = 2.0; ///< px
+constexpr double kNoBudDifference = 2.0; ///< px
 
 } // namespace
 
@@ -58,7 +58,7 @@ std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, d
         if (distance > reach)
             return;
         const Candidate candidate{
-            {bud, position}, std::floor(distance / kNoDifference), camera.depth(position)};
+            {bud, position}, std::floor(distance / kNoBudDifference), camera.depth(position)};
         if (found.size() == most) {
             if (!(candidate < found.front()))
                 return;
@@ -70,7 +70,7 @@ std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, d
         // Once there are enough, only what is nearer than the farthest of them counts.
         if (found.size() == most)
             perDepth =
-                static_cast<float>(std::min(reach, (found.front().rank + 1.0) * kNoDifference)) / pixels;
+                static_cast<float>(std::min(reach, (found.front().rank + 1.0) * kNoBudDifference)) / pixels;
     };
     const float beyond = kOffset * scene.index.greatestLength() + scene.greatestRadius;
     scene.nodes.forEachCell([&](const Vec3& centre, float radius, PickIndex::Nodes nodes) {

@@ -12,7 +12,7 @@ namespace espalier {
 namespace {
 
 /// A stroke that stays within this many px of its beginning is a tap.
-constexpr double kTap = 6.0;
+constexpr double kLassoTap = 6.0;
 /// s between two previews of what a stroke encloses.
 constexpr double kPreviewInterval = 0.06;
 constexpr int kPreviewResolution = 64;
@@ -59,7 +59,7 @@ void LassoTool::finish()
         box.extend(point);
     const Camera& camera = context().camera();
     const double pixels = box.sizes().norm() * camera.pixelsPerMetre(camera.depth(m_stroke.origin));
-    if (pixels > kTap)
+    if (pixels > kLassoTap)
         m_filling.fill(m_stroke);
     context().requestRepaint();
 }

@@ -13,11 +13,11 @@ namespace espalier {
 namespace {
 
 /// A pointer that moves further than this while it is down makes a stroke, px.
-constexpr double kTapReach = 8.0;
+constexpr double kPruneReach = 8.0;
 /// Samples nearer than this to the last one add nothing to a stroke, px.
 constexpr double kLeastStride = 2.0;
 /// Radius of the ring around the place of the cut, px.
-constexpr float kRing = 9.0F;
+constexpr float kPruneRing = 9.0F;
 
 const QColor kFallingColour(235, 84, 72, 200);
 const QColor kCutColour(255, 214, 120);
@@ -52,7 +52,7 @@ void PruneTool::move(const PointerSample& sample)
     if (!m_isActive)
         return;
     const QPointF way = sample.position - m_path.front();
-    if (!m_isStroke && std::hypot(way.x(), way.y()) > kTapReach) {
+    if (!m_isStroke && std::hypot(way.x(), way.y()) > kPruneReach) {
         m_isStroke = true;
         show({});
     }
@@ -167,7 +167,7 @@ void PruneTool::paint(Overlay& overlay) const
         const Vec3& place = index.nodePosition(tree.parent(cut));
         if (!m_isStroke)
             overlay.addCircle(place, camera.right(), camera.up(),
-                              kRing / camera.pixelsPerMetre(camera.depth(place)), kCutColour, 2.0F);
+                              kPruneRing / camera.pixelsPerMetre(camera.depth(place)), kCutColour, 2.0F);
     }
     if (m_isStroke) {
         std::vector<Vec3> blade;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kShownReach = 9.0;
 
 const QColor kBudColour(240, 168, 184);
-const QColor kPickedColour(235, 84, 72);
+const QColor kSelectedColour(235, 84, 72);
 
 } // namespace
 
@@ -78,9 +78,9 @@ void SelectBudTool::paint(Overlay& overlay) const
     if (m_isNear) {
         const Camera& camera = context().camera();
         const Vec3& place = m_buds.front().position;
-        overlay.addDots(std::array{place}, kPickedColour, 7.0F, 0.8F);
+        overlay.addDots(std::array{place}, kSelectedColour, 7.0F, 0.8F);
         overlay.addCircle(place, camera.right(), camera.up(),
-                          11.0F / camera.pixelsPerMetre(camera.depth(place)), kPickedColour, 2.0F);
+                          11.0F / camera.pixelsPerMetre(camera.depth(place)), kSelectedColour, 2.0F);
     }
 }
 

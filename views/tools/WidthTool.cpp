@@ -13,22 +13,22 @@ namespace espalier {
 namespace {
 
 constexpr double kReach = 10.0; ///< px
-constexpr double kFingerReach = 22.0;
-constexpr double kSlip = 4.0;       ///< How far a tap may slip, px
-constexpr double kDoubleTap = 0.45; ///< s between the taps of a double tap
+constexpr double kWidthFingerReach = 22.0;
+constexpr double kWidthSlip = 4.0;       ///< How far a tap may slip, px
+constexpr double kWidthDoubleTap = 0.45; ///< s between the taps of a double tap
 /// Up to so many handles have their number beside them all the time.
 constexpr std::size_t kMostLabels = 8;
 
 const QColor kHandleColour(232, 168, 100);
 const QColor kLitColour(255, 205, 140);
-const QColor kHintColour(190, 202, 218);
+const QColor kWidthHintColour(190, 202, 218);
 
 double dot(const QPointF& a, const QPointF& b)
 {
     return QPointF::dotProduct(a, b);
 }
 
-double length(const QPointF& way)
+double pulledLength(const QPointF& way)
 {
     return std::hypot(way.x(), way.y());
 }
@@ -61,10 +61,10 @@ std::optional<WidthTool::Place> WidthTool::placeOf(InternodeId id) const
 
 std::optional<WidthTool::Grip> WidthTool::gripAt(const PointerSample& sample) const
 {
-    double best = sample.device == PointerDevice::Finger ? kFingerReach : kReach;
+    double best = sample.device == PointerDevice::Finger ? kWidthFingerReach : kReach;
     std::optional<Grip> nearest;
     const auto consider = [&](const QPointF& position, const Grip& grip) {
-        const double distance = length(sample.position - position);
+        const double distance = pulledLength(sample.position - position);
         if (distance > best)
             return;
         best = distance;
@@ -106,7 +106,7 @@ InternodeId WidthTool::nearestOnAxis(const QPointF& position) const
         const auto place = placeOf(id);
         if (!place)
             continue;
-        if (const double distance = length(place->seen - position); distance < best) {
+        if (const double distance = pulledLength(place->seen - position); distance < best) {
             best = distance;
             nearest = id;
         }
@@ -128,7 +128,7 @@ void WidthTool::begin(const PointerSample& sample)
     }
     m_hovered = m_grip;
     const bool isSecondTap = m_grip && m_grip->part != Part::Bark && m_chosen == m_grip->id &&
-                             sample.time - std::exchange(m_tapTime, -1e9) < kDoubleTap;
+                             sample.time - std::exchange(m_tapTime, -1e9) < kWidthDoubleTap;
     m_chosen = m_grip ? std::optional(m_grip->id) : std::nullopt;
     context().requestRepaint();
     if (!m_grip)
@@ -150,7 +150,7 @@ void WidthTool::move(const PointerSample& sample)
 {
     if (!m_gesture)
         return;
-    m_isPulled = m_isPulled || length(sample.position - m_pressedAt) > kSlip;
+    m_isPulled = m_isPulled || pulledLength(sample.position - m_pressedAt) > kWidthSlip;
     const auto place = placeOf(m_grip->id);
     if (!m_isPulled || !place)
         return;
@@ -267,12 +267,12 @@ void WidthTool::paint(Overlay& overlay) const
         for (const float side : {-1.0F, 1.0F}) {
             const std::array jaw{Vec3(place->centre + side * bark * place->across),
                                  Vec3(place->centre + side * (bark + beyond) * place->across)};
-            overlay.addLine(jaw, kHintColour, 2.0F);
+            overlay.addLine(jaw, kWidthHintColour, 2.0F);
         }
         overlay.addLabel({place->centre + (bark + beyond) * place->across,
                           {8.0, 0.0},
                           lengthText(2.0 * static_cast<double>(bark)),
-                          kHintColour});
+                          kWidthHintColour});
     }
 }
 

@@ -3,19 +3,14 @@
 
 #include "model/io/JsonReader.h"
 #include "model/io/export/ExportScene.h"
+#include "model/io/export/ExportText.h"
 #include "model/io/export/FileMark.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Exporter)
-};
 
 /// Stems that are tried before an export gives up.
 constexpr int kMostStems = 10'000;
@@ -45,10 +40,11 @@ Result<void> ExportFiles::chooseNames(const QStringList& endings)
             return {};
         m_stem = QStringLiteral("%1_%2").arg(first).arg(number);
     }
-    return Error{Error::Kind::Output,
-                 inputError(mainName(), Text::tr("there are too many files of similar names in its folder; "
-                                                 "choose another name or another folder"))
-                     .message};
+    return Error{
+        Error::Kind::Output,
+        inputError(mainName(), ExportText::tr("there are too many files of similar names in its folder; "
+                                              "choose another name or another folder"))
+            .message};
 }
 
 bool ExportFiles::isFree(const QString& name, const QStringList& existing) const
@@ -93,10 +89,11 @@ Result<void> ExportFiles::commit()
     for (const Entry& entry : m_entries) {
         const QString name = QFileInfo(entry.file->fileName()).fileName();
         if (entry.isCompanion && !isFree(name, existing)) {
-            return Error{Error::Kind::Output,
-                         inputError(name, Text::tr("another program made this file during the export; export "
-                                                   "again, and another name will be chosen"))
-                             .message};
+            return Error{
+                Error::Kind::Output,
+                inputError(name, ExportText::tr("another program made this file during the export; export "
+                                                "again, and another name will be chosen"))
+                    .message};
         }
     }
     std::ranges::stable_partition(m_entries, &Entry::isCompanion);

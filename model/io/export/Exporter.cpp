@@ -2,19 +2,11 @@
 #include "model/io/export/Exporter.h"
 
 #include "model/io/JsonReader.h"
+#include "model/io/export/ExportText.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace espalier {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Exporter)
-};
-
-} // namespace
 
 Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString& name,
                         const QString& fileName, const ExportOptions& options, const Progress& progress)
@@ -24,12 +16,12 @@ Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString&
         const QFileInfo file(fileName);
         return Error{Error::Kind::Output,
                      inputError(file.fileName(),
-                                Text::tr("there is no export to “.%1”; there are %2")
+                                ExportText::tr("there is no export to “.%1”; there are %2")
                                     .arg(file.suffix().toLower(), exportSuffixes().join(QLatin1String(", "))))
                          .message};
     }
     const auto goesOn = [&](double done) { return !progress || progress(done); };
-    const Error cancelled{Error::Kind::Cancelled, Text::tr("The export was cancelled.")};
+    const Error cancelled{Error::Kind::Cancelled, ExportText::tr("The export was cancelled.")};
 
     if (!goesOn(0.0))
         return cancelled;

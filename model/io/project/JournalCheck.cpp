@@ -9,7 +9,7 @@ namespace espalier {
 
 namespace {
 
-struct Text {
+struct JournalText {
     Q_DECLARE_TR_FUNCTIONS(JournalCheck)
 };
 
@@ -27,13 +27,13 @@ QString changeOf(QLatin1StringView column, ChangeFault fault)
 {
     switch (fault) {
     case ChangeFault::Fixed:
-        return Text::tr("it changes “%1”, which never changes").arg(column);
+        return JournalText::tr("it changes “%1”, which never changes").arg(column);
     case ChangeFault::NoRow:
-        return Text::tr("it changes “%1” of a row that was not there").arg(column);
+        return JournalText::tr("it changes “%1” of a row that was not there").arg(column);
     case ChangeFault::Impossible:
         break;
     }
-    return Text::tr("it changes “%1” in a way that is not possible").arg(column);
+    return JournalText::tr("it changes “%1” in a way that is not possible").arg(column);
 }
 
 /// A tree on its way back through its history. Before each delta is reverted, everything that reverting and
@@ -110,13 +110,13 @@ QString Rewind::revert(const TreeDelta& delta)
 QString Rewind::timeFault(const TreeDelta& delta) const
 {
     if (delta.stepAfter != m_tree.step() || delta.stepBefore > delta.stepAfter)
-        return Text::tr("its steps do not join those around it");
+        return JournalText::tr("its steps do not join those around it");
     const auto sets = static_cast<std::uint32_t>(m_tree.parameterSets().size());
     if (delta.parametersAfter != m_tree.currentParameterSet() || delta.kept.parameters >= sets ||
         delta.parametersBefore >= sets - delta.kept.parameters)
-        return Text::tr("its parameters do not join those around it");
+        return JournalText::tr("its parameters do not join those around it");
     if (delta.kept.lassos > static_cast<std::uint32_t>(m_tree.lassos().size()))
-        return Text::tr("it brings strokes that are not there");
+        return JournalText::tr("it brings strokes that are not there");
     return {};
 }
 
@@ -125,16 +125,16 @@ QString Rewind::birthFault(const TreeDelta& delta) const
     const InternodeColumns& c = m_tree.columns();
     if (delta.born.end() != m_tree.size() || delta.bornLeaves.end() != m_tree.placedLeaves().size() ||
         delta.born.first == 0)
-        return Text::tr("its births are out of order");
+        return JournalText::tr("its births are out of order");
     for (InternodeId id = delta.born.first; id != delta.born.end(); ++id) {
         if (c.birth[id] < delta.stepBefore || c.birth[id] > delta.stepAfter)
-            return Text::tr("it bears an internode at another time");
+            return JournalText::tr("it bears an internode at another time");
         if (c.death[id] != kNever && c.death[id] != delta.stepAfter)
-            return Text::tr("it bears an internode that is not there");
+            return JournalText::tr("it bears an internode that is not there");
     }
     for (LeafId id = delta.bornLeaves.first; id != delta.bornLeaves.end(); ++id) {
         if (m_tree.placedLeaves().internode[id] >= delta.born.end())
-            return Text::tr("it places a leaf on an internode that is not there");
+            return JournalText::tr("it places a leaf on an internode that is not there");
     }
     return {};
 }
@@ -168,7 +168,7 @@ QString Rewind::deathFault(const TreeDelta& delta)
     ++m_round;
     for (const InternodeId id : delta.died) {
         if (id >= m_tree.size() || id == 0 || c.death[id] != delta.stepAfter || !isNewInRound(id))
-            return Text::tr("it lets an internode die that did not");
+            return JournalText::tr("it lets an internode die that did not");
         countContinuation(id, 1);
     }
     for (const InternodeId id : delta.died) {
@@ -176,13 +176,13 @@ QString Rewind::deathFault(const TreeDelta& delta)
         if (parent == kNoInternode || delta.born.contains(id))
             continue;
         if (c.death[parent] != kNever && m_rounds[parent] != m_round)
-            return Text::tr("before it, an internode would live on a dead one");
+            return JournalText::tr("before it, an internode would live on a dead one");
         if (m_tree.continuesAxis(id) && m_continuations[parent] > 1)
-            return Text::tr("before it, two internodes would continue the same axis");
+            return JournalText::tr("before it, two internodes would continue the same axis");
     }
     for (InternodeId id = delta.born.first; id != delta.born.end(); ++id) {
         if (c.death[id] != kNever && m_rounds[id] != m_round)
-            return Text::tr("it bears an internode that is not there");
+            return JournalText::tr("it bears an internode that is not there");
     }
     return {};
 }
@@ -215,7 +215,7 @@ QString Rewind::lassoFault(const TreeDelta& delta)
     for (const auto [index, isInForce] : delta.lassos) {
         if (index >= static_cast<std::uint32_t>(m_tree.lassos().size()) ||
             std::ranges::binary_search(inForce, index) != isInForce || !isNewInRound(index))
-            return Text::tr("it changes an envelope in a way that is not possible");
+            return JournalText::tr("it changes an envelope in a way that is not possible");
     }
     return {};
 }
@@ -231,7 +231,7 @@ QString Rewind::danglingFault() const
             dangles = dangles || (!column.cells().empty() && column.cells().back().id >= m_tree.size());
         },
         content.sparse);
-    return dangles ? Text::tr("something is set before it on what it brings") : QString();
+    return dangles ? JournalText::tr("something is set before it on what it brings") : QString();
 }
 
 } // namespace
@@ -241,11 +241,11 @@ Result<void> checkJournal(const Tree& tree, const Journal& journal)
     Rewind rewind(tree);
     for (std::size_t i = journal.size(); i-- > 0;) {
         if (const QString fault = rewind.revert(*journal[i]); !fault.isEmpty())
-            return inputError(Text::tr("step %1 of the history").arg(i + 1), fault);
+            return inputError(JournalText::tr("step %1 of the history").arg(i + 1), fault);
     }
     // What was there at the beginning must be a tree by itself.
     if (const QString fault = treeFault(rewind.tree().content()); !fault.isEmpty())
-        return inputError(Text::tr("the beginning of the history"), fault);
+        return inputError(JournalText::tr("the beginning of the history"), fault);
     return {};
 }
 

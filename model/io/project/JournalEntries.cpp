@@ -4,21 +4,16 @@
 #include "model/io/JsonReader.h"
 #include "model/io/project/ColumnEntries.h"
 #include "model/io/project/ProjectLimits.h"
+#include "model/io/project/ProjectText.h"
 #include "model/io/project/RecordEntries.h"
-
-#include <QCoreApplication>
 
 namespace espalier {
 
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
-};
-
 Error doesNotAddUp()
 {
-    return inputError(Text::tr("the history"), Text::tr("its parts do not add up"));
+    return inputError(ProjectText::tr("the history"), ProjectText::tr("its parts do not add up"));
 }
 
 /// What a kind of change has in all deltas: how many changes each delta makes, and where reading them stands.

@@ -5,8 +5,8 @@
 #include "model/io/project/ColumnEntries.h"
 #include "model/io/project/ProjectImages.h"
 #include "model/io/project/ProjectLimits.h"
+#include "model/io/project/ProjectText.h"
 
-#include <QCoreApplication>
 #include <QJsonDocument>
 
 namespace espalier {
@@ -14,10 +14,6 @@ namespace espalier {
 namespace {
 
 constexpr std::uint64_t kMaximumJson = 64 << 20;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
-};
 
 QByteArray entryOf(const QByteArray& name, const char* suffix)
 {
@@ -63,13 +59,13 @@ Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array, Project
 {
     if (array.isEmpty() || array.size() > kMostParameterSets)
         return inputError(QStringLiteral("parameterSets"),
-                          Text::tr("1 to %1 sets are expected").arg(kMostParameterSets));
+                          ProjectText::tr("1 to %1 sets are expected").arg(kMostParameterSets));
     QList<TreeParameters> sets;
     TreeParameters before;
     for (qsizetype i = 0; i < array.size(); ++i) {
         const QString place = QStringLiteral("parameterSets[%1]").arg(i);
         if (!array.at(i).isObject())
-            return inputError(place, Text::tr("an object is expected"));
+            return inputError(place, ProjectText::tr("an object is expected"));
         const Result<TreeParameters> set =
             fromJson(array.at(i).toObject(), before, place,
                      [&images](const QString& hash) { return images.find(hash); });
@@ -139,7 +135,7 @@ Result<void> readLassoColumns(const ZipReader& archive, const QByteArray& prefix
     for (const std::uint32_t each : pointCount) {
         sum += each;
         if (each > kMostLassoPoints || sum > projectLimits::kLassoPoints)
-            return inputError(Text::tr("the lassos"), Text::tr("they have too many points"));
+            return inputError(ProjectText::tr("the lassos"), ProjectText::tr("they have too many points"));
     }
     QList<Vec2> points;
     read = readEntry(archive, prefix + "points", static_cast<std::uint32_t>(sum), points);

@@ -3,8 +3,8 @@
 
 #include "model/io/project/ProjectImages.h"
 #include "model/io/project/ProjectLimits.h"
+#include "model/io/project/ProjectText.h"
 
-#include <QCoreApplication>
 #include <QJsonDocument>
 
 namespace espalier {
@@ -13,17 +13,13 @@ namespace {
 
 constexpr QLatin1StringView kFormat("espalier-project");
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
-};
-
 std::vector<std::uint32_t> readIndices(JsonReader& reader, const char* key)
 {
     std::vector<std::uint32_t> indices;
     for (const QJsonValue& value : reader.array(QLatin1StringView(key))) {
         const double index = value.toDouble(-1.0);
         if (!(index >= 0.0 && index < projectLimits::kLassos)) {
-            reader.fail(QLatin1StringView(key), Text::tr("indices of strokes are expected"));
+            reader.fail(QLatin1StringView(key), ProjectText::tr("indices of strokes are expected"));
             break;
         }
         indices.push_back(static_cast<std::uint32_t>(index));
@@ -65,14 +61,15 @@ std::uint32_t readCount(JsonReader& reader, const char* key, std::uint32_t minim
 Result<int> readVersion(JsonReader& reader)
 {
     if (reader.text(QLatin1StringView("format"), QString()) != kFormat)
-        return inputError({}, Text::tr("it does not describe an Espalier project"));
+        return inputError({}, ProjectText::tr("it does not describe an Espalier project"));
     const auto version =
         reader.integer(QLatin1StringView("version"), 1, std::numeric_limits<std::int32_t>::max());
     const QString program = reader.text(QLatin1StringView("program"));
     if (version > projectLimits::kVersion) {
         return inputError(
-            {}, Text::tr("Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads "
-                         "versions up to %4")
+            {}, ProjectText::tr(
+                    "Espalier %1 wrote it in version %2 of the format; this is Espalier %3, which reads "
+                    "versions up to %4")
                     .arg(program)
                     .arg(version)
                     .arg(QStringLiteral(ESPALIER_VERSION))
@@ -91,7 +88,7 @@ void readCommon(JsonReader& reader, ProjectDescription& description)
     description.imageNames = reader.object(QLatin1StringView("images"));
     if (description.imageNames.size() > qsizetype{projectLimits::kImages})
         reader.fail(QLatin1StringView("images"),
-                    Text::tr("at most %1 images are expected").arg(projectLimits::kImages));
+                    ProjectText::tr("at most %1 images are expected").arg(projectLimits::kImages));
 }
 
 Result<ProjectDescription> readDescription(JsonReader& reader)

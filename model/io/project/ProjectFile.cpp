@@ -9,12 +9,12 @@
 #include "model/io/project/KeptEntries.h"
 #include "model/io/project/ProjectDescription.h"
 #include "model/io/project/ProjectImages.h"
+#include "model/io/project/ProjectText.h"
 #include "model/io/project/ProjectVersion1.h"
 #include "model/io/project/TreeEntries.h"
 #include "model/tree/TreeIndex.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
@@ -22,10 +22,6 @@
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
-};
 
 constexpr char kDescriptionEntry[] = "project.json";
 constexpr char kThumbnailEntry[] = "thumbnail.png";
@@ -36,8 +32,8 @@ constexpr int kMaximumThumbnailEdge = 4096;
 
 Error farAway(InternodeId id)
 {
-    return inputError(Text::tr("internode %1").arg(id),
-                      Text::tr("it lies further than %1 m away").arg(kFarthestNode));
+    return inputError(ProjectText::tr("internode %1").arg(id),
+                      ProjectText::tr("it lies further than %1 m away").arg(kFarthestNode));
 }
 
 /// Whether every node lies where coordinates still mean something.
@@ -118,7 +114,7 @@ QImage readThumbnail(const ZipReader& archive)
     return reader.read();
 }
 
-QByteArray toPng(const QImage& image)
+QByteArray thumbnailPng(const QImage& image)
 {
     QByteArray png;
     QBuffer buffer(&png);
@@ -142,7 +138,7 @@ Result<QByteArray> packProject(const Project& project)
 {
     if (!isWithinLimits(project))
         return Error{Error::Kind::Output,
-                     Text::tr("the tree or its history is too large for a project file")};
+                     ProjectText::tr("the tree or its history is too large for a project file")};
     const TreeContent& content = project.tree.content();
     if (const QString fault = treeFault(content); !fault.isEmpty())
         return Error{Error::Kind::Output, fault};
@@ -157,7 +153,7 @@ Result<QByteArray> packProject(const Project& project)
     addJournal(archive, project.journal);
     ProjectImages::add(archive, ProjectImages::of(content.kept.parameters));
     if (!project.thumbnail.isNull())
-        archive.add(kThumbnailEntry, toPng(project.thumbnail), ZipWriter::Packing::Store);
+        archive.add(kThumbnailEntry, thumbnailPng(project.thumbnail), ZipWriter::Packing::Store);
     return archive.finish();
 }
 
@@ -185,7 +181,7 @@ Result<Project> unpackProject(const QByteArray& bytes)
         return sound.error();
     if (!project->warning.isEmpty()) {
         project->warning =
-            Text::tr(
+            ProjectText::tr(
                 "the image “%1” is missing in it or broken; the look that was drawn for it shows instead")
                 .arg(project->warning);
     }
@@ -209,7 +205,7 @@ Result<Project> loadProject(const QString& fileName)
     if (!file.open(QIODevice::ReadOnly))
         return inputError(name, file.errorString());
     if (file.size() > kMaximumFile)
-        return inputError(name, Text::tr("it is larger than %1 GB").arg(kMaximumFile >> 30));
+        return inputError(name, ProjectText::tr("it is larger than %1 GB").arg(kMaximumFile >> 30));
     Result<Project> project = unpackProject(file.readAll());
     if (!project)
         return inputError(name, project.error().message);

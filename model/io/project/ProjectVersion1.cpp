@@ -7,21 +7,16 @@
 #include "model/io/project/ProjectDescription.h"
 #include "model/io/project/ProjectImages.h"
 #include "model/io/project/ProjectLimits.h"
-
-#include <QCoreApplication>
+#include "model/io/project/ProjectText.h"
 
 namespace espalier::projectVersion1 {
 
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
-};
-
 /// Bit k: the living bud in slot k.
 using OldBudMask = std::uint8_t;
 
-struct Counts {
+struct OldCounts {
     std::uint32_t died = 0;
     std::uint32_t budChanges = 0;
     std::uint32_t frames = 0;
@@ -89,7 +84,7 @@ struct OldJournal {
     QList<std::uint32_t> lassoIndex;
     QList<std::uint8_t> lassoInForce;
 
-    Result<void> read(const ZipReader& archive, std::uint32_t deltas, const Counts& counts)
+    Result<void> read(const ZipReader& archive, std::uint32_t deltas, const OldCounts& counts)
     {
         Result<void> result;
         const auto column = [&](const char* name, auto& values, std::uint32_t rows) {
@@ -124,7 +119,7 @@ struct OldJournal {
         return result;
     }
 
-    bool addsUp(const Counts& counts) const
+    bool addsUp(const OldCounts& counts) const
     {
         const auto isSumOf = [](std::uint32_t wanted, const QList<std::uint32_t>& column) {
             std::uint64_t sum = 0;
@@ -238,7 +233,7 @@ Journal renumbered(const OldJournal& old, const Renumbering& idOf)
 
 /// All births of the journal are the last rows of the tree; each delta's first id follows from that. False if
 /// there are more births than rows.
-bool numberBirths(Journal& journal, std::uint32_t size)
+bool numberOldBirths(Journal& journal, std::uint32_t size)
 {
     for (auto delta = journal.rbegin(); delta != journal.rend(); ++delta) {
         IdRange& born = (*delta)->born;
@@ -259,7 +254,7 @@ SparseColumn<float> readWidths(JsonReader& reader, const QJsonArray& array, cons
         const double diameter = pair.at(1).toDouble();
         if (pair.size() != 2 || !(id >= 0.0 && id < projectLimits::kInternodes) || !(diameter < 1e6)) {
             reader.fail(QLatin1StringView("widths"),
-                        Text::tr("pairs of an internode and a diameter are expected"));
+                        ProjectText::tr("pairs of an internode and a diameter are expected"));
             break;
         }
         widths.push_back({idOf(static_cast<InternodeId>(id)), static_cast<float>(diameter)});
@@ -267,11 +262,11 @@ SparseColumn<float> readWidths(JsonReader& reader, const QJsonArray& array, cons
     return SparseColumn<float>::fromCells(std::move(widths));
 }
 
-Counts readCounts(JsonReader& parent, ProjectDescription& description)
+OldCounts readCounts(JsonReader& parent, ProjectDescription& description)
 {
     const QLatin1StringView key("journal");
     JsonReader reader(parent.object(key), parent.placeOf(key));
-    Counts counts;
+    OldCounts counts;
     description.deltas = readCount(reader, "deltas", 0, projectLimits::kDeltas);
     counts.died = readCount(reader, "died", 0, description.internodes);
     counts.budChanges = readCount(reader, "budChanges", 0, projectLimits::kChanges);
@@ -294,7 +289,7 @@ Result<void> readLassos(const ZipReader& archive, TreeContent& content)
         return read;
     for (qsizetype i = 0; i < inForce.size(); ++i) {
         if (inForce[i] > 1)
-            return inputError(Text::tr("the lassos"), Text::tr("their parts do not add up"));
+            return inputError(ProjectText::tr("the lassos"), ProjectText::tr("their parts do not add up"));
         if (inForce[i] == 1)
             content.lassosInForce.push_back(static_cast<std::uint32_t>(i));
     }
@@ -307,7 +302,7 @@ Result<Project> read(const ZipReader& archive, JsonReader& reader)
 {
     ProjectDescription description;
     readCommon(reader, description);
-    const Counts counts = readCounts(reader, description);
+    const OldCounts counts = readCounts(reader, description);
     description.ahead = readCount(reader, "ahead", 0, description.deltas);
     const QJsonArray widths = reader.array(QLatin1StringView("widths"));
     readCount(reader, "lassos", 0, projectLimits::kLassos);
@@ -328,7 +323,7 @@ Result<Project> read(const ZipReader& archive, JsonReader& reader)
         return result.error();
     const std::optional<Renumbering> idOf = Renumbering::of(oldInternodes, oldJournal);
     if (!oldJournal.addsUp(counts) || !idOf)
-        return inputError(Text::tr("the history"), Text::tr("its parts do not add up"));
+        return inputError(ProjectText::tr("the history"), ProjectText::tr("its parts do not add up"));
 
     ProjectImages images(archive, description.imageNames);
     TreeContent content;
@@ -346,8 +341,8 @@ Result<Project> read(const ZipReader& archive, JsonReader& reader)
     if (result = readLassos(archive, content); !result)
         return result.error();
     Journal journal = renumbered(oldJournal, *idOf);
-    if (!numberBirths(journal, content.internodes.size()))
-        return inputError(Text::tr("the history"), Text::tr("its parts do not add up"));
+    if (!numberOldBirths(journal, content.internodes.size()))
+        return inputError(ProjectText::tr("the history"), ProjectText::tr("its parts do not add up"));
     Result<Tree> tree = Tree::fromContent(std::move(content));
     if (!tree)
         return tree.error();

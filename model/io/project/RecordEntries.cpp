@@ -4,17 +4,13 @@
 #include "model/io/JsonReader.h"
 #include "model/io/project/ColumnEntries.h"
 #include "model/io/project/ProjectLimits.h"
+#include "model/io/project/ProjectText.h"
 
-#include <QCoreApplication>
 #include <QJsonDocument>
 
 namespace espalier {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
-};
 
 constexpr char kDeltas[] = "journal/records.deltas";
 constexpr char kSizes[] = "journal/records.size";
@@ -22,7 +18,8 @@ constexpr char kOperations[] = "journal/records.json";
 
 Error doNotAddUp()
 {
-    return inputError(Text::tr("the record of what was done"), Text::tr("its parts do not add up"));
+    return inputError(ProjectText::tr("the record of what was done"),
+                      ProjectText::tr("its parts do not add up"));
 }
 
 } // namespace
@@ -78,8 +75,8 @@ Result<void> readRecords(const ZipReader& archive, Journal& journal)
         const QByteArray operation = operations->sliced(first, bytes);
         first += bytes;
         if (bytes > 0 && !QJsonDocument::fromJson(operation).isObject()) {
-            return inputError(Text::tr("step %1 of the history").arg(i + 1),
-                              Text::tr("the record of what was done is not a JSON object"));
+            return inputError(ProjectText::tr("step %1 of the history").arg(i + 1),
+                              ProjectText::tr("the record of what was done is not a JSON object"));
         }
         journal[static_cast<std::size_t>(i)]->record =
             std::make_shared<const EditRecord>(EditRecord{operation, deltas[i]});
