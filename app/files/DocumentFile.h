@@ -11,14 +11,14 @@
 
 namespace espalier {
 
-/// The file that a document comes from and goes to. It is written on a worker thread, from a snapshot. Of
-/// what the document last read from the file or wrote into it a hash is kept, so that saving does not replace
-/// what another window or program has written since.
+/// The file that a document is read from and saved to. It is written on a worker thread, from a snapshot. The
+/// object keeps a hash of what the document last read from the file or wrote into it, so that saving does not
+/// replace what another window or program has written since.
 class DocumentFile : public QObject {
     Q_OBJECT
 
 public:
-    /// A project that was read, with what to know about its file.
+    /// A project that was read, with information about its file.
     struct Read {
         QString fileName;
         Project project;
@@ -36,7 +36,7 @@ public:
 
     /// Absolute; empty as long as there is none.
     const QString& fileName() const { return m_fileName; }
-    /// For a person, without the folder.
+    /// The name of the file without its folder, for the user.
     QString displayName() const;
     /// Whether the document has changes that are in no file.
     bool isModified() const { return !m_document.undoStack().isClean(); }
@@ -46,18 +46,18 @@ public:
 
     /// A seedling without a file.
     void startNew(const TreeParameters& parameters = {});
-    /// Reads a project; may run on any thread.
+    /// Reads a project; can be called on any thread.
     static Result<Read> read(const QString& fileName);
-    /// Shows a project that was read.
+    /// Shows the project in the document.
     void show(Read read);
-    /// Takes over what a crash left: its changes are in no file, @p fileName (may be empty) is where saving
-    /// will go, and @p content what that file held when the changes were begun (does not exist if unknown).
+    /// Takes over a safety copy: its changes are in no file. @p fileName (may be empty) is where saving will
+    /// go, and @p content what that file held when the changes were begun (does not exist if unknown).
     void recover(Project project, const QString& fileName, const FileContent& content);
-    /// A tree that came from elsewhere, and has no file yet.
+    /// The document shows a tree that does not come from a file of its own.
     void forgetFile(const QString& displayName);
-    /// Its file has another name now.
+    /// The document's file has been renamed to @p fileName.
     void fileMoved(const QString& fileName);
-    /// Its file is gone: all of the tree is a change that is in no file.
+    /// The document's file has been removed: the whole tree is a change that is in no file.
     void fileLost();
 
     /// The document as it is now; copies nothing of the columns.
@@ -65,14 +65,14 @@ public:
     /// Begins to write the document as it is now; one file at a time. saved(), saveFailed() or saveRefused()
     /// follow. Unless it is saved, the document keeps the file that it had before.
     void save(const QString& fileName, const QImage& thumbnail, Overwrite overwrite = Overwrite::WhatIsKnown);
-    /// Comes back when nothing is being written any more.
+    /// Returns when no file is being written any more.
     void waitForSaving();
     /// Looks in the background whether another program has changed the file; changedOnDisk() or
     /// removedFromDisk() say so, once for each change.
     void lookAtDisk();
 
 Q_SIGNALS:
-    /// Name or modification.
+    /// The name or the modified state has changed.
     void titleChanged();
     void saved(const QString& fileName);
     void saveFailed(const QString& sentence);
@@ -95,8 +95,8 @@ private:
     QString m_fileName;
     QString m_displayName;
     FileContent m_content;
-    FileStamp m_stamp; ///< Of the file when it was last looked at
-    /// Of the file before the one that is being saved.
+    FileStamp m_stamp; ///< State of the file when it was last looked at
+    /// Name of the document's file before the save that is running.
     QString m_previousName;
     QString m_previousDisplayName;
     bool m_isSaving = false;
