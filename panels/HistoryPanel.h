@@ -8,7 +8,7 @@ class QUndoView;
 
 namespace espalier {
 
-/// All that was done, step by step; a click goes to that step.
+/// The list of all edits and growth steps; a click on a row goes to that step.
 class HistoryPanel : public Bar {
     Q_OBJECT
 
