@@ -23,7 +23,7 @@ void install(const QLocale& locale, const QString& texts)
 
 void speakLanguage(const QString& code)
 {
-    // A translator that goes takes its texts along.
+    // A deleted translator removes its texts.
     qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator*>(kName, Qt::FindDirectChildrenOnly));
     const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
     QLocale::setDefault(locale);

@@ -23,7 +23,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kSteps = 100; ///< Of the slider, to either side
+constexpr int kSteps = 100; ///< Steps of the slider, to either side
 constexpr int kColumn = 300;
 constexpr int kLabel = 148;
 constexpr int kControl = theme::kTarget;

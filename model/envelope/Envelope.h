@@ -34,7 +34,7 @@ public:
 
     bool contains(const Vec3& point) const;
     /// Whether the point lies at least @p margin (m, ≥ 0) within the silhouette and the surface. Where the
-    /// envelope is thinner than that, its middle plane counts as inside.
+    /// envelope is thinner than that, its inner part counts as inside.
     bool containsWithin(const Vec3& point, double margin) const;
     /// How far the surface rises above the plane at the point's place in it, m; 0 beside the silhouette.
     double riseAt(const Vec3& point) const;

@@ -7,8 +7,9 @@ namespace espalier {
 
 namespace {
 
-constexpr double kLeastShare = 0.01; ///< Of its length that is left of an internode
-/// m; whoever bends the same branch for ever does not make it vanish or fill the world.
+constexpr double kLeastShare =
+    0.01; ///< The least length of a bent internode, as a share of its length before
+/// m; repeated bends of the same branch cannot make its internodes shorter than this.
 constexpr double kLeastLength = 1e-5;
 
 ChainPose poseOf(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> path)
@@ -33,7 +34,7 @@ std::vector<ChainHandle> handlesOn(std::span<const InternodeId> path,
     for (const BranchBend::Handle& handle : handles) {
         const auto place = std::ranges::lower_bound(path, handle.id);
         const bool isOnPath = place != path.end() && *place == handle.id;
-        // The base stands for all that hold nothing.
+        // Handles that have no effect get the base's index.
         const auto internode = static_cast<std::uint32_t>(isOnPath ? place - path.begin() : 0);
         found.push_back({internode, handle.along});
     }
@@ -89,7 +90,7 @@ std::vector<FrameChange> BranchBend::changes() const
     const ChainPose& bent = m_chain.pose();
     Eigen::Quaterniond turnBelow = Eigen::Quaterniond::Identity();
     for (std::size_t i = 1; i < m_path.size(); ++i) {
-        // From the stored row on, so that what has not moved keeps it to the last bit.
+        // Turns the stored row, so that a frame that has not moved keeps every bit.
         const Eigen::Quaterniond turn = bent.rotations[i] * rest.rotations[i].conjugate();
         const Eigen::Quaterniond& below = rest.rotations[i - 1];
         const Eigen::Quaterniond local =
@@ -106,7 +107,7 @@ std::vector<FrameChange> BranchBend::changes() const
         const double least = std::max(kLeastShare * before, std::min(kLeastLength, before));
         const auto lengthAfter =
             static_cast<float>(std::clamp(wanted, least, static_cast<double>(kGreatestLength)));
-        // Rounding must not add up over many bends.
+        // Otherwise rounding would accumulate over many bends.
         if (after != m_rotations[i])
             after.normalize();
         if (after != m_rotations[i] || lengthAfter != m_lengths[i])

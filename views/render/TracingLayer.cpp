@@ -33,7 +33,7 @@ void TracingLayer::load(const QString& file)
     m_aspect = static_cast<float>(image.width()) / static_cast<float>(image.height());
     if (std::max(image.width(), image.height()) > kLargestEdge)
         image = image.scaled(kLargestEdge, kLargestEdge, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-    // It is shown as it is, so its colours stay as they are.
+    // The image is shown unchanged, so its colours are not converted.
     m_gl.glActiveTexture(GL_TEXTURE0);
     fillTexture(m_gl, m_texture, image, TextureContent::Data, false);
 }

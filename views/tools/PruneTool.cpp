@@ -107,7 +107,7 @@ void PruneTool::leave()
     show({});
 }
 
-/// A tap there would take the branch off.
+/// Shows what a tap would cut off.
 void PruneTool::aim(const PointerSample& sample)
 {
     const TreeDocument& document = context().document();
@@ -147,12 +147,12 @@ void PruneTool::paint(Overlay& overlay) const
     const Tree& tree = context().document().tree();
     const TreeIndex& index = context().document().index();
     const Camera& camera = context().camera();
-    // Axis by axis: a line each.
+    // One line for each axis.
     std::vector<Vec3> line;
     for (const InternodeId id : m_falling) {
         const InternodeId parent = tree.parent(id);
         if (index.mainChild(parent) == id && std::ranges::binary_search(m_falling, parent))
-            continue; // drawn with its axis
+            continue; // it is drawn with its axis
         line.assign({index.nodePosition(parent)});
         for (InternodeId along = id; along != kNoInternode; along = index.mainChild(along))
             line.push_back(index.nodePosition(along));

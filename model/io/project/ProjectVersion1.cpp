@@ -18,7 +18,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ProjectFile)
 };
 
-/// Bit k: the living bud in slot k.
+/// Bit k is set if the bud in slot k is alive.
 using OldBudMask = std::uint8_t;
 
 struct Counts {
@@ -139,10 +139,11 @@ struct OldJournal {
     }
 };
 
-/// The rows that stay, and the ids that they get.
+/// The rows that are kept, and their new ids.
 class Renumbering {
 public:
-    /// Rows that are there, or were born in the journal, stay. Nothing if births are out of order.
+    /// Rows that are present, or were born in the journal, are kept. Returns nothing if births are out of
+    /// order.
     static std::optional<Renumbering> of(const OldInternodes& old, const OldJournal& journal)
     {
         Renumbering result;
@@ -151,7 +152,7 @@ public:
         std::vector<std::uint8_t> stays(size);
         for (InternodeId id = 0; id < size; ++id)
             stays[id] = old.present[id] == 1 ? 1 : 0;
-        std::uint64_t end = 1; // the seedling was never born
+        std::uint64_t end = 1; // the seedling has no birth
         for (qsizetype i = 0; i < journal.bornFirst.size(); ++i) {
             const std::uint64_t first = journal.bornFirst[i];
             const std::uint64_t count = journal.bornCount[i];
@@ -170,7 +171,7 @@ public:
         return result;
     }
 
-    /// kNoInternode for a row that goes, or that is none.
+    /// The new id; kNoInternode for a row that is removed or does not exist.
     InternodeId operator()(InternodeId old) const { return old < m_ids.size() ? m_ids[old] : kNoInternode; }
 
 private:
@@ -184,7 +185,7 @@ InternodeColumns renumbered(const OldInternodes& old, const Renumbering& idOf, s
     for (InternodeId id = 0; id < static_cast<std::uint32_t>(old.parent.size()); ++id) {
         if (idOf(id) == kNoInternode)
             continue;
-        // A parent that is none, or has gone, stays one that the check of the tree refuses.
+        // A parent that does not exist, or was removed, gets an id that the check of the tree refuses.
         const InternodeId parent = idOf(old.parent[id]);
         c.parent.append(parent == kNoInternode && old.parent[id] != kNoInternode ? c.size() : parent);
         c.along.append(1.0F);
@@ -237,8 +238,8 @@ Journal renumbered(const OldJournal& old, const Renumbering& idOf)
     return journal;
 }
 
-/// All births of the journal are the last rows of the tree; each delta's first id follows from that. False if
-/// there are more births than rows.
+/// Sets the first ids of births: the births of all deltas are the last rows of the tree. False if there are
+/// more births than rows.
 bool numberBirths(Journal& journal, std::uint32_t size)
 {
     for (auto delta = journal.rbegin(); delta != journal.rend(); ++delta) {
