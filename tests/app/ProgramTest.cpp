@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-/// The built program, as scripts call it.
+/// The built program, called as from a script.
 class ProgramTest : public QObject {
     Q_OBJECT
 
@@ -39,10 +39,10 @@ private:
         QByteArray out;
         QByteArray error;
     };
-    /// @p takesNothing: no file that the program writes may be longer than nothing.
+    /// @p takesNothing: every file that the program writes is limited to a length of 0.
     Outcome run(const QStringList& arguments, const QProcessEnvironment& environment = withoutDisplay(),
                 bool takesNothing = false);
-    /// Runs and fails the test unless all went well without a word.
+    /// Runs the program, and fails the test unless it succeeds without any output.
     void runWell(const QStringList& arguments);
     static QProcessEnvironment withoutDisplay();
     QString path(const QString& name) const { return m_folder->filePath(name); }
@@ -98,7 +98,7 @@ ProgramTest::Outcome ProgramTest::run(const QStringList& arguments, const QProce
         process.setChildProcessModifier([] {
             const rlimit nothing = {0, RLIM_INFINITY};
             ::setrlimit(RLIMIT_FSIZE, &nothing);
-            // Writing then fails, in place of ending the program.
+            // Writing fails then, instead of ending the program.
             std::signal(SIGXFSZ, SIG_IGN);
         });
     }

@@ -17,9 +17,9 @@
 
 namespace espalier::test {
 
-/// What was undone or cancelled leaves no trace: a document that lived through any sequence of edits, undos,
-/// redos, travels in time and cancelled gestures equals, byte for byte, one in which the undone and the
-/// cancelled never happened.
+/// Undone and cancelled edits leave no trace: a document after any sequence of edits, undos, redos, travels
+/// in time and cancelled gestures equals, byte for byte, a document in which the undone and cancelled edits
+/// never happened.
 class UndoPropertyTest : public QObject {
     Q_OBJECT
 
@@ -42,7 +42,7 @@ QByteArray packed(const TreeDocument& document)
     return *bytes;
 }
 
-/// A document to which random edits, undos and cancelled gestures happen, and the list of those that count.
+/// A document with random edits, undos and cancelled gestures, and the list of the edits that count.
 class Undecided {
 public:
     explicit Undecided(std::uint64_t seed) : m_random(seed, 0, 0, Purpose::ShootLength), m_seed(seed)
@@ -81,7 +81,7 @@ public:
 
     const TreeDocument& document() const { return m_document; }
 
-    /// Lives through what counts alone.
+    /// Performs only the edits that count.
     void replay(TreeDocument& document) const
     {
         document.reset(m_seed, m_parameters);
@@ -103,7 +103,8 @@ private:
     }
     std::size_t somewhere() const { return m_document.journal().size() + m_document.future().size(); }
 
-    /// A step of the stack is what lies between two indices; travels in a row, and what follows one, join.
+    /// A step of the stack is the part between two indices; consecutive travels, and the edit after them, are
+    /// one step.
     void doSomething(const Action& action)
     {
         const int before = m_document.undoStack().index();
@@ -229,7 +230,7 @@ private:
     std::uint64_t m_seed;
     TreeParameters m_parameters;
     TreeDocument m_document;
-    std::vector<std::vector<Action>> m_entries; ///< As the undo stack
+    std::vector<std::vector<Action>> m_entries; ///< In the order of the undo stack
     std::size_t m_index = 0;
 };
 
