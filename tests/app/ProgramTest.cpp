@@ -31,7 +31,7 @@ private Q_SLOTS:
     void diskThatTakesNothing_leavesOldFilesAndFails();
     void fullDisk_isSaidInWords();
     void picture_isDrawnOnADisplay();
-    void demonstration_writesItsFilesWhereNobodyLooks();
+    void demonstration_onAVirtualDisplay_writesItsFiles();
 
 private:
     struct Outcome {
@@ -414,7 +414,7 @@ void ProgramTest::picture_isDrawnOnADisplay()
     QCOMPARE(outcome.error.count('\n'), 1);
 }
 
-void ProgramTest::demonstration_writesItsFilesWhereNobodyLooks()
+void ProgramTest::demonstration_onAVirtualDisplay_writesItsFiles()
 {
     QVERIFY2(!qEnvironmentVariableIsEmpty("DISPLAY"), "There is no display: run this test with xvfb-run -a.");
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
