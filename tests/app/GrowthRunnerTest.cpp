@@ -63,7 +63,7 @@ void GrowthRunnerTest::growth_isWhatTheGestureMakes()
     QVERIFY(document.tree() == expected.tree());
     QCOMPARE(document.undoStack().count(), 1);
 
-    // The tree has a future, which the copy must contain too.
+    // Growth continues after an undo and a redo; the copy of the tree must contain its history.
     document.undoStack().undo();
     document.undoStack().redo();
     runner.run(3);

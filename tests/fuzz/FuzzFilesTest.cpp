@@ -83,7 +83,7 @@ bool FuzzFilesTest::tryProject(const QByteArray& content)
             qFatal("an error without a word");
         return false;
     }
-    // A look at it asks for its images.
+    // Reading the parameter sets loads their images.
     for (const TreeParameters& set : project->tree.parameterSets())
         (void)leafTextures(set.leaves, 16);
     // All that a user can do with the history, through the document and all its indices.

@@ -14,7 +14,8 @@ namespace {
 constexpr int kCoverageEdge = 256;
 constexpr int kSoftEdge = 256;
 constexpr int kSkyEdge = 64;
-/// Parts of the tree up to this share of its height above the ground throw a sharp shadow.
+/// A part of the tree throws a sharp shadow on the ground up to this distance, as a share of the tree's
+/// height.
 constexpr float kNearShare = 0.25F;
 
 } // namespace
