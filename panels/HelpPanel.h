@@ -55,8 +55,8 @@ private:
     QPushButton* m_play;
     BarButton* m_back;
     BarButton* m_contents;
-    bool m_isContentsAsked =
-        false; ///< The contents show in place of the page, where there is no room beside it
+    /// The contents show in place of the page, where there is no room beside it.
+    bool m_isContentsAsked = false;
 };
 
 } // namespace espalier

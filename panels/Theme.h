@@ -49,12 +49,12 @@ inline constinit const QColor& kText = inForce.text;
 inline constinit const QColor& kBrightText = inForce.brightText; ///< Under the pointer, or chosen
 inline constinit const QColor& kDimText = inForce.dimText;
 inline constinit const QColor& kFaintText = inForce.faintText; ///< For controls that are disabled
-inline constinit const QColor& kAccent =
-    inForce.accent; ///< For controls that are on, and the filled part of a slider
+/// For controls that are on, and the filled part of a slider.
+inline constinit const QColor& kAccent = inForce.accent;
 inline constinit const QColor& kAccentFill = inForce.accentFill; ///< Behind the current tool
 inline constinit const QColor& kAccentText = inForce.accentText; ///< Icons of controls that are on
-inline constinit const QColor& kHandle =
-    inForce.handle; ///< Handles that can be dragged: the brush and its size
+/// Handles that can be dragged: the brush and its size.
+inline constinit const QColor& kHandle = inForce.handle;
 inline constinit const QColor& kHandleFill = inForce.handleFill; ///< The filled part of the brush's slider
 inline constinit const QColor& kKeyCap = inForce.keyCap;         ///< Behind the name of a key
 inline constinit const QColor& kWarning = inForce.warning;

@@ -31,11 +31,11 @@ struct CommandLine {
     QSize size{1600, 1200};   ///< Of the picture, px
     QString camera;           ///< front, side, top, three-quarter; empty for what the recipe says
     bool transparent = false; ///< The picture shows the tree alone, on nothing
-    bool groundShadow =
-        false;           ///< The transparent picture has the tree's shadow too, as black of some opacity
-    QString stats;       ///< JSON; empty for none
-    bool strict = false; ///< An operation that finds nothing to do is an error
-    int threads = 0;     ///< 0 for as many as the machine has
+    /// The transparent picture has the tree's shadow too, as black of some opacity.
+    bool groundShadow = false;
+    QString stats;                     ///< JSON; empty for none
+    bool strict = false;               ///< An operation that finds nothing to do is an error
+    int threads = 0;                   ///< 0 for as many as the machine has
     std::optional<std::uint64_t> seed; ///< In place of the recipe's
 
     /// Whether a window or a picture will be drawn, which needs a display.

@@ -37,8 +37,8 @@ private:
     };
 
     std::vector<Segment> m_segments; ///< Square by square
-    Grid<int>
-        m_begin; ///< Index of a square's first segment; its segments end where those of the next square begin
+    /// Index of a square's first segment; its segments end where those of the next square begin.
+    Grid<int> m_begin;
 };
 
 /// How a line runs through a square of four nodes, numbered 0...3 counter-clockwise from the lower left:

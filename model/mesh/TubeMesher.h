@@ -51,8 +51,8 @@ private:
         Vec3 tangent = Vec3::UnitY();
         float radius = 0.0F; ///< m, without flare and collar
         float chord = 0.0F;  ///< m, to the next knot
-        float root =
-            0.0F; ///< Square root of chord: the parameter's length in the centripetal parametrisation
+        /// Square root of chord: the parameter's length in the centripetal parametrisation.
+        float root = 0.0F;
         float path = 0.0F; ///< Sum of the chords below it, m
         int sides = 4;
         std::uint32_t internode = 0; ///< Index in m_internodes of the internode that ends here; that of the

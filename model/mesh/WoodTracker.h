@@ -37,8 +37,8 @@ public:
 
     /// Pieces by their first internodes.
     struct Work {
-        std::vector<InternodeId>
-            gone; ///< Pieces that were meshed and do not exist any more, or will be meshed again
+        /// Pieces that were meshed and do not exist any more, or will be meshed again.
+        std::vector<InternodeId> gone;
         std::vector<InternodeId> wood;   ///< Pieces whose wood and leaves are to be meshed
         std::vector<InternodeId> leaves; ///< Pieces that only need new leaves
     };
@@ -102,8 +102,8 @@ private:
     std::vector<InternodeId> m_dirty; ///< Internodes whose pieces must be meshed
     std::vector<InternodeId>
         m_waiting; ///< First internodes of the pieces to be meshed; the last one is the next
-    std::vector<InternodeId>
-        m_bare; ///< First internodes of the pieces that only need leaves; the last one is the next
+    /// First internodes of the pieces that only need leaves; the last one is the next.
+    std::vector<InternodeId> m_bare;
     bool m_hasChanged = false;  ///< The tree has changed since collectWaiting()
     bool m_woodIsDirty = false; ///< All pieces must be meshed
     bool m_leavesAreDirty = false;

@@ -43,9 +43,9 @@ struct TracingImage {
     static constexpr double kMaxOffset = 100.0; ///< m
 
     QString file{}; ///< Empty for none
-    double right =
-        0.0;         ///< Distance of its middle from the seedling to the right, m, −kMaxOffset...kMaxOffset
-    double up = 1.5; ///< Height of its middle above the seedling, m, −kMaxOffset...kMaxOffset
+    /// Distance of its middle from the seedling to the right, m, −kMaxOffset...kMaxOffset.
+    double right = 0.0;
+    double up = 1.5;      ///< Height of its middle above the seedling, m, −kMaxOffset...kMaxOffset
     double height = 3.0;  ///< m, 0.01...kMaxHeight; its width follows from the file
     double opacity = 0.5; ///< 0...1
 
@@ -62,8 +62,8 @@ struct ViewValues {
     bool planeShown = true;     ///< Hints of the drawing plane show
     double bendingWeight =
         1.0; ///< Resistance of branches against bending, kLeastBendWeight...kMostBendWeight
-    double stretchingWeight =
-        1.0; ///< Resistance of branches against stretching, kLeastBendWeight...kMostBendWeight
+    /// Resistance of branches against stretching, kLeastBendWeight...kMostBendWeight.
+    double stretchingWeight = 1.0;
     bool leavesShown = true;
     bool groundShown = true;
     bool shadowsShown = true;

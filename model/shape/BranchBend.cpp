@@ -7,8 +7,8 @@ namespace espalier {
 
 namespace {
 
-constexpr double kLeastShare =
-    0.01; ///< The least length of a bent internode, as a share of its length before
+/// The least length of a bent internode, as a share of its length before.
+constexpr double kLeastShare = 0.01;
 /// m; repeated bends of the same branch cannot make its internodes shorter than this.
 constexpr double kLeastLength = 1e-5;
 

@@ -15,8 +15,8 @@ namespace espalier {
 struct BendOptions {
     double stretching = 1.0; ///< σ, 0.01...100, resistance of joints against being pulled apart
     double bending = 1.0;    ///< β, 0.01...100, resistance of joints against bending and twisting
-    double mostStretch =
-        1.5; ///< 1...10, how far away a target can be, in lengths of the path that leads to the handle
+    /// 1...10, how far away a target can be, in lengths of the path that leads to the handle.
+    double mostStretch = 1.5;
 
     bool operator==(const BendOptions&) const = default;
 };
@@ -102,8 +102,8 @@ private:
     double m_mostStretch = 1.0;
     ChainEnergy m_energy;
     std::vector<Grip> m_grips; ///< From the base up
-    std::vector<std::size_t>
-        m_gripOf; ///< Index of the grip of each handle; past the end if the handle has no effect
+    /// Index of the grip of each handle; past the end if the handle has no effect.
+    std::vector<std::size_t> m_gripOf;
     std::vector<std::size_t> m_held; ///< Internodes of the grips
     ChainEnergy::Motions m_motions;
     ChainEnergy::Motions m_trial;

@@ -254,8 +254,8 @@ private:
     std::span<const WidthConstraint> m_constraints;
     double m_logTip;
     std::vector<Region> m_regions;
-    std::vector<std::uint32_t>
-        m_regionOf; ///< By internode; an internode with a constraint belongs to the region above it
+    /// By internode; an internode with a constraint belongs to the region above it.
+    std::vector<std::uint32_t> m_regionOf;
     std::vector<Crossing> m_crossings;
     std::vector<float> m_radii;
     std::vector<WidthExtremities> m_extremities;

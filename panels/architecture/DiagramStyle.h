@@ -12,8 +12,8 @@ namespace espalier::diagram {
 
 inline constexpr QColor kWood(0xa8, 0x8a, 0x70);
 inline constexpr QColor kFill(0x7f, 0xb0, 0x69, 0x38); ///< Inside a green outline
-inline constexpr QColor kGuide(0x9a, 0xa2, 0xae,
-                               0x60);           ///< Axes, and the form that a tree has without the setting
+/// Axes, and the form that a tree has without the setting.
+inline constexpr QColor kGuide(0x9a, 0xa2, 0xae, 0x60);
 inline constexpr QColor kRed(0xc9, 0x6a, 0x62); ///< Gravity; occupied space
 
 /// A point at @p length px from @p origin, turned by @p angle (rad) from straight up to the right.

@@ -16,8 +16,8 @@ namespace espalier::test {
 struct MeshTopology {
     int eulerCharacteristic = 0; ///< V − E + F; 2 for a sphere, 0 for a torus
     int openEdges = 0;           ///< With only one triangle
-    int nonManifoldEdges =
-        0; ///< With three triangles or more, or with two that disagree on which side is out
+    /// With three triangles or more, or with two that disagree on which side is out.
+    int nonManifoldEdges = 0;
     int degenerateTriangles = 0; ///< With two corners at one place, or without area
 
     bool isClosedManifold() const

@@ -28,8 +28,8 @@ struct PointerSample {
     double pressure = 1.0; ///< 0...1; 1 of devices that do not measure it
     QPointF tilt;          ///< Tilt of a pen from upright toward right and down, rad
     double time = 0.0;     ///< s, of PointerReader's clock; never runs back
-    Qt::MouseButton button =
-        Qt::NoButton;         ///< The button that was pressed or released; a pen's tip is the left one
+    /// The button that was pressed or released; a pen's tip is the left one.
+    Qt::MouseButton button = Qt::NoButton;
     Qt::MouseButtons buttons; ///< The buttons that are held
     Qt::KeyboardModifiers modifiers;
     bool isEraser = false; ///< The pen's eraser end

@@ -24,8 +24,8 @@ struct PickScene {
     const Tree& tree;
     const TreeIndex& index;
     const PickIndex& nodes; ///< After settle()
-    const std::function<float(InternodeId)>&
-        radius; ///< Radius of the bark, m; never more than @p greatestRadius
+    /// Radius of the bark, m; never more than @p greatestRadius.
+    const std::function<float(InternodeId)>& radius;
     float greatestRadius;
     const Camera& camera;
 };

@@ -63,8 +63,8 @@ private:
     Tree m_tree;
     std::vector<std::uint32_t> m_rounds; ///< By row: number of the round in which it was last checked
     std::uint32_t m_round = 0;
-    std::vector<std::int32_t>
-        m_continuations; ///< Living children that continue the axis; more than one is an error
+    /// Living children that continue the axis; more than one is an error.
+    std::vector<std::int32_t> m_continuations;
 };
 
 Rewind::Rewind(const Tree& tree)
