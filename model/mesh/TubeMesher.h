@@ -55,9 +55,9 @@ private:
         float root = 0.0F;
         float path = 0.0F; ///< Sum of the chords below it, m
         int sides = 4;
-        std::uint32_t internode = 0; ///< Index in m_internodes of the internode that ends here; that of the
-                                     ///< first for the tube's foot
-        int rings = 1;               ///< Rings from here (included) to the next knot (excluded)
+        /// Index in m_internodes of the internode that ends here; that of the first for the tube's foot.
+        std::uint32_t internode = 0;
+        int rings = 1; ///< Rings from here (included) to the next knot (excluded)
     };
 
     /// Direction, a unit vector, in which the branch below the node of @p id reaches it.

@@ -100,8 +100,8 @@ private:
     // What take() still has to return.
     std::vector<InternodeId> m_gone;  ///< Pieces that are gone
     std::vector<InternodeId> m_dirty; ///< Internodes whose pieces must be meshed
-    std::vector<InternodeId>
-        m_waiting; ///< First internodes of the pieces to be meshed; the last one is the next
+    /// First internodes of the pieces to be meshed; the last one is the next.
+    std::vector<InternodeId> m_waiting;
     /// First internodes of the pieces that only need leaves; the last one is the next.
     std::vector<InternodeId> m_bare;
     bool m_hasChanged = false;  ///< The tree has changed since collectWaiting()
