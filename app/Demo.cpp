@@ -52,7 +52,7 @@ void demonstrateUnseen(MainWindow& window, const Recipe& recipe)
                 std::printf(
                     "There is no display, so the tree was brushed on a virtual one. Written to %s: %s\n",
                     qPrintable(QDir::currentPath()), qPrintable(written->join(QStringLiteral(", "))));
-            // What was shown is in files now: nobody is there to be asked about it.
+            // The tree is in files now, and no user is there to answer a question about unsaved changes.
             window.document().undoStack().setClean();
             QCoreApplication::exit(written ? kDone : kOutputNotWritten);
         });

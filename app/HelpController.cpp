@@ -109,14 +109,15 @@ void HelpController::playSample(const QString& fileName)
     m_parts.workspace.viewport().setFocus();
 }
 
-/// A sample has been played, or stopped.
+/// Gives the tree of a sample to the user, after the sample has been played or stopped.
 void HelpController::handOverSample()
 {
     if (!std::exchange(m_isSample, false))
         return;
-    // The program's own samples are no work of anybody's.
+    // A sample of the program is not an unsaved change.
     m_parts.document.undoStack().setClean();
-    // Whoever reads of a tool and has seen it at work wants to try it.
+    // The user who has read about a tool and seen it at work probably wants to try it: it becomes the current
+    // tool.
     for (const ActionId id : Actions::tools()) {
         QAction* tool = m_parts.actions[id];
         if (m_parts.workspace.isHelpShown() && m_parts.workspace.help().page() == tool->objectName())

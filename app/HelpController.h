@@ -21,13 +21,14 @@ public:
     virtual ~RecipeStage() = default;
     /// Whether a gesture, growth or a recipe is changing the document now.
     virtual bool isBusy() const = 0;
-    /// Ends the stroke under the hand and asks about unsaved changes; false if the document is to stay.
+    /// Ends the stroke under the hand and asks about unsaved changes. Returns false if the document must stay
+    /// open.
     virtual bool mayLeave() = 0;
-    /// Ends what is under way, and lets a recipe grow another tree in the open document.
+    /// Ends what is under way, and starts a recipe that grows another tree in the open document.
     virtual void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace) = 0;
 };
 
-/// What a person asks for who wants to know: the help, a recipe of it that plays, and the tour.
+/// Shows the help and the tour, and plays the recipes that the help pages name.
 class HelpController : public QObject {
     Q_OBJECT
 
@@ -43,29 +44,30 @@ public:
         Settings& settings;
     };
 
-    /// @p isSample is what the one before it says.
+    /// @p isSample is the value that isSample() of the controller before this one returned.
     explicit HelpController(const Parts& parts, bool isSample = false);
     ~HelpController() override;
 
     Tour& tour() { return *m_tour; }
-    /// Whether what the recipe runner plays is a sample.
+    /// Whether the recipe that the recipe runner plays is a sample.
     bool isSample() const { return m_isSample; }
 
-    /// Opens the help at the page of what is at hand; closes it if that is what it shows.
+    /// Opens the help at the page of the current tool or sheet; closes the help if it already shows that
+    /// page.
     void toggle();
-    /// Puts away the tour, or else the help; whether there was one.
+    /// Closes the tour, or else the help. Returns whether one of them was open.
     bool putAway();
     void startTour();
-    /// Shows a newcomer around: the first time that it is called on a person's machine, and never again.
+    /// Starts the tour the first time that it is called for a user of this machine, and never again.
     void startFirstTour();
-    /// Plays a recipe that belongs to the program. Asks about unsaved changes first; its own tree is none, as
-    /// long as nobody works on it.
+    /// Plays a recipe that belongs to the program. Asks about unsaved changes first; a sample that the user
+    /// has not edited does not count as a change.
     void playSample(const QString& fileName);
 
 private:
     void close();
     void handOverSample();
-    /// Of the sheet that has the keys, or else of the tool in hand.
+    /// The page of the sheet that has the keyboard focus, or else that of the current tool.
     QString pageAtHand() const;
 
     Parts m_parts;

@@ -5,8 +5,8 @@
 
 namespace espalier {
 
-/// Puts the program's own texts and Qt's in a language, "de", as far as there are any; an empty code is the
-/// system's. What has been shown before keeps its texts.
+/// Loads the translations of the program and of Qt for a language ("de"), as far as there are any; an empty
+/// code means the system's language. Texts that are already on the screen do not change.
 void speakLanguage(const QString& code);
 
 } // namespace espalier

@@ -23,7 +23,7 @@ bool isUsLetter(int key)
     return key >= Qt::Key_A && key <= Qt::Key_Z;
 }
 
-/// Whether the user writes there.
+/// Whether the user can type text into the object.
 bool takesText(const QObject* object)
 {
     const auto* widget = qobject_cast<const QWidget*>(object);
@@ -38,7 +38,7 @@ LatinKeyFilter::LatinKeyFilter(QObject* parent)
     qApp->installEventFilter(this);
 }
 
-/// The Qt::Key that the event's key means by its place; 0 if it means what the layout says.
+/// The Qt::Key for the place of the event's key; 0 if the layout's meaning counts.
 int LatinKeyFilter::meantKey(const QKeyEvent& event)
 {
     const quint32 code = m_codes == KeyCodes::Mac ? event.nativeVirtualKey() : event.nativeScanCode();
@@ -59,9 +59,9 @@ int LatinKeyFilter::meantKey(const QKeyEvent& event)
 
 bool LatinKeyFilter::eventFilter(QObject* watched, QEvent* event)
 {
-    // A key comes to the window first, once, and from there to the widget that has the focus.
+    // A key event comes to the window first, once, and from there to the widget with the focus.
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease;
-    // What this filter sends itself says nothing of the layout.
+    // Events that this filter sends itself tell nothing about the layout.
     if (!isKey || m_isSending || !watched->isWindowType())
         return QObject::eventFilter(watched, event);
     const auto& key = static_cast<const QKeyEvent&>(*event);

@@ -10,10 +10,10 @@ class QKeyEvent;
 
 namespace espalier {
 
-/// Makes shortcuts work on keyboards whose layout has no Latin letters (Cyrillic, Greek, Hebrew...): there a
-/// key means what a US keyboard has at its place, so that Ctrl+Z is where it always is. It filters the
-/// application's events from its construction on. What the user types into a text field is left alone, unless
-/// Ctrl, Alt or Meta is held.
+/// Makes shortcuts work on keyboards whose layout has no Latin letters (Cyrillic, Greek, Hebrew...): a key
+/// gets the meaning that the key at the same place of a US keyboard has, so that Ctrl+Z is where it always
+/// is. The object filters the application's events from its construction on. Text that the user types into a
+/// text field does not change, unless Ctrl, Alt or Meta is held.
 class LatinKeyFilter : public QObject {
     Q_OBJECT
 
@@ -26,8 +26,7 @@ private:
     int meantKey(const QKeyEvent& event);
 
     KeyCodes m_codes;
-    /// Whether the last letter was a foreign one: then a sign at the place of a Latin letter means that
-    /// letter.
+    /// Whether the last letter was not Latin: then a sign at the place of a Latin letter means that letter.
     bool m_isSending = false;
     bool m_isLayoutForeign = false;
     QHash<quint32, int> m_held; ///< What held keys mean, by their native codes

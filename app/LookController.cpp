@@ -16,9 +16,9 @@ namespace espalier {
 
 namespace {
 
-constexpr int kPatience = 100; ///< ms between two looks whether the document is free
+constexpr int kPatience = 100; ///< ms between two checks whether the document is free
 
-/// Another image of a bark, if there is a file of it; none if that cannot be read.
+/// Another image of a bark; null if there is no file of it or the file cannot be read.
 ImageAsset companion(const QString& fileName)
 {
     if (fileName.isEmpty())
@@ -29,7 +29,7 @@ ImageAsset companion(const QString& fileName)
 
 } // namespace
 
-/// What a file has turned out to be.
+/// The content of an image file.
 struct LookController::Look {
     LookKind kind = LookKind::Leaf;
     ImageAsset image{};

@@ -14,8 +14,8 @@ namespace espalier {
 class Notice;
 class Settings;
 
-/// Gives leaves and bark images of the person's own: asks for a file, reads it in the background, and puts it
-/// in force as one undo step.
+/// Gives leaves and bark the user's own images: asks for a file, reads it in the background, and puts it in
+/// force as one undo step.
 class LookController : public QObject {
     Q_OBJECT
 
@@ -26,13 +26,14 @@ public:
 
     /// Asks for a file.
     void choose(LookKind kind);
-    /// Reads a file, and what belongs to it, and puts it in force; or says why not.
+    /// Reads a file and the files that belong to it, and puts the image in force; shows a notice if that
+    /// fails.
     void take(LookKind kind, const QString& fileName);
-    /// The same for a file that was dropped anywhere: asks what it shall be.
+    /// The same for a file that was dropped on the window: asks whether it is for leaves or for bark.
     void askAndTake(const QString& fileName);
 
 Q_SIGNALS:
-    /// An image was put in force, or not.
+    /// An image was put in force, or the attempt has failed.
     void taken();
 
 private:

@@ -34,8 +34,7 @@ void nameProgram()
     QGuiApplication::setDesktopFileName(QStringLiteral("espalier"));
 }
 
-/// Without a window the standard error is for this program's own one line: what Qt has to say about the
-/// system is kept from it.
+/// Prints only fatal messages of Qt: without a window, the standard error is for the program's own messages.
 void onlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message)
 {
     if (type == QtCriticalMsg || type == QtFatalMsg)
@@ -83,7 +82,7 @@ int runWindow(const CommandLine& line, QApplication& application)
     } else if (demo) {
         window.playRecipe(*demo, RecipeRunner::Pace::OfTheHand);
     } else {
-        // First things first: what a crash has left comes before the tour.
+        // Recovery after a crash comes before the tour.
         if (line.inputs.isEmpty() && Autosave::leftovers().empty() && !isDisplayVirtual())
             window.help().startFirstTour();
         if (!line.inputs.isEmpty())

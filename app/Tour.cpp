@@ -135,7 +135,7 @@ void Tour::stop()
 void Tour::showStep(int step)
 {
     const Card& card = m_steps[static_cast<std::size_t>(step)];
-    // What it takes to show something is not what the person does.
+    // A change that prepare() makes is not an action of the user.
     m_step = -1;
     m_pause.stop();
     if (card.prepare)
@@ -162,7 +162,7 @@ void Tour::did(Step step)
 {
     if (m_step != step)
         return;
-    // Whoever asks for help wants to read it now.
+    // A user who opens the help wants to read it now.
     if (step == HelpStep)
         stop();
     else

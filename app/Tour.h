@@ -39,15 +39,15 @@ private:
     struct Card {
         QString title;
         std::function<QString()> text;
-        std::function<QRect()> target; ///< px of the workspace; empty if it is not seen now
-        std::function<void()> prepare; ///< May be empty
+        std::function<QRect()> target; ///< px of the workspace; empty if the widget is not visible
+        std::function<void()> prepare; ///< Called before the card shows; may be empty
     };
 
     void makeSteps(const Actions& actions);
     void watch(const Actions& actions);
     void showStep(int step);
     void next();
-    /// The person has done what a card says; if it is the one that shows, the next one comes.
+    /// The user has done what the card of @p step says; if that card shows, the next one comes.
     void did(Step step);
     void follow();
     QRect placeOf(const QWidget* widget) const;
@@ -56,14 +56,14 @@ private:
     Workspace& m_workspace;
     TreeDocument& m_document;
     ViewSettings& m_settings;
-    TourCard* m_card; ///< The workspace's
+    TourCard* m_card; ///< Child of the workspace
     std::vector<Card> m_steps;
     int m_step = -1;
     int m_undoIndex = 0;
-    double m_radius = 0.0;  ///< m, when the card of the radius came
-    double m_azimuth = 0.0; ///< rad, when the card of the strip came
+    double m_radius = 0.0;  ///< Radius of the brush when its card came, m
+    double m_azimuth = 0.0; ///< Azimuth of the camera when the card of the strip came, rad
     QTimer m_following;
-    QTimer m_pause; ///< Between what was done and the next card
+    QTimer m_pause; ///< Time between the user's action and the next card
 };
 
 } // namespace espalier

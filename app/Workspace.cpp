@@ -31,7 +31,7 @@ constexpr int kTopBarHeight = 50;
 constexpr int kGap = 10;
 constexpr int kStatusHeight = 60;
 constexpr int kStatusMargin = 20;
-/// ms; a tree that grows under the brush is counted no more often.
+/// ms; the counts of a growing tree are not updated more often.
 constexpr int kCountInterval = 200;
 
 } // namespace
@@ -119,7 +119,7 @@ void Workspace::showHelp(bool shown)
         return;
     m_isHelpShown = shown;
     arrange();
-    // The tree goes on standing in the middle of its room.
+    // The tree stays in the middle of the room that is left.
     const double covered = HelpPanel::widthIn(width()) + kGap;
     Camera camera = m_viewport->camera();
     camera.pan({shown ? -covered / 2.0 : covered / 2.0, 0.0});
@@ -203,7 +203,7 @@ void Workspace::arrange()
 
     int y = kTopBarHeight + kGap;
     const int lowest = height() - kStatusHeight;
-    // Whatever else there is keeps to the left of the help.
+    // Everything else is placed to the left of the help.
     int right = width();
     if (m_isHelpShown && shown) {
         const int helpWidth = HelpPanel::widthIn(width());
@@ -211,7 +211,7 @@ void Workspace::arrange()
         m_help->setGeometry(right, y, helpWidth, lowest - y);
     }
     m_help->setVisible(m_isHelpShown && shown);
-    // Places are worked out for tools on the left.
+    // Places are computed for tools on the left.
     const auto placed = [this, right](QRect place) {
         if (m_areToolsRight)
             place.moveLeft(right - place.x() - place.width());
@@ -252,14 +252,15 @@ void Workspace::arrange()
         const QSize size(popOut->sizeHint().width(),
                          std::clamp(lowestPopOut - y, least, popOut->sizeHint().height()));
         popOut->setGeometry(placed(QRect(QPoint(x, y), size)));
-        // A small window has room for a sheet or for a pop-out; the brush's sheet has all of its pop-out.
+        // A small window has room for either a sheet or a pop-out; the brush's sheet has all controls of its
+        // pop-out.
         const bool isOnSheet = popOut == m_brushPopOut && m_brushSheet->isVisibleTo(this);
         popOut->setVisible(shown && kind == m_popOut && !isOnSheet && y + least <= lowestPopOut);
         if (popOut->isVisibleTo(this))
             popOutPlace = popOut->geometry();
     }
 
-    // Beside the sheet, or below one that is as wide as the window.
+    // The history is beside the sheet, or below a sheet that is as wide as the window.
     const QSize history = m_history->sizeHint();
     QRect historyPlace = placed({right - history.width() - kGap, kTopBarHeight + kGap, history.width(), 0});
     if (sheetPlace.right() + kGap >= historyPlace.left() && sheetPlace.left() - kGap <= historyPlace.right())
@@ -276,7 +277,7 @@ void Workspace::arrange()
     const int bottom = height() - Viewport::kStripHeight - 2;
     m_counts->adjustSize();
     m_tip->adjustSize();
-    // Counts stand where no pop-out is, the tip on the side of the tools.
+    // Counts are on the side without a pop-out, the tip is on the side of the tools.
     QLabel* const left = m_areToolsRight ? m_counts : m_tip;
     QLabel* const farther = m_areToolsRight ? m_tip : m_counts;
     left->move(kStatusMargin, bottom - left->height());

@@ -30,8 +30,8 @@ class Notice;
 class RotationStrip;
 class Viewport;
 
-/// The tree from edge to edge, and over it whatever is at hand: bars, the pop-out of the tool, one sheet of
-/// parameters, a notice, and a line that counts.
+/// The tree from edge to edge, and over it the bars, the pop-out of the tool, one sheet of parameters, a
+/// notice, and a line with counts.
 class Workspace : public QWidget {
     Q_OBJECT
 
@@ -58,20 +58,21 @@ public:
 
     void showPopOut(PopOut popOut);
     void showHistory(bool shown);
-    /// The library lies over all but the top bar and notices.
+    /// Shows or hides the library, which covers all but the top bar and notices.
     void showLibrary(bool shown);
-    /// Beside the tree, which keeps the rest of the room.
+    /// Shows or hides the help beside the tree, which keeps the rest of the room.
     void showHelp(bool shown);
     bool isHelpShown() const { return m_isHelpShown; }
-    /// The bar of tools, and what opens beside it, on the right, and the history on the left.
+    /// Puts the bar of tools, and what opens beside it, on the right and the history on the left, or the
+    /// other way round.
     void setToolsRight(bool right);
-    /// 0...kSheetCount - 1; any other number shows none.
+    /// Shows the sheet @p index, 0...kSheetCount - 1; any other number shows none.
     void showSheet(int index);
     /// Hides everything but the tree and notices.
     void setInterfaceHidden(bool hidden);
-    /// Gives the keyboard to the help, to the open sheet or else to the tools; or back to the tree.
+    /// Moves the keyboard focus to the help, to the open sheet or else to the tools; or back to the tree.
     void focusNextPane();
-    /// A tool's advice, in place of the counts; empty for none.
+    /// Shows a tool's advice in place of the counts; empty for none.
     void setTip(const QString& tip);
 
 protected:
@@ -80,7 +81,7 @@ protected:
 private:
     void arrange();
     void showCounts();
-    /// Words over the picture are legible on whatever stands behind the tree.
+    /// Sets the colour of words over the picture so that they are legible on the backdrop.
     void followBackdrop();
 
     const TreeDocument& m_document;

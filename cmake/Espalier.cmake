@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What every target of this project has in common.
+# Settings and functions for all targets of this project.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -31,10 +31,10 @@ endif()
 find_program(CCACHE_PROGRAM ccache)
 mark_as_advanced(CCACHE_PROGRAM)
 if(CCACHE_PROGRAM)
-    # Without these, ccache never finds again what was built with a precompiled header.
+    # Without these, ccache has no hits for sources that use a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
         CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-        # A second checkout finds what the first has compiled.
+        # A second checkout uses the results of the first one.
         "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
         add_compile_options(-fpch-preprocess)
@@ -53,7 +53,7 @@ set(ESPALIER_WIDGET_HEADERS
     <QAction> <QBoxLayout> <QIcon> <QLabel> <QMainWindow> <QMouseEvent> <QPainter> <QSettings> <QSlider> <QTimer>
     <QToolButton> <QWidget>)
 
-# The strict settings of this project's own code; nothing of others is compiled with them.
+# The strict settings of this project's own code; other projects' code is not compiled with them.
 function(espalier_own_code target)
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}")
     target_compile_definitions(${target} PRIVATE ESPALIER_VERSION="${PROJECT_VERSION}")
@@ -104,7 +104,7 @@ endfunction()
 #
 # Files to be found under ":/prefix" in every executable that links to the target of that name, directly or not.
 # Qt registers a resource while the object file that holds it is loaded, and a linker leaves out of a static library
-# any object nobody refers to; so the objects are handed to the executables themselves.
+# any object without references to it; so the objects are linked into the executables directly.
 function(espalier_resources name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX;BASE" "FILES")
     add_library(${name} INTERFACE)

@@ -9,8 +9,8 @@
 
 namespace espalier {
 
-/// A control of a parameter as assistive tools meet it: a slider with a value in the parameter's surface unit
-/// and a text that says it with its unit.
+/// The accessible interface of a parameter's control: a slider with a value in the parameter's surface unit
+/// and a text of the value with its unit.
 class AccessibleParameter : public QAccessibleWidget, public QAccessibleValueInterface {
 public:
     struct Access {

@@ -11,7 +11,7 @@
 
 namespace espalier {
 
-/// Everything that a person can ask for by a menu, a button or a key.
+/// Everything that the user can start by a menu, a button or a key.
 enum class ActionId {
     New,
     Open,
@@ -57,8 +57,8 @@ enum class ActionId {
 
 enum class ActionGroup { File, Edit, Tools, View, Window, Count };
 
-/// A row of the one table of actions; menus, bars and shortcuts are made of it, and a tool's page of the help
-/// has its name. Texts are untranslated; their context is "Actions".
+/// A row of the only table of actions. Menus, bars and shortcuts are made from it, and a tool's help page has
+/// the action's name. Texts are untranslated; their context is "Actions".
 struct ActionEntry {
     ActionId id;
     ActionGroup group;
@@ -70,22 +70,22 @@ struct ActionEntry {
     bool checkable = false;
 };
 
-/// The program's actions, made from the table; they belong to a window, whose keys they are.
+/// The program's actions, made from the table. They belong to a window, which handles their keys.
 class Actions : public QObject {
     Q_OBJECT
 
 public:
     explicit Actions(QWidget& window);
-    /// Gives all of them their texts in the language in force now.
+    /// Sets all texts in the current language.
     void setTexts();
 
     QAction* operator[](ActionId id) const { return m_actions[static_cast<std::size_t>(id)]; }
 
     static const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& table();
     static QString groupTitle(ActionGroup group);
-    /// The tools that a hand can hold one of, in the order of the side bar.
+    /// The tools, in the order of the side bar; one of them is always the current one.
     static std::span<const ActionId> tools();
-    /// The sheets that the bar at the top pulls down, in its order and that of Workspace::sheet().
+    /// The sheets that the top bar opens, in the order of the bar and of Workspace::sheet().
     static std::span<const ActionId> sheets();
 
 private:

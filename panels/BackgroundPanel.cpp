@@ -32,7 +32,7 @@ constexpr ViewField tracingField(const char* key, const char* label, const char*
             [](ViewValues& values, double value) { values.tracing.*Member = value; }};
 }
 
-/// −180...180
+/// Azimuth of the sun that the row shows, −180...180
 double shownAzimuth(const ViewValues& values)
 {
     return std::remainder(degrees(values.sunAzimuth), 360.0);
@@ -47,7 +47,7 @@ constexpr int kSunWidth = 160;
 constexpr int kTracingWidth = 118;
 constexpr int kPlaceWidth = 150;
 constexpr int kSpacing = 18;
-constexpr double kMostTracing = 20.0; ///< m; sliders go no farther
+constexpr double kMostTracing = 20.0; ///< m; the limit of the sliders
 
 // In columns, from left to right.
 enum FieldPlace : std::size_t {
@@ -119,7 +119,7 @@ constexpr std::array<ViewField, FieldCount> kFields{{
         kMostTracing, kLinear, "m"),
 }};
 
-// What choiceNames() asks for
+// The names for choiceNames()
 [[maybe_unused]] constexpr const char* kChoiceNames[] = {
     QT_TRANSLATE_NOOP("Parameters", "studio"),      QT_TRANSLATE_NOOP("Parameters", "horizon"),
     QT_TRANSLATE_NOOP("Parameters", "plain"),       QT_TRANSLATE_NOOP("Parameters", "gradient"),

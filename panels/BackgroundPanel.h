@@ -14,8 +14,8 @@ namespace espalier {
 
 class ViewRow;
 
-/// What is around the tree: what stands behind it, the ground, the sun, a picture to draw after. All of it
-/// belongs to the view: it shows at once, and nothing of it is undone.
+/// Controls for the surroundings of the tree: the backdrop, the ground, the sun, a picture to draw after. All
+/// of it belongs to the view: a change shows at once, and is not undone.
 class BackgroundPanel : public Bar {
     Q_OBJECT
 
@@ -24,8 +24,8 @@ public:
 
     /// The row of that name ("view.sunElevation" and so on), or null.
     ViewRow* row(const char* key) const;
-    /// Shows the picture of that file behind the tree, in the place of the one before; none if empty. Says so
-    /// if it cannot be read.
+    /// Shows the picture of that file behind the tree instead of the previous one; none if @p file is empty.
+    /// Shows a notice if the file cannot be read.
     void trace(const QString& file);
 
 private:
@@ -39,7 +39,7 @@ private:
 
     ViewSettings& m_settings;
     QWidget* m_content;
-    std::vector<ViewRow*> m_rows; ///< As the fields, in the .cpp
+    std::vector<ViewRow*> m_rows; ///< In the order of the fields in the .cpp
     QPushButton* m_colour = nullptr;
     QPushButton* m_topColour = nullptr;
     QPushButton* m_remove = nullptr;

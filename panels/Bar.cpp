@@ -28,7 +28,7 @@ void Bar::setFlat(bool flat)
 
 bool Bar::event(QEvent* event)
 {
-    // Within a bar the Tab key goes from one thing to the next, whatever it means elsewhere.
+    // Within a bar the Tab key moves to the next control, also if it has a meaning for the tree.
     if (event->type() == QEvent::ShortcutOverride) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Tab || key == Qt::Key_Backtab) {
@@ -67,7 +67,7 @@ BarButton::BarButton(Look look, QWidget* parent) : QToolButton(parent), m_look(l
 {
     setAutoRaise(true);
     setIconSize({24, 24});
-    // A click must not take the keys away from the tree; Tab still reaches the button.
+    // A click must not take the keyboard focus from the tree; Tab still reaches the button.
     setFocusPolicy(Qt::TabFocus);
     switch (look) {
     case Look::Icon:
@@ -124,7 +124,8 @@ QLabel* barHeading(const QString& text, QWidget* parent)
     QFont bold = title->font();
     bold.setBold(true);
     title->setFont(bold);
-    // For all states: a panel that rests during a stroke shall not flicker.
+    // The colour is the same in all states, so that a panel that is disabled during a stroke does not
+    // flicker.
     theme::setTone(*title, theme::Tone::Bright);
     title->setFixedHeight(24);
     title->setAlignment(Qt::AlignTop | Qt::AlignLeft);

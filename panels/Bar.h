@@ -10,15 +10,15 @@ class QVBoxLayout;
 
 namespace espalier {
 
-/// A translucent, rounded panel that floats over the tree. The pointer's events on it end there: nobody
-/// brushes through a panel.
+/// A translucent, rounded panel that floats over the tree. Pointer events on it end there, so that a press on
+/// a panel does not brush.
 class Bar : public QWidget {
     Q_OBJECT
 
 public:
     explicit Bar(QWidget* parent = nullptr);
 
-    /// A flat bar reaches from edge to edge of the window, and has a line below it.
+    /// Makes the bar flat: it reaches from edge to edge of the window, and has a line below it.
     void setFlat(bool flat);
 
 protected:
@@ -37,9 +37,9 @@ class BarButton : public QToolButton {
 
 public:
     enum class Look {
-        Icon,          ///< In a row
-        IconAboveText, ///< In a column of tools
-        Tab,           ///< Text; one of several sheets
+        Icon,          ///< For a row of buttons
+        IconAboveText, ///< For a column of tools
+        Tab,           ///< Text only, for one of several sheets
     };
 
     explicit BarButton(Look look, QWidget* parent = nullptr);
@@ -56,7 +56,7 @@ private:
 QWidget* barSeparator(Qt::Orientation orientation, QWidget* parent);
 /// A heading above controls that belong together.
 QLabel* barHeading(const QString& text, QWidget* parent);
-/// A column with a heading, @p width px wide, at the end of @p content, whose layout is a row of such.
+/// Adds a column with a heading, @p width px wide, to the row layout of @p content.
 QVBoxLayout* addBarColumn(QWidget& content, const QString& title, int width);
 
 } // namespace espalier

@@ -16,11 +16,11 @@ namespace espalier {
 
 namespace {
 
-constexpr int kLeastTitle = 4; ///< Letters; fewer say nothing
-/// px that a title may ask for, at the cost of buttons that are elsewhere as well.
+constexpr int kLeastTitle = 4; ///< Letters; a shorter title is useless
+/// px that a title can get by hiding buttons whose actions are available elsewhere.
 constexpr int kTitleRoom = 130;
 
-/// In the order in which they give way; the menu has all of them.
+/// In the order in which they are hidden; the menu has all of them.
 constexpr std::array kYielding{ActionId::Markers, ActionId::Export, ActionId::Open, ActionId::FrameAll};
 
 } // namespace
@@ -51,12 +51,12 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     menuButton->setMenu(makeMenu(actions, std::move(fillRecentFiles)));
 
     m_title->setTextFormat(Qt::PlainText);
-    // Where there is little room, some buttons give way to it; the rest have it before the title.
+    // In a narrow bar some buttons are hidden to make room for the title; the other ones come before it.
     m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_title->setMinimumWidth(1);
     theme::setTone(*m_title, theme::Tone::Dim);
 
-    // Files and view have equal shares of the rest, so that the sheets stand in the middle.
+    // Files and view have equal shares of the rest, so that the sheets are in the middle.
     auto* line = new QHBoxLayout(this);
     line->setContentsMargins(8, 3, 8, 3);
     line->setSpacing(2);
@@ -90,7 +90,8 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
 QMenu* TopBar::makeMenu(const Actions& actions, std::function<void(QMenu&)> fillRecentFiles)
 {
     auto* menu = new QMenu(this);
-    // Files are at hand; the rest, which has buttons and keys, is a level down.
+    // The actions for files are in the menu itself; the others, which have buttons and keys, are in a
+    // submenu.
     QMenu* group = menu;
     ActionGroup kind = ActionGroup::File;
     for (const ActionEntry& entry : Actions::table()) {
@@ -129,7 +130,7 @@ void TopBar::arrange()
     for (QWidget* button : m_yielding)
         button->show();
     const auto leastWidth = [this] {
-        // Those within it look anew as well.
+        // Layouts inside are computed again too.
         layout()->invalidate();
         layout()->activate();
         return layout()->minimumSize().width() - m_title->minimumWidth() + 1;
@@ -165,7 +166,7 @@ void TopBar::showTitle()
 
 void TopBar::showEvent(QShowEvent* event)
 {
-    // No sooner have its buttons their fonts.
+    // The buttons have their fonts only now.
     Bar::showEvent(event);
     arrange();
 }

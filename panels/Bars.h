@@ -28,7 +28,7 @@ public:
     /// @p fillRecentFiles fills the menu of recent files each time before it shows.
     TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFiles, QWidget* parent = nullptr);
 
-    /// Name of what is open, and whether it has changes that no file has.
+    /// Shows the name of the document, and whether it has changes that are in no file.
     void setTitle(const QString& name, bool modified);
 
 protected:
@@ -40,10 +40,10 @@ private:
     void arrange();
     void showTitle();
     QString mark() const;
-    int titleWidth() const; ///< px that it would like to have
+    int titleWidth() const; ///< Width of the whole title, px
 
     QLabel* m_title;
-    /// Buttons that give way where the window is narrow; as kYielding in the .cpp.
+    /// Buttons that are hidden where the window is narrow, in the order of kYielding in the .cpp.
     std::array<QWidget*, 4> m_yielding{};
     QString m_name;
     bool m_modified = false;

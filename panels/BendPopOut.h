@@ -8,7 +8,7 @@ class QSlider;
 
 namespace espalier {
 
-/// What belongs to bending: how much branches resist being bent, and being stretched.
+/// The controls for bending: how much branches resist bending and stretching.
 class BendPopOut : public Bar {
     Q_OBJECT
 

@@ -16,7 +16,7 @@ namespace espalier {
 
 namespace {
 
-// As BrushSwitch
+// In the order of BrushSwitch
 constexpr std::array kSwitches{
     viewSwitch<&ViewValues::pressureScales>(
         "view.pressureScales", QT_TRANSLATE_NOOP("Parameters", "Pressure"),

@@ -13,9 +13,9 @@ namespace espalier {
 class RadiusSlider;
 class ViewRow;
 
-// What the brush's pop-out and its sheet share.
+// Controls that the brush's pop-out and its sheet share.
 
-/// The brush's radius: its number, what a brush of that size does, and the slider.
+/// The controls for the brush's radius: its number, a text about the effect of that size, and the slider.
 class BrushRadius : public QWidget {
     Q_OBJECT
 
@@ -34,8 +34,8 @@ private:
 
 enum class BrushSwitch {
     Pressure, ///< A pen's pressure scales the radius
-    Markers,  ///< The room that the brush spreads is shown
-    Plane,    ///< Hints of the drawing plane are
+    Markers,  ///< The markers of free space that the brush spreads are shown
+    Plane,    ///< Hints of the drawing plane are shown
 };
 
 ViewRow* makeBrushSwitch(BrushSwitch which, ViewSettings& settings, QWidget* parent);

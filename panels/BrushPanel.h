@@ -15,8 +15,9 @@ namespace espalier {
 class ParameterRow;
 class PressureCurve;
 
-/// All about the brush: its size, what a pen's pressure does, the room that it spreads for growth, and what
-/// is shown of it. What is the tree's (the room) is undone; what is the hand's is not.
+/// The sheet of the brush: its size, the effect of a pen's pressure, the markers of free space that it
+/// spreads, and what shows of it. Parameters of the tree (the markers) are undone; settings of the view are
+/// not.
 class BrushPanel : public Bar {
     Q_OBJECT
 
@@ -29,11 +30,11 @@ public:
     ParameterRow* row(std::string_view key) const;
     /// Shows the exponent; no signal.
     void setPressureExponent(double exponent);
-    /// Whether the tree's parameters may be changed now; what is the hand's may be at any time.
+    /// Whether the tree's parameters can be changed now; settings of the view can be changed at any time.
     void setParametersEnabled(bool enabled);
 
 Q_SIGNALS:
-    /// By a person's hand.
+    /// The user has changed the exponent.
     void pressureExponentEdited(double exponent);
 
 private:

@@ -7,8 +7,8 @@
 
 namespace espalier {
 
-/// What a hand wants of the brush while it works: its radius, whether a pen's pressure scales it, and whether
-/// its markers show. The rest is on the brush's sheet.
+/// The controls that are needed while brushing: the radius, whether a pen's pressure scales it, and whether
+/// the markers show. The other ones are on the brush's sheet.
 class BrushPopOut : public Bar {
     Q_OBJECT
 

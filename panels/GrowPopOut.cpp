@@ -16,9 +16,9 @@ namespace espalier {
 
 namespace {
 
-/// Growth steps that the slider reaches beyond the present, at least.
+/// Number of growth steps beyond the present that the slider reaches at least.
 constexpr int kGrowthZone = 12;
-/// The present holds the handle for so many pixels: who draws it there, or only touches it, grows nothing.
+/// Width of the present on the slider, px: moving the handle there, or only touching it, grows nothing.
 constexpr int kDetent = 6;
 
 } // namespace
@@ -84,7 +84,7 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     connect(many, &QPushButton::clicked, this, [this] { Q_EMIT stepsAsked(m_count->value()); });
     connect(m_time, &QSlider::valueChanged, this, [this](int position) {
         Q_EMIT timeMoved(m_time->isSliderDown() ? detained(position) : position);
-        // Keys and clicks beside the handle are gestures of their own.
+        // Keys, and clicks beside the handle, are whole gestures.
         if (!m_time->isSliderDown())
             Q_EMIT timeReleased();
     });
@@ -103,7 +103,7 @@ void GrowPopOut::showStep()
                                                 : tr("step %L1, %L2 edits and steps back")
                                                       .arg(m_document.tree().step())
                                                       .arg(m_document.future().size()));
-    // The hand on the slider leads; else it follows.
+    // While the user holds the slider it leads the history; otherwise it follows.
     if (m_time->isSliderDown())
         return;
     const QSignalBlocker blocker(m_time);

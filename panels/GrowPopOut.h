@@ -11,9 +11,9 @@ class QSpinBox;
 
 namespace espalier {
 
-/// Time (TreeSketch §3.1): a slider back through all that was done and forth again, and beyond the present
-/// into growth; a button that plays what was; and growth for as long as a button is held, or for a number of
-/// steps. It only asks; see its signals.
+/// Controls for time (TreeSketch §3.1): a slider through the history, back and forth, and beyond the present
+/// into growth; a button that plays the history; a button that grows the tree while it is held; and growth
+/// for a number of steps. The widget only emits signals.
 class GrowPopOut : public Bar {
     Q_OBJECT
 
@@ -25,8 +25,8 @@ Q_SIGNALS:
     void holdBegins();
     void holdEnds();
     void stepsAsked(int steps);
-    /// The slider is held: show the moment at which @p position edits and growth steps of the history have
-    /// been made; beyond its end, grow as many.
+    /// The slider was moved: show the moment after the first @p position edits and growth steps of the
+    /// history; for a position beyond the history's end, grow the difference.
     void timeMoved(int position);
     void timeReleased();
     void playToggled(bool plays);
@@ -37,7 +37,8 @@ public:
 
 private:
     void showStep();
-    /// Where a handle at @p position leads: a little beyond the present is still the present.
+    /// The position that a handle at @p position stands for: a little beyond the present counts as the
+    /// present.
     int detained(int position) const;
 
     const TreeDocument& m_document;

@@ -34,7 +34,7 @@ const QString HelpBook::kIndex = QStringLiteral("index");
 HelpBook::HelpBook(const QLocale& locale, const QString& root) : m_root(root)
 {
     for (QString language : locale.uiLanguages()) {
-        // From the particular to the general: "de-AT", then "de".
+        // From the specific language to the general one: "de-AT", then "de".
         language.replace(QLatin1Char('-'), QLatin1Char('_'));
         m_languages << language << language.section(QLatin1Char('_'), 0, 0);
     }

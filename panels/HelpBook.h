@@ -10,8 +10,8 @@
 
 namespace espalier {
 
-/// The pages of the help: Markdown files in a folder for each language, "en" and so on. A page is known by
-/// its file's name without the suffix. Where a language lacks a page, the English one is read.
+/// The pages of the help: Markdown files in a folder for each language, "en" and so on. A page's id is its
+/// file name without the suffix. Where a language lacks a page, the English one is used.
 class HelpBook {
 public:
     struct Entry {
@@ -23,19 +23,19 @@ public:
         std::vector<Entry> entries;
     };
 
-    /// The page with the table of contents, which says what there is and in which order.
+    /// The page with the table of contents, which lists the pages in order.
     static const QString kIndex;
 
-    /// @p root is a folder of languages.
+    /// @p root is the folder with a folder for each language.
     explicit HelpBook(const QLocale& locale = QLocale(), const QString& root = QStringLiteral(":/docs/help"));
 
     /// The links of the index page, under its headings.
     const std::vector<Section>& contents() const { return m_contents; }
-    /// Where the page lies; empty if there is none of that name.
+    /// URL of the page's file; empty if there is no page of that name.
     QUrl url(const QString& page) const;
-    /// Its name in the table of contents; empty if it is not there.
+    /// Title of the page in the table of contents; empty if the page is not there.
     QString title(const QString& page) const;
-    /// Pages that have all of the words, in whole or as beginnings; those that have them in their title
+    /// Pages that contain all of the words, in whole or as beginnings; pages that have them in the title come
     /// first.
     QStringList find(const QString& words) const;
 
@@ -44,7 +44,7 @@ private:
     void readContents();
 
     QString m_root;
-    QStringList m_languages; ///< The person's, the best first, and English at the end
+    QStringList m_languages; ///< The user's languages, the preferred one first, and English at the end
     std::vector<Section> m_contents;
 };
 

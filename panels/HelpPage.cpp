@@ -23,10 +23,10 @@ namespace {
 constexpr int kPageMargin = 18;      ///< Around the text, px
 constexpr double kPictureRadius = 8; ///< Of a picture's corners, px
 constexpr double kLineHeight = 132;  ///< %
-/// Of headings, by their level, in sizes of the text.
+/// Font sizes of headings by level, relative to the text.
 constexpr std::array kHeadingSizes{1.0, 1.75, 1.22, 1.06};
 
-/// Calls @p visit(position, length, format) for each run of text that looks the same.
+/// Calls @p visit(position, length, format) for each run of text of the same format.
 template <class Visit>
 void visitFragments(const QTextDocument& document, Visit&& visit)
 {
@@ -35,7 +35,7 @@ void visitFragments(const QTextDocument& document, Visit&& visit)
         int length;
         QTextCharFormat format;
     };
-    // What is visited may be changed, which the document's own iterators do not outlive.
+    // @p visit can change the text, which invalidates the document's iterators.
     std::vector<Run> runs;
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         for (auto it = block.begin(); !it.atEnd(); ++it) {
@@ -62,7 +62,7 @@ bool isCode(const QTextBlock& block)
     return block.isValid() && block.blockFormat().hasProperty(QTextFormat::BlockCodeFence);
 }
 
-/// Between a block and what comes below it, px.
+/// Distance between a block and the next one, px.
 double spaceBelow(const QTextBlock& block)
 {
     const QTextBlock next = block.next();
@@ -108,7 +108,7 @@ HelpPage::HelpPage(QWidget* parent) : QTextBrowser(parent)
         m_pictures.clear();
         dress();
     });
-    // A finger moves the page, as it does on paper.
+    // A finger drags the page.
     QScroller::grabGesture(viewport(), QScroller::TouchGesture);
 }
 
@@ -191,7 +191,7 @@ void HelpPage::dress()
             letters.setFontPointSize(font().pointSizeF() * 0.92);
             letters.clearBackground();
         } else if (format.fontFixedPitch()) {
-            // Code is keys, most of the time: caps that can be told from the words around them.
+            // Code is mostly names of keys: they get a background to distinguish them from the text.
             letters.setFontFamilies({font().family()});
             letters.setFontFixedPitch(false);
             letters.setForeground(theme::kHandle);

@@ -7,19 +7,19 @@
 
 namespace espalier {
 
-/// Shows a page of Markdown with its pictures, in the theme's colours and as wide as there is room. Links are
-/// told of (anchorClicked) and not followed.
+/// Shows a page of Markdown with its pictures, in the theme's colours and as wide as there is room. A click
+/// on a link emits anchorClicked; the widget does not follow it.
 class HelpPage : public QTextBrowser {
     Q_OBJECT
 
 public:
     explicit HelpPage(QWidget* parent = nullptr);
 
-    /// Of the page that shows; source() lags behind while sourceChanged is told.
+    /// URL of the page that shows; source() still has the old value while sourceChanged is emitted.
     const QUrl& url() const { return m_url; }
-    /// Targets of its links, as they stand in the page, in order.
+    /// Targets of the page's links, as written in the page, in order.
     QStringList links() const;
-    /// Targets of its pictures, likewise.
+    /// Targets of the page's pictures, as written in the page, in order.
     QStringList pictures() const;
     QVariant loadResource(int type, const QUrl& name) override;
 
@@ -33,7 +33,7 @@ private:
     void fitPictures();
 
     QUrl m_url;
-    QHash<QUrl, QImage> m_pictures; ///< As large as they are
+    QHash<QUrl, QImage> m_pictures; ///< In their full size
     int m_fittedWidth = 0;          ///< px
 };
 

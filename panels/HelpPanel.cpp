@@ -28,12 +28,12 @@ constexpr int kIndexWidth = 206;
 constexpr int kWide = 600;
 constexpr int kPageRole = Qt::UserRole;
 
-/// The file that a link of a page leads to.
+/// The file to which a link of a page points.
 QString fileOf(const QUrl& url)
 {
     if (url.scheme() != QStringLiteral("qrc"))
         return url.toLocalFile();
-    // What lies in the sources' folder of resources is built in without that folder.
+    // Files of the source folder "resources" are built in without that folder.
     static const QString kResources = QStringLiteral("/resources/");
     const QString path = url.path();
     return QLatin1Char(':') + (path.startsWith(kResources) ? path.mid(kResources.size() - 1) : path);
@@ -185,7 +185,7 @@ void HelpPanel::followLink(const QUrl& link)
     if (isRecipe(file)) {
         Q_EMIT recipeAsked(file);
     } else if (QUrl own = m_book.url(page); !own.isEmpty()) {
-        // A page of another language may stand in for one that is not there.
+        // If a page is missing, a page of another language replaces it.
         own.setFragment(url.fragment());
         m_page->setSource(own);
     } else if (QFile::exists(file)) {
@@ -227,7 +227,7 @@ void HelpPanel::fillContents()
             add(tr("Nothing found"), {});
     } else {
         for (const HelpBook::Section& section : m_book.contents()) {
-            // The first page stands alone, without a heading over it.
+            // The first page is listed without a heading.
             if (section.entries.size() > 1)
                 add(section.title, {});
             for (const HelpBook::Entry& entry : section.entries)

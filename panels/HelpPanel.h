@@ -12,8 +12,8 @@ namespace espalier {
 
 class HelpPage;
 
-/// The help beside the tree: contents and search on the left, where there is room for them beside the page,
-/// otherwise in its place. A page that names a recipe can be seen at work; the panel only asks for that.
+/// The help beside the tree: contents and search on the left, if there is room for them beside the page,
+/// otherwise in its place. A page can name a recipe to play; the panel only emits a signal for that.
 class HelpPanel : public Bar {
     Q_OBJECT
 
@@ -21,19 +21,19 @@ public:
     explicit HelpPanel(QWidget* parent = nullptr);
 
     const HelpBook& book() const { return m_book; }
-    /// A name that no page has shows the first page.
+    /// Shows a page; the first page if there is none of that name.
     void showPage(const QString& page);
     QString page() const;
-    /// File of the recipe that the page shows its tool by; empty if it has none.
+    /// File of the recipe that shows the page's tool at work; empty if it has none.
     QString recipe() const;
 
-    /// How much of a window of that width it takes, px.
+    /// Width of the panel in a window of that width, px.
     static int widthIn(int windowWidth);
 
 Q_SIGNALS:
-    /// A recipe of the page shall be played.
+    /// The user wants to play the page's recipe.
     void recipeAsked(const QString& fileName);
-    /// Somebody wants to be shown around.
+    /// The user wants to see the tour.
     void tourAsked();
     void closeAsked();
 
@@ -55,7 +55,8 @@ private:
     QPushButton* m_play;
     BarButton* m_back;
     BarButton* m_contents;
-    bool m_isContentsAsked = false; ///< In place of the page, where there is no room beside it
+    /// The contents show in place of the page, where there is no room beside it.
+    bool m_isContentsAsked = false;
 };
 
 } // namespace espalier

@@ -40,7 +40,7 @@ HistoryPanel::HistoryPanel(QUndoStack& stack, QWidget* parent)
 void HistoryPanel::resizeEvent(QResizeEvent* event)
 {
     Bar::resizeEvent(event);
-    // Where one is stays in sight.
+    // Keeps the current step visible.
     layout()->activate();
     m_list->scrollTo(m_list->currentIndex());
 }

@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// The stroked icon ":/icons/<name>.svg" in the theme's colours: they follow from whether it is on, under the
-/// pointer or disabled, and it is as sharp at any size as the screen allows.
+/// The stroked icon ":/icons/<name>.svg" in the theme's colours. The colour depends on whether the control is
+/// on, under the pointer or disabled; the icon is sharp at any size.
 QIcon icon(const QString& name);
 
 } // namespace espalier

@@ -11,20 +11,20 @@ namespace espalier {
 
 class Toggle;
 
-/// What can be done with the envelopes that stand. It only asks; see its signals.
+/// Controls for the envelopes in force. The widget only emits signals.
 class LassoPopOut : public Bar {
     Q_OBJECT
 
 public:
     LassoPopOut(const TreeDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
 
-    /// While the tree fills an envelope, only ending that is offered.
+    /// While the tree fills an envelope, the only enabled control is the one that ends this.
     void setGrowing(bool growing);
 
 Q_SIGNALS:
     void regrowAsked();
     void removeAsked();
-    /// Growth shall stay as it is.
+    /// The user wants to end growth and keep what has grown.
     void stopAsked();
 
 private:

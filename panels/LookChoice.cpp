@@ -22,13 +22,13 @@ namespace espalier {
 namespace {
 
 constexpr int kSwatch = 28; ///< px
-/// Letters of an image's name that a closed list has room for.
+/// Letters of an image's name that fit into the closed list.
 constexpr int kShownName = 12;
 
 /// A texture in a square, a leaf as a whole and a piece of bark.
 QIcon swatchOf(const QImage& texture, LookKind kind)
 {
-    const int edge = 2 * kSwatch; // for dense screens
+    const int edge = 2 * kSwatch; // for high-resolution screens
     QPixmap pixmap(edge, edge);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
@@ -40,7 +40,7 @@ QIcon swatchOf(const QImage& texture, LookKind kind)
     return QIcon(pixmap);
 }
 
-/// About as broad as such leaves are by their length; a texture is square.
+/// The image in about the proportions of such leaves; the texture is square.
 QImage inShape(const QImage& texture, LeafShape shape)
 {
     double aspect = 0.85;
@@ -85,7 +85,7 @@ LookChoice::LookChoice(LookKind kind, const QStringList& drawn, QWidget* parent)
                     : tr("A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too"),
                 Qt::ToolTipRole);
     setIconSize({kSwatch, kSwatch});
-    // As wide as its place lets it be; the list itself is as wide as its longest line.
+    // As wide as its place allows; the open list is as wide as its longest line.
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     setMinimumContentsLength(static_cast<int>(
         std::ranges::max(drawn, {}, [](const QString& name) { return name.size(); }).size()));
@@ -112,7 +112,7 @@ void LookChoice::takeImagesAway(TreeParameters& parameters, LookKind kind)
         parameters.bark.image = parameters.bark.normalImage = parameters.bark.roughnessImage = {};
     } else if (!parameters.leaves.image.isNull()) {
         parameters.leaves.image = {};
-        parameters.leaves.aspect = LeafParameters().aspect; // that was the image's
+        parameters.leaves.aspect = LeafParameters().aspect; // that aspect belonged to the image
     }
 }
 
@@ -138,7 +138,7 @@ void LookChoice::present(int drawn, const ImageAsset& image)
 
 void LookChoice::sizeItems()
 {
-    // Each is to be hit by a finger.
+    // Each item is large enough for a finger.
     for (int i = 0; i < count(); ++i)
         setItemData(i, QSize(0, theme::kTarget), Qt::SizeHintRole);
 }
@@ -172,7 +172,7 @@ void LookChoice::showEvent(QShowEvent* event)
 
 void LookChoice::showPopup()
 {
-    constexpr int kRoom = 40; ///< px, for what stands around an item's text
+    constexpr int kRoom = 40; ///< px, the room around an item's text
     int widest = 0;
     for (int i = 0; i < count(); ++i)
         widest = std::max(widest, view()->fontMetrics().horizontalAdvance(itemText(i)));
@@ -182,7 +182,7 @@ void LookChoice::showPopup()
 
 void LookChoice::wheelEvent(QWheelEvent* event)
 {
-    // A panel is scrolled past it; nor shall a wheel end at the way to choose an image.
+    // The wheel scrolls the panel; it must not select the entry that chooses an image.
     event->ignore();
 }
 

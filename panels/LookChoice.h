@@ -9,31 +9,31 @@
 
 namespace espalier {
 
-/// What can look like an image of one's own.
+/// The parts of a tree that can have the user's own image.
 enum class LookKind { Leaf, Bark };
 
-/// A list of looks, each with a swatch: those that are drawn, the image of one's own if there is one, and a
-/// way to choose another. An image may also be dropped on it.
+/// A list of looks, each with a swatch: the drawn ones, the user's own image if there is one, and an entry
+/// that chooses another image. The user can also drop an image on it.
 class LookChoice : public QComboBox {
     Q_OBJECT
 
 public:
     LookChoice(LookKind kind, const QStringList& drawn, QWidget* parent = nullptr);
 
-    /// Whether a parameter is chosen by such a list.
+    /// Whether a parameter is chosen by a list of looks, and of which kind.
     static std::optional<LookKind> kindOf(const char* parameter);
-    /// The image that such a list shows among @p parameters.
+    /// The image in @p parameters that a list of that kind shows.
     static const ImageAsset& imageOf(const TreeParameters& parameters, LookKind kind);
-    /// Takes the images away again, so that what is drawn shows.
+    /// Removes the images of that kind, so that the drawn look is used.
     static void takeImagesAway(TreeParameters& parameters, LookKind kind);
 
-    /// The number of the drawn look, and the image that takes its place if it is one.
+    /// Shows the drawn look of that number, or the image instead if it is not null.
     void present(int drawn, const ImageAsset& image);
 
 Q_SIGNALS:
-    /// A drawn look was chosen.
+    /// The user has chosen a drawn look.
     void drawnChosen(int drawn);
-    /// Another image is wanted.
+    /// The user wants to choose another image.
     void imageAsked(espalier::LookKind kind);
     void imageDropped(espalier::LookKind kind, const QString& fileName);
 
@@ -56,7 +56,7 @@ private:
     bool m_hasSwatches = false;
 };
 
-/// The image file that is being dropped, or nothing.
+/// The image file in a drop, or an empty name.
 QString droppedImage(const QMimeData& data);
 
 } // namespace espalier

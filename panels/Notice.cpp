@@ -123,7 +123,7 @@ void Notice::present(const QString& text, bool warning, const QStringList& answe
 void Notice::hideEvent(QHideEvent* event)
 {
     Bar::hideEvent(event);
-    if (isHidden()) // It, and not the window around it
+    if (isHidden()) // false if only the window around the notice is hidden
         Q_EMIT closed();
 }
 

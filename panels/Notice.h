@@ -14,36 +14,36 @@ class QPushButton;
 
 namespace espalier {
 
-/// One sentence over the tree: what was done, what went wrong, or how far something has got. It never stops
-/// the work.
+/// One sentence over the tree: what was done, what went wrong, or the progress of a task. It never blocks the
+/// work.
 class Notice : public Bar {
     Q_OBJECT
 
 public:
     explicit Notice(QWidget* parent = nullptr);
 
-    /// Goes away by itself.
+    /// Shows a sentence that disappears after some time.
     void showInformation(const QString& text);
-    /// Stays until it is closed.
+    /// Shows a sentence that stays until the user closes it.
     void showWarning(const QString& text);
-    /// Shows progress of 0...1, or that it takes an unknown time (below 0), and a way to cancel if @p cancel
-    /// is given; until another notice or finish().
+    /// Shows progress of 0...1, or that it takes an unknown time (below 0), and a button to cancel if @p
+    /// cancel is given; until the next notice or finish().
     void showProgress(const QString& text, double progress, std::function<void()> cancel = {});
-    /// Asks; each answer closes it. Another notice takes the question away without an answer.
+    /// Shows a question; each answer closes it. Another notice removes the question without an answer.
     void ask(const QString& text, const QString& yes, const QString& no, std::function<void(bool)> answer);
-    /// Asks with one, two or three answers; @p answer is told the index of the one that was chosen.
+    /// Shows a question with one, two or three answers; @p answer gets the index of the chosen one.
     void ask(const QString& text, const QStringList& answers, std::function<void(int)> answer);
     void finish() { hide(); }
-    /// Goes away if it shows progress.
+    /// Closes the notice if it shows progress.
     void finishProgress();
 
     QString text() const;
     bool isWarning() const { return m_isWarning; }
 
 Q_SIGNALS:
-    /// It needs another place or size now.
+    /// The notice needs another place or size now.
     void resized();
-    /// It went away, answered or not.
+    /// The notice was closed, with or without an answer.
     void closed();
 
 protected:

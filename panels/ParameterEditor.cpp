@@ -13,10 +13,10 @@ namespace espalier {
 
 namespace {
 
-/// ms; strides of keys that are less apart are one undo step.
+/// ms; key presses with a shorter time between them are one undo step.
 constexpr int kRest = 600;
 
-/// Mends what the change of one parameter makes contradictory.
+/// Corrects the parameters that contradict the changed one.
 void reconcile(GrowthParameters& growth, std::string_view changed)
 {
     double* const weights[] = {&growth.axisWeight, &growth.tropismWeight, &growth.spaceWeight};

@@ -10,9 +10,9 @@
 
 namespace espalier {
 
-/// What a panel shows of a document's parameters, and the way in which a person changes them: one gesture at
-/// a time, and each gesture one undo step. Values that belong together stay so: the weights of direction
-/// share a whole, the ellipse of gravimorphism contains the axis.
+/// The parameters that a panel shows of a document, and the way in which the user changes them: one gesture
+/// at a time, and each gesture one undo step. Values that depend on each other stay consistent: the weights
+/// of direction sum up to 1, and the ellipse of gravimorphism contains the axis.
 class ParameterEditor : public QObject {
     Q_OBJECT
 
@@ -20,35 +20,35 @@ public:
     explicit ParameterEditor(TreeDocument& document, QObject* parent = nullptr);
     ~ParameterEditor() override { hold(false); }
 
-    /// What controls are to show: the document's parameters, or those of the gesture that goes on.
+    /// The parameters that controls show: the document's, or those of the gesture under way.
     const TreeParameters& shown() const { return m_shown; }
     const TreeParameters& inForce() const { return m_document.parameters(); }
-    /// In ParameterInfo's surface unit.
+    /// Value of a parameter, in ParameterInfo's surface unit.
     double value(const char* key) const;
 
-    /// A gesture begins: a press. Any that went on is over.
+    /// Begins a gesture, on a press, and ends the one under way.
     void begin();
     /// Shows other parameters, or another value of one, without putting them in force.
     void show(const TreeParameters& parameters);
     void show(const char* key, double value);
-    /// Puts what is shown in force; the gesture may go on. @p text names the undo step.
+    /// Puts the shown parameters in force; the gesture can continue. @p text names the undo step.
     void putInForce(const QString& text);
-    /// Puts in force what the gesture has come to.
+    /// Puts the result of the gesture in force and ends it.
     void finish(const QString& text);
-    /// Takes the gesture back.
+    /// Ends the gesture and restores the parameters from before it.
     void cancel();
 
-    /// A stride of a key of the control @p by; those that follow each other closely are one gesture.
+    /// Applies a key press in the control @p by; key presses that follow each other closely are one gesture.
     void nudge(const QObject* by, const TreeParameters& parameters, const QString& text);
     void nudge(const QObject* by, const char* key, double value, const QString& text);
-    /// Puts the program's defaults of @p keys in force, as a part of the gesture that last began: a double
-    /// click leaves nothing of what its first click did.
+    /// Puts the program's defaults of @p keys in force as a part of the latest gesture, so that a double
+    /// click also undoes the effect of its first click.
     void reset(std::span<const char* const> keys, const QString& text);
 
 Q_SIGNALS:
     void shownChanged();
-    /// Somebody else has changed the document's parameters (undo, another panel): a drag that goes on is
-    /// over.
+    /// Another part of the program has changed the document's parameters (undo, another panel): a drag under
+    /// way has ended.
     void overtaken();
 
 private:
@@ -59,14 +59,14 @@ private:
     TreeParameters m_shown;
     bool m_isOwnChange = false;
     bool m_holds = false;                ///< See TreeDocument::holdParameters
-    const QObject* m_nudgedBy = nullptr; ///< Compared, never followed
+    const QObject* m_nudgedBy = nullptr; ///< Only compared, never dereferenced
     QTimer m_rest;
 };
 
 /// The ellipse's offset stays within this part of its vertical axis: |e_v| <= 0.95 s_v.
 inline constexpr double kMostEllipseOffset = 0.95;
 
-/// Sets one parameter, in its surface unit, and mends what contradicts it then.
+/// Sets one parameter, in its surface unit, and corrects the parameters that then contradict it.
 void setParameter(TreeParameters& parameters, const char* key, double value);
 
 } // namespace espalier

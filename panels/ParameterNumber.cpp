@@ -14,7 +14,7 @@
 namespace espalier {
 
 namespace {
-/// Of a length: what was typed in another unit counts as it was typed.
+/// Decimals of a length: a value that was typed in another unit keeps its exact value.
 constexpr int kKeptDecimals = 9;
 } // namespace
 
@@ -56,7 +56,7 @@ QString ParameterNumber::textFromValue(double value) const
 
 double ParameterNumber::valueFromText(const QString& text) const
 {
-    // What is shown has fewer digits than what is meant.
+    // The shown number has fewer digits than the value.
     if (text == textFromValue(value()) + suffix() || text == specialValueText())
         return value();
     const std::optional<double> typed = m_scale.typed(text);
@@ -84,13 +84,13 @@ void ParameterNumber::stepBy(int steps)
 void ParameterNumber::focusInEvent(QFocusEvent* event)
 {
     QDoubleSpinBox::focusInEvent(event);
-    // After the press that gave it the focus has put the cursor somewhere.
+    // Later, because the press that gave the focus also moves the cursor.
     QTimer::singleShot(0, this, &QDoubleSpinBox::selectAll);
 }
 
 bool ParameterNumber::event(QEvent* event)
 {
-    // Escape leaves the number as it was, before it means anything else.
+    // Escape restores the number, before it has any other meaning.
     if (event->type() == QEvent::ShortcutOverride &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
         text() != textFromValue(value()) + suffix()) {

@@ -7,15 +7,15 @@
 
 namespace espalier {
 
-/// A parameter's number with its unit, which a tap lets a person type over: a length in any unit. It has no
-/// buttons, and takes the wheel only while it has the focus: a panel is scrolled past it.
+/// A parameter's number with its unit, which the user can tap and edit; a length can be typed in any unit. It
+/// has no buttons, and uses the wheel only while it has the focus, so that the wheel scrolls the panel.
 class ParameterNumber : public QDoubleSpinBox {
     Q_OBJECT
 
 public:
     explicit ParameterNumber(const ParameterScale& scale, QWidget* parent = nullptr);
 
-    /// In the surface unit.
+    /// Shows a value in the surface unit.
     void show(double value);
 
     QString textFromValue(double value) const override;
@@ -24,7 +24,7 @@ public:
     void stepBy(int steps) override;
 
 Q_SIGNALS:
-    /// A person has typed or stepped to another value (surface unit).
+    /// The user has typed or stepped to another value (surface unit).
     void edited(double value);
 
 protected:

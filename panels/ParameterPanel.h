@@ -23,7 +23,7 @@ public:
     ParameterRow* row(std::string_view key) const;
 
 Q_SIGNALS:
-    /// An image of the person's own is wanted, or has been dropped on the sheet.
+    /// The user wants to choose an image, or has dropped one on the sheet.
     void imageAsked(espalier::LookKind kind);
     void imageDropped(espalier::LookKind kind, const QString& fileName);
 
@@ -35,7 +35,7 @@ private:
     QWidget* makeSection(const ParameterSection& section, QWidget* parent);
 
     ParameterEditor m_editor;
-    std::optional<LookKind> m_look; ///< What an image on this sheet would be
+    std::optional<LookKind> m_look; ///< The kind of an image that is dropped on this sheet
     std::vector<ParameterRow*> m_rows;
 };
 

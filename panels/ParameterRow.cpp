@@ -28,7 +28,7 @@ namespace {
 
 constexpr int kRowHeight = theme::kTarget;
 
-/// Takes the wheel only while it has the focus: a panel is scrolled past it.
+/// Uses the wheel only while it has the focus, so that the wheel scrolls the panel.
 class PatientChoice : public QComboBox {
 public:
     using QComboBox::QComboBox;
@@ -87,13 +87,13 @@ QLabel* ParameterRow::makeLabel()
 
 bool ParameterRow::event(QEvent* event)
 {
-    // The whole row drags the slider: its handle alone is small for a finger.
+    // The whole row drags the slider, because its handle is small for a finger.
     switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
-        // What the slider does not want comes back here.
+        // Events that the slider does not use come back here.
         if (m_slider && !m_isPassingOn) {
             const QScopedValueRollback passing(m_isPassingOn, true);
             const auto* mouse = static_cast<QMouseEvent*>(event);
@@ -252,7 +252,7 @@ bool ParameterRow::eventFilter(QObject* watched, QEvent* event)
         }
         break;
     case QEvent::EnabledChange:
-        // Something else begins to change the document.
+        // Another edit of the document begins.
         if (!m_slider->isEnabled() && std::exchange(m_isDragging, false)) {
             m_editor.begin();
             m_editor.show(m_editor.inForce());

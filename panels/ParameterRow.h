@@ -16,11 +16,10 @@ class ParameterEditor;
 class ParameterNumber;
 class ParameterSlider;
 
-/// One parameter to look at and to change: a slider below its name and its number, a switch, or a list of
-/// choices. A gesture is whatever a person feels to be one change: a drag of the slider, a number typed, a
-/// turn of the wheel. What shows at once (leaves, widths, bark) is tried out while a slider moves; what
-/// steers growth is put in force when it rests. A double click brings the default back, Escape takes a drag
-/// back.
+/// Shows and changes one parameter: a slider below its name and its number, a switch, or a list of choices. A
+/// gesture is one change: a drag of the slider, a number typed, a turn of the wheel. Parameters whose effect
+/// shows at once (leaves, widths, bark) are tried out while the slider moves; parameters of growth are put in
+/// force when it rests. A double click restores the default, Escape cancels a drag.
 class ParameterRow : public QWidget {
     Q_OBJECT
 
@@ -28,9 +27,9 @@ public:
     ParameterRow(ParameterEditor& editor, const ParameterText& text, QWidget* parent = nullptr);
 
     const char* key() const { return m_scale.info().key; }
-    /// What it shows, in ParameterInfo's surface unit.
+    /// The value that shows, in ParameterInfo's surface unit.
     double value() const { return m_value; }
-    /// The list of looks, if it is one.
+    /// The list of looks, or null if the row is not one.
     LookChoice* look() const { return m_look; }
 
 protected:
@@ -54,13 +53,13 @@ private:
     ParameterScale m_scale;
     double m_value = 0.0;
     bool m_isDragging = false;
-    bool m_isTakenBack = false; ///< The pointer is still down
+    bool m_isTakenBack = false; ///< The drag was cancelled while the pointer is still down
     bool m_isPassingOn = false;
     ParameterSlider* m_slider = nullptr;
     ParameterNumber* m_number = nullptr;
     QCheckBox* m_switch = nullptr;
     QComboBox* m_choice = nullptr;
-    LookChoice* m_look = nullptr; ///< The same, if it is a list of looks
+    LookChoice* m_look = nullptr; ///< The same widget as m_choice, if it is a list of looks
 };
 
 } // namespace espalier

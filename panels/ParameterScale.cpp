@@ -14,7 +14,7 @@ ParameterScale::ParameterScale(const ParameterInfo& info, const ParameterText& t
 {
     if (info.quantity != Quantity::Metres || units() == Units::Metric)
         return;
-    // As many decimals as tell as much.
+    // As many decimals as are needed for the same precision.
     m_text.decimals += std::max(0, static_cast<int>(std::lround(std::log10(text.factor))) - 1);
     const bool areMetres = text.factor == 1.0;
     m_text.unit = areMetres ? "ft" : "in";
@@ -119,7 +119,7 @@ std::optional<double> ParameterScale::typed(const QString& text) const
     QString number = text.trimmed();
     if (*m_text.least != '\0' && number == parameterTr(m_text.least))
         return m_info.minimum;
-    // A unit that stands behind what was typed with another.
+    // Removes the shown unit if it follows a number that was typed with another unit.
     const QString unit = QString::fromUtf8(m_text.unit);
     if (!unit.isEmpty() && number.endsWith(unit) && parsed(number.chopped(unit.size())))
         number.chop(unit.size());

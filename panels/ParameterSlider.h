@@ -7,8 +7,8 @@
 
 namespace espalier {
 
-/// A slider that stands for a parameter's value, which assistive tools read and set in the parameter's own
-/// unit. It takes the wheel only while it has the focus: a panel is scrolled past it.
+/// A slider for a parameter's value, which assistive tools read and set in the parameter's own unit. It uses
+/// the wheel only while it has the focus, so that the wheel scrolls the panel.
 class ParameterSlider : public QSlider {
     Q_OBJECT
 
@@ -16,13 +16,13 @@ public:
     explicit ParameterSlider(const ParameterScale& scale, QWidget* parent = nullptr);
 
     const ParameterScale& scale() const { return m_scale; }
-    /// In the surface unit.
+    /// The value in the surface unit.
     double parameter() const;
-    /// Shows @p value; no signal.
+    /// Shows @p value; emits no signal.
     void show(double value);
 
 Q_SIGNALS:
-    /// By a person's hand.
+    /// The user has moved the slider.
     void edited(double value);
 
 protected:
@@ -30,7 +30,7 @@ protected:
 
 private:
     ParameterScale m_scale;
-    double m_shown = 0.0; ///< Finer than the slider's positions
+    double m_shown = 0.0; ///< The value, finer than the slider's positions
 };
 
 } // namespace espalier

@@ -12,12 +12,12 @@ namespace espalier {
 /// The sheets that parameters are shown on.
 enum class ParameterSheet { Architecture, Brush, Leaves, Branches };
 
-/// How a parameter presents itself to a person.
+/// The texts of a parameter in the user interface.
 struct ParameterText {
-    /// How a slider's way is shared among the values.
+    /// How values are distributed along a slider.
     enum class Scale {
         Linear,
-        Logarithmic, ///< Equal ways are equal ratios; the minimum is above 0
+        Logarithmic, ///< Equal distances are equal ratios; the minimum is above 0
         Cubic,       ///< Finer toward 0
     };
 
@@ -28,9 +28,9 @@ struct ParameterText {
     Scale scale = Scale::Linear;
     int decimals = 2;
     const char* unit = "";  ///< As it is shown
-    double factor = 1.0;    ///< From the parameter's surface unit to the one that is shown
-    const char* least = ""; ///< What its smallest value is called instead of the number; untranslated
-    /// What a botanist would say of it; untranslated, or "".
+    double factor = 1.0;    ///< From the parameter's surface unit to the shown unit
+    const char* least = ""; ///< Name that shows instead of the number for the smallest value; untranslated
+    /// The botanical term for it; untranslated, or "".
     const char* botany = "";
 };
 
@@ -39,30 +39,29 @@ struct ParameterSection {
     ParameterSheet sheet;
     const char* title; ///< Untranslated
     std::span<const ParameterText> parameters;
-    /// How it presents itself on the sheet of architecture.
+    /// How a section shows on the sheet of architecture.
     enum class Look {
         Rows,
-        Diagram, ///< Drawn, with handles
-        More,    ///< Rows for those who ask for more
+        Diagram, ///< As a diagram with handles
+        More,    ///< As rows that show on demand
     };
     Look look = Look::Rows;
 };
 
-/// All of them, in the order in which they are shown; each parameter once.
+/// All sections, in the order in which they are shown; each parameter is in one of them.
 std::span<const ParameterSection> parameterSections();
-/// The one of that key, or null.
+/// The texts of that parameter, or null.
 const ParameterText* parameterText(std::string_view key);
 
-/// What a control tells of its parameter, for a tool tip and for help: its name and sign, plain words, and a
-/// botanist's. Rich text.
+/// Explains a parameter in a tool tip and in the help: its name and symbol, plain words, and the botanical
+/// term. Rich text.
 QString explanation(const ParameterText& text);
-/// Its name and sign; rich text.
+/// Name and symbol of a parameter; rich text.
 QString richLabel(const ParameterText& text);
 
 /// Translates a text of the tables, or the name of a choice.
 QString parameterTr(const char* text);
-/// The names that a person reads for the choices of a ParameterInfo; a name of two words has "_" between
-/// them.
+/// The translated names of the choices of a ParameterInfo; a name of two words has "_" between them.
 QStringList choiceNames(const char* choices);
 
 } // namespace espalier

@@ -8,8 +8,7 @@
 
 namespace espalier {
 
-/// A parameter as the number that it is at the surface (ParameterInfo's unit); switches and choices are 0,
-/// 1, 2...
+/// The value of a parameter as a number in ParameterInfo's surface unit; switches and choices are 0, 1, 2...
 template <class Field>
 double surfaceValue(const ParameterInfo& info, const Field& field)
 {
@@ -31,7 +30,7 @@ void setSurfaceValue(const ParameterInfo& info, Field& field, double value)
         field = static_cast<Field>(static_cast<int>(value));
 }
 
-/// Calls @p visit(info, field) for the one parameter of that key.
+/// Calls @p visit(info, field) for the parameter of that key.
 template <class Parameters, class Visit>
 void visitParameter(Parameters& parameters, std::string_view key, Visit&& visit)
 {

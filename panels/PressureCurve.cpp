@@ -18,10 +18,10 @@ namespace {
 
 constexpr int kCurveSteps = 48;
 constexpr int kLongestTrail = 400;
-constexpr double kWidest = 22.0; ///< px, of a trail at full pressure
-/// A drag this close to an edge says nothing about the exponent; in shares of the field.
+constexpr double kWidest = 22.0; ///< Width of a trail at full pressure, px
+/// A drag this close to an edge does not define the exponent; in shares of the field.
 constexpr double kEdge = 0.04;
-/// What a key makes of the exponent.
+/// The factor of a key press.
 constexpr double kStride = 1.1;
 
 } // namespace
@@ -69,7 +69,7 @@ void PressureCurve::mouseMoveEvent(QMouseEvent* event)
 
 bool PressureCurve::event(QEvent* event)
 {
-    // Without modifiers these keys are its own, whatever they mean to the tree.
+    // Without modifiers these keys change the curve, also if they have a meaning for the tree.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->modifiers() == Qt::NoModifier && keyed(key->key())) {
@@ -83,7 +83,7 @@ bool PressureCurve::event(QEvent* event)
 std::optional<double> PressureCurve::keyed(int key) const
 {
     switch (key) {
-    case Qt::Key_Up: // Softer: more comes of the same pressure
+    case Qt::Key_Up: // Softer: the same pressure has more effect
     case Qt::Key_Left:
         return m_exponent / kStride;
     case Qt::Key_Down:
@@ -111,7 +111,7 @@ void PressureCurve::keyPressEvent(QKeyEvent* event)
 
 void PressureCurve::tabletEvent(QTabletEvent* event)
 {
-    // A pen tries the curve; accepted, it does not become a mouse that drags it.
+    // A pen only tries the curve. The accepted event does not become a mouse event, which would drag it.
     event->accept();
     if (event->type() == QEvent::TabletPress)
         m_trail.clear();

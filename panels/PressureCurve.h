@@ -7,25 +7,25 @@
 
 namespace espalier {
 
-/// The curve from a pen's pressure to what the brush makes of it: p to the power of an exponent. A drag draws
-/// the curve to the pointer, and so do arrow keys, Home and End; a pen that presses here is shown as a dot on
-/// it, and leaves a trail as wide as it says.
+/// The curve from a pen's pressure to the pressure that the brush uses: p to the power of an exponent. A drag
+/// moves the curve to the pointer; arrow keys, Home and End move it too. A pen that presses here shows as a
+/// dot on the curve, and leaves a trail as wide as the resulting pressure.
 class PressureCurve : public QWidget {
     Q_OBJECT
 
 public:
-    /// The exponent stays within these.
+    /// @p softest and @p firmest limit the exponent.
     PressureCurve(double softest, double firmest, QWidget* parent = nullptr);
 
     double exponent() const { return m_exponent; }
     void setExponent(double exponent);
-    /// Pressure of the pen that presses here now, 0...1 as the tablet tells it; 0 for none.
+    /// Pressure of the pen that presses on the widget now, 0...1 as the tablet reports it; 0 for none.
     double rawPressure() const { return m_raw; }
 
     QSize sizeHint() const override { return {260, 230}; }
 
 Q_SIGNALS:
-    /// By a drag or a key.
+    /// The user has changed the exponent by a drag or a key.
     void exponentEdited(double exponent);
 
 protected:
@@ -44,7 +44,7 @@ private:
 
     QRectF field() const;
     void dragTo(const QPointF& place);
-    /// What a key makes of the exponent, or nothing if it means nothing.
+    /// The exponent after a key press, or nothing if the key has no meaning here.
     std::optional<double> keyed(int key) const;
 
     double m_softest;

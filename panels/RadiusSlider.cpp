@@ -90,7 +90,7 @@ void RadiusSlider::paintEvent(QPaintEvent*)
         path.closeSubpath();
         return path;
     };
-    // Stroked with its own colour, the wedge has round corners.
+    // The stroke in the fill's colour gives the wedge round corners.
     const auto fill = [&](const QPainterPath& path, const QColor& colour) {
         painter.setPen(QPen(colour, 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.setBrush(colour);

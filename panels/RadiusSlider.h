@@ -13,16 +13,16 @@ class RadiusSlider : public QAbstractSlider {
 public:
     explicit RadiusSlider(double maximum, QWidget* parent = nullptr);
 
-    /// m
+    /// Radius in m.
     double radius() const { return m_radius; }
-    /// No signal.
+    /// Sets the radius; emits no signal.
     void setRadius(double metres);
 
     QSize sizeHint() const override { return {64, 212}; }
     QSize minimumSizeHint() const override { return {64, 84}; }
 
 Q_SIGNALS:
-    /// By a person's hand.
+    /// The user has moved the slider.
     void radiusEdited(double metres);
 
 protected:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kTicks = 72; ///< Of a full turn
 constexpr int kLongEvery = 6;
-constexpr double kReach = 0.46; ///< Of the width, from the middle to where the scale has turned from sight
+constexpr double kReach = 0.46; ///< Half-width of the visible scale, as a share of the width
 
 } // namespace
 

@@ -5,17 +5,17 @@
 
 namespace espalier {
 
-/// Shows where one hand rotates the tree while the other brushes (TreeSketch §3.1): a scale along the bottom
-/// edge that turns with the view. The view beneath reads the fingers.
+/// Shows where the user can rotate the tree with one hand while the other hand brushes (TreeSketch §3.1): a
+/// scale along the bottom edge that turns with the view. The viewport below it handles the fingers.
 class RotationStrip : public QWidget {
     Q_OBJECT
 
 public:
     explicit RotationStrip(QWidget* parent = nullptr);
 
-    /// Of the view, rad.
+    /// Sets the azimuth of the view, rad.
     void setAzimuth(double azimuth);
-    /// Whether what it lies over is light.
+    /// Sets whether the picture below the strip is light.
     void setOverLight(bool light);
 
 protected:

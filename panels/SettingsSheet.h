@@ -16,7 +16,7 @@ namespace espalier {
 
 class PressureCurve;
 
-/// What a person sets once. Each change takes effect at once, so that there is nothing to confirm.
+/// The dialog of the preferences. Each change takes effect at once, so that there is no button to confirm.
 class SettingsSheet : public QDialog {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
     explicit SettingsSheet(const Preferences& preferences, QWidget* parent = nullptr);
 
     const Preferences& preferences() const { return m_preferences; }
-    /// Shows what was preferred elsewhere; no signal.
+    /// Shows preferences that were changed elsewhere; emits no signal.
     void setPreferences(const Preferences& preferences);
 
 Q_SIGNALS:
@@ -37,9 +37,9 @@ private:
     QLabel* makeLabel(const QString& text, QWidget* buddy);
     QLabel* makeNote(const QString& text = {});
     void display(const Preferences& preferences);
-    /// Takes what is shown.
+    /// Reads the preferences from the controls.
     void edit();
-    /// Shows them, and tells if they are others than before.
+    /// Shows @p preferences, and emits a signal if they differ from those before.
     void take(const Preferences& preferences);
     void chooseFolder();
 

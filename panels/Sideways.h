@@ -5,8 +5,8 @@
 
 namespace espalier {
 
-/// Scrolls sideways where the window is too narrow, and is exactly as high as what it shows. Whatever its
-/// contents do not want of the pointer drags them along.
+/// Scrolls sideways where the window is too narrow, and is exactly as high as its contents. Pointer drags
+/// that the contents do not use scroll them.
 class Sideways : public QScrollArea {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ protected:
 
 private:
     double m_pressX = 0.0; ///< px
-    int m_pressPlace = 0;  ///< Of the scroll bar
+    int m_pressPlace = 0;  ///< Value of the scroll bar at the press
 };
 
 } // namespace espalier

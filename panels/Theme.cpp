@@ -15,7 +15,7 @@ namespace espalier::theme {
 
 namespace {
 
-/// Fusion, but a press on a slider's track takes the handle there, as a finger expects.
+/// Fusion, but a press on a slider's track moves the handle there.
 class Style : public QProxyStyle {
 public:
     Style() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
@@ -28,7 +28,7 @@ public:
         if (hint == SH_ToolTip_WakeUpDelay)
             return 450;
         if (hint == SH_ComboBox_Popup)
-            return 0; // A list below the box, whose entries can be as high as a finger
+            return 0; // A list below the box, whose entries can be large enough for a finger
         return QProxyStyle::styleHint(hint, option, widget, result);
     }
 
@@ -68,7 +68,7 @@ constexpr Colours kLight{
     .highlight = {0xb9, 0xd8, 0xab},
 };
 
-/// Whether the system's own colours are light; asked before this program sets its own.
+/// Whether the system's own colours are light; call it before this program sets its colours.
 bool isSystemLight()
 {
     static const bool kIsLight = QGuiApplication::palette().color(QPalette::Window).lightness() > 127;
@@ -115,7 +115,7 @@ void setTone(QWidget& label, Tone tone)
     if (label.property("tone") == name)
         return;
     label.setProperty("tone", name);
-    // A style sheet looks at properties no sooner than it is told to.
+    // A style sheet only sees a changed property after this.
     label.style()->polish(&label);
 }
 
@@ -123,7 +123,7 @@ void apply(QApplication& application, Look look)
 {
     const bool isLight = look == Look::Light || (isSystemLight() && look == Look::System);
     inForce = isLight ? kLight : Colours();
-    QPixmapCache::clear(); // Icons are kept in the colours that were
+    QPixmapCache::clear(); // Cached icons have the old colours
     if (!dynamic_cast<Style*>(QApplication::style()))
         application.setStyle(new Style);
     QApplication::setPalette(palette());
@@ -204,7 +204,7 @@ void apply(QApplication& application, Look look)
         espalier--CardView { background: transparent; outline: none; }
         QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 6px; padding: 2px 6px; }
     )");
-    // The longer of two names that begin alike comes first.
+    // If one name begins with another, the longer one comes first.
     const std::pair<const char*, QColor> names[] = {
         {"@accentFill", kAccentFill},
         {"@accent", kAccent},

@@ -37,7 +37,7 @@ struct Colours {
     QColor highlight{0x4f, 0x70, 0x46};
 };
 
-/// The colours in force; apply() sets them. What is drawn with them asks each time that it draws.
+/// The colours in force; apply() sets them. Painting code reads them each time that it paints.
 inline constinit Colours inForce;
 
 inline constinit const QColor& kWorkspace = inForce.workspace; ///< Behind everything
@@ -48,17 +48,19 @@ inline constinit const QColor& kSunken = inForce.sunken;       ///< Tracks of sl
 inline constinit const QColor& kText = inForce.text;
 inline constinit const QColor& kBrightText = inForce.brightText; ///< Under the pointer, or chosen
 inline constinit const QColor& kDimText = inForce.dimText;
-inline constinit const QColor& kFaintText = inForce.faintText;   ///< What cannot be used now
-inline constinit const QColor& kAccent = inForce.accent;         ///< What is on, how far a slider is
-inline constinit const QColor& kAccentFill = inForce.accentFill; ///< Behind the tool in hand
-inline constinit const QColor& kAccentText = inForce.accentText; ///< Icons of what is on
-inline constinit const QColor& kHandle = inForce.handle; ///< What is to be grasped: the brush and its size
-inline constinit const QColor& kHandleFill = inForce.handleFill; ///< How far a brush's slider is
+inline constinit const QColor& kFaintText = inForce.faintText; ///< For controls that are disabled
+/// For controls that are on, and the filled part of a slider.
+inline constinit const QColor& kAccent = inForce.accent;
+inline constinit const QColor& kAccentFill = inForce.accentFill; ///< Behind the current tool
+inline constinit const QColor& kAccentText = inForce.accentText; ///< Icons of controls that are on
+/// Handles that can be dragged: the brush and its size.
+inline constinit const QColor& kHandle = inForce.handle;
+inline constinit const QColor& kHandleFill = inForce.handleFill; ///< The filled part of the brush's slider
 inline constinit const QColor& kKeyCap = inForce.keyCap;         ///< Behind the name of a key
 inline constinit const QColor& kWarning = inForce.warning;
 
-// Whatever lies over the tree's picture without a bar, which is dark or light there, and tooltips look alike
-// by day and by night.
+// Tooltips, and widgets that lie over the tree's picture without a bar, look the same in the dark and the
+// light theme.
 inline constexpr QColor kOverDark(0x9a, 0xa2, 0xae);
 inline constexpr QColor kOverLight(0x4d, 0x55, 0x5e);
 inline constexpr QColor kBubble(0x16, 0x18, 0x1c);
@@ -69,18 +71,18 @@ inline constexpr QColor kBubbleKey(0xe6, 0xa6, 0x5d);
 /// A parameter's symbol beside its name: legible on all of these.
 inline constexpr QColor kSymbol(0x79, 0x81, 0x8c);
 
-/// Pixels (device-independent): whatever is to be hit by a finger is at least this large.
+/// Pixels (device-independent): the least size of a target for a finger.
 inline constexpr int kTarget = 44;
 inline constexpr int kRadius = 10;
 
-/// Gives the whole program its style, palette and style sheet; at any time.
+/// Sets the style, palette and style sheet of the whole program; can be called at any time.
 void apply(QApplication& application, Look look = Look::Dark);
 
 /// Whether the colours in force are light.
 bool isLight();
 
 enum class Tone { Dim, Bright, OverDark, OverLight };
-/// Colour of a label's text, also of one that is disabled, by day and by night.
+/// Sets the colour of a label's text, also for a disabled label, in the dark and the light theme.
 void setTone(QWidget& label, Tone tone);
 
 } // namespace espalier::theme

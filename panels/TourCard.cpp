@@ -19,7 +19,7 @@ constexpr int kTextWidth = 300; ///< px
 constexpr int kCardGap = 34;    ///< Between the card and what it points at, px
 constexpr int kCardEdge = 12;   ///< Between the card and the window's edge, px
 constexpr int kTop = 62;        ///< Below the bar at the top, px
-constexpr int kRingReach = 5;   ///< Of the ring beyond what it is around, px
+constexpr int kRingReach = 5;   ///< Distance of the ring from its target, px
 
 /// The point of @p rect that is nearest to @p point.
 QPoint nearestOn(const QRect& rect, const QPoint& point)
@@ -30,7 +30,7 @@ QPoint nearestOn(const QRect& rect, const QPoint& point)
 
 } // namespace
 
-/// Ring and line; no pointer notices them.
+/// The ring and the line; they ignore the pointer.
 class TourCard::Ring : public QWidget {
 public:
     explicit Ring(QWidget* parent) : QWidget(parent) { setAttribute(Qt::WA_TransparentForMouseEvents); }

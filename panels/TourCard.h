@@ -8,8 +8,8 @@ class QPushButton;
 
 namespace espalier {
 
-/// A card of the tour: a few words over the workspace, and a line to a ring around what they are about.
-/// Whoever wants to do that can: nothing but the card itself is covered.
+/// A card of the tour: a few words over the workspace, and a line to a ring around the thing that they
+/// explain. The card covers nothing but itself, so the user can try it.
 class TourCard : public Bar {
     Q_OBJECT
 
@@ -18,7 +18,8 @@ public:
 
     /// @p number counts from 1 to @p count.
     void setWords(const QString& title, const QString& text, int number, int count);
-    /// Stands beside @p target, px of the parent, without covering it; an empty one is not pointed at.
+    /// Puts the card beside @p target, px of the parent, without covering it; with an empty one the card
+    /// points at nothing.
     void pointAt(const QRect& target);
 
 Q_SIGNALS:
@@ -32,7 +33,7 @@ private:
     QPoint placeBeside(const QRect& target) const;
 
     class Ring;
-    Ring* m_ring; ///< The parent's
+    Ring* m_ring; ///< Child of the same parent
     QLabel* m_title;
     QLabel* m_text;
     QLabel* m_number;

@@ -10,7 +10,7 @@ namespace espalier {
 
 class ViewRow;
 
-/// A value of the view as a row shows it, in surface units. Texts are untranslated; their context is
+/// A value of the view for a ViewRow, in surface units. Texts are untranslated; their context is
 /// "Parameters".
 struct ViewField {
     ParameterInfo info;
@@ -28,7 +28,7 @@ constexpr ViewField viewSwitch(const char* key, const char* label, const char* t
             [](ViewValues& values, double value) { values.*Member = value != 0.0; }};
 }
 
-/// A row that sets the value in @p settings, which outlive it, and follows them.
+/// Makes a row that sets the value in @p settings, which must outlive it, and follows their changes.
 ViewRow* makeViewRow(const ViewField& field, ViewSettings& settings, QWidget* parent);
 
 } // namespace espalier

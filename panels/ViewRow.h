@@ -13,8 +13,8 @@ namespace espalier {
 class ParameterNumber;
 class ParameterSlider;
 
-/// One value of the view to look at and to change, as a ParameterRow shows one of the tree's; but nothing of
-/// it is undone, so it shows at once and there are no gestures.
+/// Shows and changes one value of the view, as a ParameterRow does for a parameter of the tree. A change is
+/// not undone, so it shows at once and there are no gestures.
 class ViewRow : public QWidget {
     Q_OBJECT
 
@@ -22,13 +22,13 @@ public:
     explicit ViewRow(const ParameterScale& scale, QWidget* parent = nullptr);
 
     const char* key() const { return m_scale.info().key; }
-    /// In the surface unit.
+    /// The value in the surface unit.
     double value() const { return m_value; }
-    /// Shows @p value; no signal.
+    /// Shows @p value; emits no signal.
     void setValue(double value);
 
 Q_SIGNALS:
-    /// By a person's hand.
+    /// The user has changed the value.
     void edited(double value);
 
 private:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Configures a preset when that is due and builds it; shows the compiler's output only if it fails.
+# Configures a preset if necessary and builds it; shows the compiler's output only if it fails.
 # Usage: scripts/build.sh PRESET [TARGET…]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,13 +11,13 @@ readonly folder="build/$preset"
 readonly log="$folder/build.log"
 mkdir -p "$folder"
 
-# Two builds in one folder would spoil it: the second waits.
+# Two builds at the same time in one folder would damage it: the second waits.
 exec 9>"$folder/build.lock"
 flock 9
 
 fail() {
     [[ -t 2 ]] && printf '\r\033[K' >&2
-    # The compiler's complaints without the progress and the long command lines between them.
+    # The compiler's messages without the progress and the long command lines between them.
     sed -e '/^\[[0-9]*\/[0-9]*\] /d' -e '/^FAILED: /{n;d}' "$log" | tail -n 200 >&2
     echo "build: $1 failed ($log has everything)" >&2
     exit 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every tracked source names its licence in the first line and is as clang-format 14 would write it.
-# Usage: scripts/check-format.sh [--fix]       (--fix mends the layout, also of sources not tracked yet)
+# Checks that every tracked source names its licence in the first line and has the layout of clang-format 14.
+# Usage: scripts/check-format.sh [--fix]       (--fix corrects the layout, also of untracked sources)
 # Fails if clang-format 14 is not installed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

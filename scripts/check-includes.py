@@ -23,7 +23,7 @@ MAY_INCLUDE = {
     "model/tree": {"model/base"},
     **{room: BELOW_ROOMS for room in ROOMS},
     "model/mesh": BELOW_ROOMS | {"model/growth", "model/shape", "model/texture"},
-    # What belongs to the person who works, not to a document: views and panels share it.
+    # Settings of the user, not of a document: views and panels share them.
     "model/settings": {"model/base"},
     "model/document": BELOW_ROOMS | ROOMS,
     # A project file reads and writes a document.
@@ -36,7 +36,7 @@ MAY_INCLUDE = {
 }
 TOP_FOLDERS = ["app", "commands", "model", "panels", "tests", "views"]
 
-# QCoreApplication is not among them: its translate() is how plain code words a message for a person.
+# QCoreApplication is not among them: plain code translates messages for the user by its translate().
 QT_OBJECT_HEADER = re.compile(
     r"(QtCore/|QtGui/)?(QObject|QThread|QTimer|QGuiApplication|QUndo(Stack|Command|Group)|qobject\.h)$")
 QT_WIDGET_HEADER = re.compile(
@@ -107,7 +107,7 @@ def own_includes(root, path):
 
 
 def include_graphs(root, paths):
-    """What includes what, between units and between folders: {from: {to: "file:line" of one include}}."""
+    """The includes between units and between folders: {from: {to: "file:line" of one include}}."""
     units = {}
     folders = {}
     for path in paths:
@@ -121,7 +121,7 @@ def include_graphs(root, paths):
 
 
 def way_back(graph, start):
-    """The shortest circle through start, as the list of what is on it, or None."""
+    """The shortest circle through start, as the list of its members, or None."""
     ways = [[start]]
     seen = set()
     for way in ways:
@@ -135,7 +135,7 @@ def way_back(graph, start):
 
 
 def circles(graph, what):
-    """Yields a complaint for each circle; what is on one that was named already is passed over."""
+    """Yields a complaint for each circle; members of a circle that was named already are skipped."""
     named = set()
     for start in sorted(graph):
         way = way_back(graph, start)
@@ -152,7 +152,7 @@ def check(root):
              if path.suffix in (".h", ".cpp") and path.is_file()]
     complaints = [f"{path}:{line}: {what}" for path in paths for line, what in check_file(root, path)]
     units, folders = include_graphs(root, paths)
-    # A circle of units in several folders is one of folders as well: once is enough.
+    # A circle of units in several folders is a circle of folders as well: it is reported once.
     complaints += list(circles(units, "units")) or circles(folders, "folders")
     return complaints
 

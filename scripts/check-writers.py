@@ -17,7 +17,7 @@ TOP_FOLDERS = ["app", "commands", "model", "panels", "views", "tests/gallery", "
 WRITER = {"model/io/FileWriter.h", "model/io/FileWriter.cpp"}
 REMEDY = "writeFile() or FileWriter (model/io/FileWriter.h) does this"
 
-# What writes a file wherever it stands.
+# Code that always writes a file.
 ALWAYS = [
     (re.compile(r"\b(QSaveFile|QTemporaryFile)\b"), "{} writes a file"),
     (re.compile(r"\bstd::(?:basic_)?(ofstream|fstream)\b"), "std::{} writes a file"),

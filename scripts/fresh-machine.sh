@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs both commands of README.md on a bare Debian 12: makes one in a folder with debootstrap, copies this checkout into it
 # (with changes that are not committed), and runs "./run --demo" and "./test" there as root, on two cores. Fails if a command
-# fails, if a test of tests/tests.txt is missing or skipped, or if ./test needs more than 15 minutes of two cores. Says what each
-# command took.
+# fails, if a test of tests/tests.txt is missing or skipped, or if ./test needs more than 15 minutes of two cores. Prints how
+# long each command took.
 # Usage: scripts/fresh-machine.sh [FOLDER]     (a new or empty folder, which is kept; else a temporary one, which is removed)
-# Wants root, debootstrap, 8 GB of disk space and the Debian mirror of this machine. The logs go to build/fresh-machine.
+# Needs root, debootstrap, 8 GB of disk space and the Debian mirror of this machine. The logs go to build/fresh-machine.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -21,7 +21,7 @@ say() {
     echo "$(date +%H:%M:%S) $*"
 }
 
-# The host's Debian mirror, also where its sources have the newer format.
+# The host's Debian mirror, also if its sources have the newer format.
 mirror() {
     local found
     found="$(sed -nE -e 's/^deb (\[[^]]*\] )?(http[^ ]+) bookworm .*/\2/p' -e '/security/d;s/^URIs: *(http[^ ]+).*/\1/p' \
@@ -65,7 +65,7 @@ inside() {
     return "$status"
 }
 
-# All tests of the list have run and passed, and no function of theirs was skipped.
+# Checks that all tests of the list have run and passed, and that none of their functions was skipped.
 count_tests() {
     local checkout="$1" wanted passed skipped
     local -r last="$checkout/build/release/Testing/Temporary/LastTest.log"
@@ -76,7 +76,7 @@ count_tests() {
     [[ "$passed" == "$wanted" && "$skipped" == 0 ]] || fail "not every test ran and passed ($logs/test.log has the rest)"
 }
 
-# What happens inside the namespaces, whose mounts and processes end with it, however it ends.
+# Runs inside the namespaces. Their mounts and processes end when this function ends, also on a failure.
 run_all() {
     local root="$1" name
     make_machine "$root" "$(mirror)"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Takes pictures of the window with every panel, at the sizes and scales that it has to look well at, dark and light, in
+# Takes pictures of the window with every panel, at all sizes and scales that are supported, dark and light, in
 # English and in German, and lays each set out on a sheet: build/gallery/SIZE-THEME-LANGUAGE-SCALE.jpg, the pictures
-# beside it in a folder of that name. Wants Xvfb and ImageMagick. Arguments choose sets: scripts/gallery.sh 1024 light
+# beside it in a folder of that name. Needs Xvfb and ImageMagick. Arguments choose sets: scripts/gallery.sh 1024 light
 # takes those whose names contain all of them.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -36,7 +36,7 @@ take() {
                 QT_SCALE_FACTOR="$scale" \
                 xvfb-run -a -s "-screen 0 ${width}x${height}x24 +extension GLX -noreset" \
                 build/release/bin/window_gallery "$size" "$theme" "$language" "$root/$name" >/dev/null
-            # Made small one by one: all of the large ones at once are too much for ImageMagick.
+            # Scaled down one by one: all large pictures at once are too much for ImageMagick.
             small="$(mktemp -d)"
             mogrify -path "$small" -resize "1200x>" "$root/$name"/*.png
             montage "$small"/*.png -tile 3x -geometry +6+6 -background "#808080" -quality 88 "$root/$name.jpg"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of README.md, in docs/pictures, those of the help, in docs/help/pictures, and those of the library, in
-# resources/thumbnails. "readme", "help" or "library" as an argument makes these alone. Wants ImageMagick; the last
+# resources/thumbnails. "readme", "help" or "library" as an argument makes only these. Needs ImageMagick; the last
 # takes names of recipes: scripts/pictures.sh library oak willow.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the Debian packages that are needed and missing. Says nothing when none is.
+# Installs the Debian packages that are needed and missing. Prints nothing if none is missing.
 # Usage: scripts/setup.sh [build] [display] [test] [bench] [fresh]     (build when nothing is named)
 set -euo pipefail
 
@@ -34,7 +34,7 @@ for group in "${@:-build}"; do
     esac
 done
 
-# Elsewhere the person installs these; CMake says what it misses.
+# On other systems the user installs these; CMake names missing packages.
 if ! command -v dpkg-query >/dev/null; then
     exit 0
 fi

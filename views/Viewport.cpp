@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kTick = 16;            ///< ms
 constexpr int kRestAfter = 180;      ///< ms without any movement
-constexpr double kLongestTick = 0.1; ///< s; after a longer pause, animations go on where they were
+constexpr double kLongestTick = 0.1; ///< s; after a longer pause, animations continue where they were
 
 } // namespace
 
@@ -40,14 +40,15 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
       m_hand(m_tool.get())
 {
     setFormat(surfaceFormat());
-    // Tab goes around the panels; F6 leads back here, where it hides them.
+    // Tab moves through the panels and does not reach the viewport, but F6 does. In the viewport, Tab hides
+    // the panels.
     setFocusPolicy(Qt::ClickFocus);
     setMouseTracking(true);
     setTabletTracking(true);
     setAttribute(Qt::WA_AcceptTouchEvents);
     setAccessibleName(tr("Tree"));
     setCursor(m_tool->cursor());
-    // Whether a pen is within the tablet's reach is told to the application alone.
+    // Only the application gets events about a pen that enters or leaves the tablet's reach.
     qApp->installEventFilter(this);
     connect(&m_document, &TreeDocument::changed, this, &Viewport::followDocument);
     connect(&m_settings, &ViewSettings::changed, this, &Viewport::followSettings);
@@ -97,7 +98,8 @@ void Viewport::showFrom(NamedView view)
     flyTo(framed(m_camera.turnedTo(view)));
 }
 
-/// The camera that @p frame(camera) gives for a view as large as what bars leave, for the whole view.
+/// Calls @p frame(camera) with a view of the size that bars leave free, and returns that camera for the whole
+/// view.
 template <class Frame>
 Camera Viewport::inClearRect(const Camera& camera, Frame&& frame) const
 {
@@ -144,7 +146,7 @@ void Viewport::followDocument(const TreeChange& change)
     redrawTree();
 }
 
-/// Another tree is shown from the front, wherever the camera was.
+/// Shows another tree from the front.
 void Viewport::showAnew()
 {
     setCamera(framed(Camera()));
@@ -153,14 +155,14 @@ void Viewport::showAnew()
 
 void Viewport::followSettings()
 {
-    // Pinned or let go, the sun stays where it is.
+    // The sun does not move when it is pinned or unpinned.
     if (const bool isPinned = m_settings.values().sunPinned; isPinned != m_shown.sunPinned) {
         ViewValues moved = m_settings.values();
         moved.sunPinned = std::exchange(m_shown.sunPinned, isPinned);
         pinSun(moved, m_camera, isPinned);
         m_settings.setValues(moved);
     }
-    // What only tools show does not touch the picture of the tree.
+    // Values that affect only tools do not affect the picture of the tree.
     ViewValues values = m_settings.values();
     values.brushRadius = m_shown.brushRadius;
     values.pressureScales = m_shown.pressureScales;
@@ -289,7 +291,7 @@ void Viewport::tick()
         m_ticks.stop();
 }
 
-/// The tree must be drawn anew, and well once all has come to rest.
+/// Draws the tree again, in full quality once all motion has ended.
 void Viewport::redrawTree()
 {
     m_pictureIsOld = true;
@@ -306,7 +308,7 @@ void Viewport::initializeGL()
     m_overlayRenderer = std::make_unique<OverlayRenderer>(*gl);
     m_picture = std::make_unique<RenderTarget>(*gl);
     m_pictureIsOld = true;
-    // Moving to another window brings another context.
+    // A move to another window creates another context.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGl, Qt::UniqueConnection);
 }
 
@@ -314,7 +316,7 @@ QImage Viewport::grabPicture()
 {
     if (!m_isGrowing)
         m_scene.prepare();
-    grabFramebuffer(); // draws what has not been drawn
+    grabFramebuffer(); // draws pending changes
     makeCurrent();
     QImage picture = m_picture->readImage();
     doneCurrent();
@@ -346,8 +348,8 @@ void Viewport::drawPicture()
     if (m_pictureIsOld)
         m_passes = 0;
     m_renderer->renderPass(m_scene, camera, options, *m_picture, m_passes);
-    // Only a finished frame tells how long it took, and waiting for it also keeps input from running ahead
-    // of what is seen.
+    // Only after a frame is finished is its time known. Waiting also keeps input from running ahead of the
+    // picture.
     gl.glFinish();
     m_pacer.frameTook(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
     m_pictureIsOld = false;

@@ -23,14 +23,14 @@ class Renderer;
 class RenderTarget;
 class SunTool;
 
-/// Shows a document's tree, and lets a hand work on it with a tool or turn it about. While something moves
-/// it draws plainly and fast; when all has come to rest it draws well. The picture of the tree is kept, so
-/// that what a tool shows over it costs nothing to move.
+/// Shows a document's tree, and lets the user work on it with a tool or turn it. While something moves it
+/// draws plainly and fast; at rest it draws in full quality. The picture of the tree is kept, so that a
+/// tool's overlay can move without drawing the tree again.
 class Viewport : public QOpenGLWidget, private ToolContext, private GestureTarget {
     Q_OBJECT
 
 public:
-    /// Both outlive it.
+    /// @p document and @p settings must outlive the viewport.
     Viewport(TreeDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
     /// Cancels a gesture under way.
     ~Viewport() override;
@@ -39,55 +39,55 @@ public:
     void expect(PreparedScene scene) { m_scene.expect(std::move(scene)); }
 
     const Camera& camera() const override { return m_camera; }
-    /// At once; ends a flight. The view size is the viewport's own.
+    /// Sets the camera at once and ends a flight. The camera's view size becomes the viewport's.
     void setCamera(const Camera& camera);
-    /// Moves there smoothly.
+    /// Moves the camera smoothly.
     void flyTo(const Camera& camera);
-    /// Flies to where the whole tree is seen; a seedling is shown as a new document shows it.
+    /// Flies to a view of the whole tree; a seedling is shown as in a new document.
     void frameAll();
-    /// Flies to a view from another side of the whole tree.
+    /// Flies to a view of the whole tree from another side.
     void showFrom(NamedView view);
 
-    /// Of the rotation strip at the bottom edge, px.
+    /// Height of the rotation strip at the bottom edge, px.
     static constexpr int kStripHeight = 36;
 
-    /// What bars over the viewport cover, px: whole trees are framed in the rest of it from now on.
     void setMouseScheme(MouseScheme scheme) { m_gestures.setScheme(scheme); }
     /// See PointerReader::setPressureExponent.
     void setPressureExponent(double exponent) { m_pointers.setPressureExponent(exponent); }
+    /// Sets the margins that bars over the viewport cover, px: whole trees are framed in the rest of it.
     void setFrameMargins(const QMargins& margins) { m_frameMargins = margins; }
-    /// What bars leave of it, px.
+    /// The part of the viewport that bars leave free, px.
     QRect clearRect() const { return rect().marginsRemoved(m_frameMargins); }
-    /// The camera, moved back or near until it shows all of the box, m, in what bars leave.
+    /// The camera, moved without turning until the part that bars leave free shows all of @p box, m.
     Camera framing(const Box3& box) const;
 
-    /// What a tool for this viewport is made with.
+    /// The context for tools of this viewport.
     ToolContext& toolContext() { return *this; }
-    /// Ends the gesture of the tool before as it stands. At first there is a BrushTool. A pen's eraser end
-    /// prunes, whatever the tool.
+    /// Sets the tool, after finishing the gesture of the previous one. The first tool is a BrushTool. A pen's
+    /// eraser end prunes with any tool.
     void setTool(std::unique_ptr<Tool> tool);
     const Tool& tool() const { return *m_tool; }
-    /// Where the ball is that moves the sun, px; it is in hand while the pointer is on it.
+    /// Place of the ball that moves the sun, px. SunTool gets the samples of a pointer that is on it.
     QPointF sunPlace() const;
 
-    /// Something goes on that changes the tree again and again: it is not drawn at its best until that ends.
+    /// Growth is under way: the picture is not drawn in full quality until it ends.
     void setGrowing(bool growing);
 
-    /// While a tool's gesture is under way, the document must not be changed from elsewhere: end it before.
-    /// A gesture ends by itself where its pointer is lost: another window is in front, a dialog or menu
-    /// opens, the keyboard leaves the tree, the system takes the touch away.
+    /// While a tool's gesture is under way, no other code may change the document: finish the gesture before.
+    /// A gesture ends by itself when its pointer is lost: another window is in front, a dialog or menu opens,
+    /// the keyboard leaves the tree, the system takes the touch away.
     bool isGestureActive() const { return m_hand->isActive(); }
     /// Ends a tool's gesture as it stands, as one undo step.
     void finishGesture();
-    /// Takes it back; ends a gesture that moves the camera, too.
+    /// Cancels a tool's gesture; ends a gesture that moves the camera, too.
     void cancelGesture();
-    /// A key for the tool, between gestures; whether it meant something to it.
+    /// Passes a key to the tool, between gestures. Returns whether the tool uses it.
     bool keyForTool(int key);
 
-    /// What it shows of the tree, without what tools and the sun's ball show over it.
+    /// The picture of the tree, without the overlays of tools and the sun's ball.
     QImage grabPicture();
 
-    /// Whether nothing moves and the picture is as good as it gets.
+    /// Whether nothing moves and the picture has its full quality.
     bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld && !isRefining(); }
 
     QSize minimumSizeHint() const override { return {320, 240}; }
@@ -115,7 +115,7 @@ protected:
     void timerEvent(QTimerEvent* event) override;
 
 private:
-    // What tools see
+    // ToolContext
     TreeDocument& document() override { return m_document; }
     ViewSettings& viewSettings() override { return m_settings; }
     std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const override;
@@ -124,7 +124,7 @@ private:
     float branchRadius(InternodeId id) const override { return m_scene.mesh().tracker().meshedRadius(id); }
     void requestRepaint() override { update(); }
 
-    // What gestures ask for
+    // GestureTarget
     void toolBegins(const PointerSample& sample) override;
     void toolMoves(const PointerSample& sample) override;
     void toolEnds(const PointerSample& sample) override;
@@ -154,7 +154,7 @@ private:
     bool needsTicks() const;
     bool areRingsExpanding() const;
     void startTicking();
-    /// Whether passes of the picture at its best are still to be drawn.
+    /// Whether passes of the picture in full quality are still to be drawn.
     bool isRefining() const
     {
         return m_pacer.isAtRest() && !m_pictureIsOld && m_passes < RenderOptions::kBestSamples;
@@ -167,28 +167,28 @@ private:
     ViewSettings& m_settings;
     Camera m_camera;
     QMargins m_frameMargins;
-    bool m_isFramed = true; ///< Nobody has moved the camera since a whole tree was shown
-    ViewValues m_shown;     ///< What the picture shows
+    bool m_isFramed = true; ///< The camera has not been moved since a whole tree was shown
+    ViewValues m_shown;     ///< The values that the picture was drawn with
     CameraFlight m_flight;
     PointerReader m_pointers;
     GestureReader m_gestures;
     HeldKeys m_keys;
     TreeScene m_scene;
     std::unique_ptr<Tool> m_tool;
-    std::unique_ptr<Tool> m_eraser; ///< In hand while a pen is turned over
-    std::unique_ptr<SunTool> m_sun; ///< In hand while the pointer is on the sun
-    Tool* m_hand;                   ///< The one of the three that samples go to
+    std::unique_ptr<Tool> m_eraser; ///< Gets the samples while a pen is turned over
+    std::unique_ptr<SunTool> m_sun; ///< Gets the samples while the pointer is on the sun
+    Tool* m_hand;                   ///< The one of the three that gets the samples now
     Overlay m_overlay;
 
     FramePacer m_pacer;
     bool m_isGrowing = false;
     bool m_pictureIsOld = true;
-    int m_passes = 0; ///< That the picture shown is the mean of
+    int m_passes = 0; ///< Number of passes that the shown picture is the mean of
     bool m_passIsDue = false;
     QBasicTimer m_ticks;
     QBasicTimer m_restTimer;
     double m_lastTick = 0.0;    ///< s
-    double m_selectedAt = -1e9; ///< s, when the bud that alone grows was chosen
+    double m_selectedAt = -1e9; ///< Time when the bud that alone grows was chosen, s
 
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<OverlayRenderer> m_overlayRenderer;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of Viewport that listens to the hand.
+// The part of Viewport that handles input events.
 #include "views/Viewport.h"
 #include "views/tools/SunTool.h"
 
@@ -27,7 +27,7 @@ bool Viewport::event(QEvent* event)
     case QEvent::TouchEnd:
     case QEvent::TouchCancel:
     case QEvent::TabletPress:
-        // A mouse's press brings the focus by itself.
+        // A press of the mouse sets the focus by itself.
         if (event->type() == QEvent::TouchBegin || event->type() == QEvent::TabletPress)
             setFocus(Qt::MouseFocusReason);
         [[fallthrough]];
@@ -44,7 +44,7 @@ bool Viewport::event(QEvent* event)
         finishGesture();
         break;
     case QEvent::ShortcutOverride: {
-        // Keys that are held to move the camera, and Escape during a gesture, are not for shortcuts.
+        // Keys that move the camera, and Escape during a gesture, are not passed to shortcuts.
         const auto* key = static_cast<QKeyEvent*>(event);
         HeldKeys probe;
         if (probe.press(key->key(), key->modifiers()) ||
@@ -64,7 +64,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::TabletEnterProximity || event->type() == QEvent::TabletLeaveProximity)
         m_gestures.setPenInReach(event->type() == QEvent::TabletEnterProximity, m_pointers.now());
-    // A modal dialog gets what the pointer does from now on.
+    // A modal dialog gets the pointer's events from now on.
     if (event->type() == QEvent::WindowBlocked && watched == window())
         finishGesture();
     return QOpenGLWidget::eventFilter(watched, event);
@@ -125,10 +125,10 @@ void Viewport::keyReleaseEvent(QKeyEvent* event)
 
 void Viewport::focusOutEvent(QFocusEvent* event)
 {
-    // Another widget gets the release of keys that are held.
+    // Another widget will get the release of keys that are held.
     m_keys.clear();
     m_gestures.setPanKey(false);
-    // The other hand may use a control while this one draws: that alone does not end a stroke.
+    // The user may use a control with the other hand while drawing: that does not end a stroke.
     if (event->reason() != Qt::MouseFocusReason)
         finishGesture();
     QOpenGLWidget::focusOutEvent(event);
@@ -156,7 +156,7 @@ void Viewport::resizeEvent(QResizeEvent* event)
     QOpenGLWidget::resizeEvent(event);
 }
 
-/// Calls @p pick(scene) with what there is to pick from.
+/// Calls @p pick(scene) with the data for picking.
 template <class Pick>
 auto Viewport::withPickScene(Pick&& pick) const
 {

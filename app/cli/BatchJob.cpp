@@ -29,7 +29,7 @@ namespace espalier {
 
 namespace {
 
-/// Says how far something has got, if somebody watches.
+/// Prints the progress of a task, if the standard error is a terminal.
 void tellProgress(const QString& text)
 {
     static const bool isWatched = isatty(STDERR_FILENO) != 0;
@@ -50,7 +50,7 @@ double secondsOf(const QElapsedTimer& timer)
     return static_cast<double>(timer.nsecsElapsed()) * 1e-9;
 }
 
-/// The largest memory that this process has had in use, MB; 0 where the system does not say.
+/// The largest memory that this process has used so far, MB; 0 if the system does not report it.
 double peakMemory()
 {
     QFile status(QStringLiteral("/proc/self/status"));
@@ -63,7 +63,7 @@ double peakMemory()
     return 0.0;
 }
 
-/// What takes how long, s.
+/// Times that the parts of a job have taken, s.
 struct Times {
     double growth = 0.0;
     double mesh = 0.0;
@@ -76,7 +76,7 @@ struct MeshCounts {
     std::uint64_t triangles = 0;
 };
 
-/// Of the mesh that is exported.
+/// Counts of the exported mesh.
 MeshCounts countMesh(const Tree& tree, const TreeIndex& index)
 {
     const BranchMesh wood = meshBranches(tree, index, Widths(tree, index));
@@ -256,7 +256,7 @@ Result<void> replay(const CommandLine& line)
     return line.stats.isEmpty() ? Result<void>() : writeStats(document, mesh, times, line.stats);
 }
 
-/// Says what of the file could not be taken over, if anything.
+/// Reads the input and prints a warning about parts of the file that could not be read.
 Result<Project> loadInput(const CommandLine& line)
 {
     Result<Project> project = loadProject(line.inputs.constFirst());
@@ -285,7 +285,7 @@ Result<void> render(const CommandLine& line)
 
 QJsonArray pointToJson(const Vec3& point)
 {
-    // As many digits as a float has.
+    // A float has this many digits.
     const auto digits = [](float value) { return QString::number(value, 'g', 7).toDouble(); };
     return {digits(point.x()), digits(point.y()), digits(point.z())};
 }

@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// Does what a command line without a window asks for (replay, export, render, info), prints one line for
-/// what goes wrong, and returns the exit code. A picture needs a QGuiApplication.
+/// Performs a command that needs no window (replay, export, render, info), prints one line for each thing
+/// that goes wrong, and returns the exit code. A picture needs a QGuiApplication.
 ExitCode runBatchJob(const CommandLine& line);
 
 /// The view of that name in recipes and command lines; the front for an empty one.

@@ -42,14 +42,14 @@ Result<QSize> parseSize(const QString& text)
     return size;
 }
 
-/// An option and how its value gets into the command line.
+/// An option, and the function that puts its value into the command line.
 struct Option {
     const char* name;
-    const char* verbs; ///< Those that know it, between blanks
+    const char* verbs; ///< The verbs that accept it, between blanks
     Result<void> (*take)(CommandLine&, const QString& value);
-    bool isFlag = false; ///< Without a value
+    bool isFlag = false; ///< It has no value
 
-    /// As it is written, with its dashes.
+    /// The name with its dashes.
     QString shown() const { return dashed(QString::fromLatin1(name)); }
     static QString dashed(const QString& name)
     {
@@ -136,7 +136,7 @@ constexpr Option kOptions[] = {
      }},
 };
 
-/// Reads what follows a verb.
+/// Reads the arguments after a verb.
 Result<void> parseArguments(CommandLine& line, const QString& verb, const QStringList& arguments)
 {
     const QByteArray spaced = ' ' + verb.toLatin1() + ' ';
@@ -149,7 +149,7 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
         const QString value = option.isFlag ? QString() : QStringLiteral("value");
         parser.addOption({QString::fromLatin1(option.name), QString(), value});
     }
-    // The parser takes what comes first for the program's name.
+    // The parser treats the first string as the program's name.
     if (!parser.parse(QStringList{verb} + arguments)) {
         if (const QStringList unknown = parser.unknownOptionNames(); !unknown.isEmpty())
             return usage(
@@ -179,7 +179,7 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
     return {};
 }
 
-/// Whether the verb has what it needs, and no more.
+/// Checks that the verb has all inputs and outputs that it needs, and no others.
 Result<void> checkComplete(const CommandLine& line)
 {
     if (line.transparent && line.picture.isEmpty())

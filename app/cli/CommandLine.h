@@ -12,37 +12,37 @@
 
 namespace espalier {
 
-/// What the program ends with.
+/// Exit codes of the program.
 enum ExitCode : int {
     kDone = 0,
-    kUsage = 2,           ///< The command line is none
-    kInputUnreadable = 3, ///< A file could not be read, or says something wrong
+    kUsage = 2,           ///< The command line is not valid
+    kInputUnreadable = 3, ///< A file could not be read, or its content is wrong
     kOutputNotWritten = 4,
 };
 
-/// What a command line asks for.
+/// The content of a command line.
 struct CommandLine {
     enum class Verb { Window, Demo, Replay, Export, Render, Info, Help, Version };
 
     Verb verb = Verb::Window;
-    QStringList inputs;                ///< Recipes or a project
-    QStringList outputs;               ///< Their suffixes say the formats
-    QString picture;                   ///< PNG; empty for none
-    QSize size{1600, 1200};            ///< Of the picture, px
-    QString camera;                    ///< front, side, top, three-quarter; empty for what the recipe says
-    bool transparent = false;          ///< The picture: the tree alone, on nothing
-    bool groundShadow = false;         ///< If so, also its shadow, as black that covers more or less
+    QStringList inputs;       ///< Recipes or a project
+    QStringList outputs;      ///< Their suffixes say the formats
+    QString picture;          ///< PNG; empty for none
+    QSize size{1600, 1200};   ///< Of the picture, px
+    QString camera;           ///< front, side, top, three-quarter; empty for what the recipe says
+    bool transparent = false; ///< The picture shows the tree alone, on nothing
+    /// The transparent picture has the tree's shadow too, as black of some opacity.
+    bool groundShadow = false;
     QString stats;                     ///< JSON; empty for none
     bool strict = false;               ///< An operation that finds nothing to do is an error
     int threads = 0;                   ///< 0 for as many as the machine has
     std::optional<std::uint64_t> seed; ///< In place of the recipe's
 
-    /// Whether a window or a picture will be drawn, which wants a display.
+    /// Whether a window or a picture will be drawn, which needs a display.
     bool needsDisplay() const;
 };
 
-/// Reads the arguments, the program's name not among them. The error's message says in one sentence what is
-/// wrong.
+/// Reads the arguments without the program's name. The error's message says in one sentence what is wrong.
 Result<CommandLine> parseCommandLine(const QStringList& arguments);
 
 /// What --help prints.

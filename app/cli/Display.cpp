@@ -8,7 +8,7 @@ namespace espalier {
 
 namespace {
 
-/// Whether an X server answers; true as well where that cannot be found out.
+/// Whether an X server answers; also true if that cannot be found out.
 bool xServerAnswers()
 {
     using Connect = void* (*)(const char*, int*);

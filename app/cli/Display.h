@@ -5,12 +5,11 @@
 
 namespace espalier {
 
-/// Why no window can be opened here; empty if one can. To be asked before there is a QGuiApplication, which
+/// Why no window can be opened here; empty if one can. Call it before a QGuiApplication is made, since that
 /// would abort the program.
 QString displayProblem();
 
-/// Whether the display is one that nobody looks at (the environment variable ESPALIER_VIRTUAL_DISPLAY says
-/// so).
+/// Whether no person sees the display (the environment variable ESPALIER_VIRTUAL_DISPLAY says so).
 bool isDisplayVirtual();
 
 } // namespace espalier

@@ -35,7 +35,7 @@ QString baseOf(const Leftover& leftover)
     return leftover.fileName.chopped(kProject.size());
 }
 
-/// Where the document came from: the file's name, and a line about what that file held.
+/// The origin of the document: the file's name, and a line about what that file held.
 struct Origin {
     QString fileName{};
     FileContent content{};
@@ -83,7 +83,7 @@ Autosave::Autosave(const TreeDocument& document, DocumentFile& file, int interva
       m_interval(interval * 1000)
 {
     QDir().mkpath(folder());
-    // Held as long as this program lives; what a crash leaves can be told by it.
+    // The lock is held as long as this program runs; a copy without a lock was left by a crash.
     m_lock = std::make_unique<QLockFile>(m_base + kLock);
     m_lock->setStaleLockTime(0);
     m_lock->tryLock(0);
@@ -101,7 +101,7 @@ Autosave::Autosave(const TreeDocument& document, DocumentFile& file, int interva
 
 Autosave::~Autosave()
 {
-    // A file that is being written now would be taken for what a crash has left.
+    // Otherwise a file that is being written now could be mistaken for one that a crash has left.
     QThreadPool::globalInstance()->waitForDone();
     removeCopies();
 }
@@ -153,7 +153,7 @@ QString Autosave::keepAside(const Leftover& leftover)
 void Autosave::followStack()
 {
     m_isDue = true;
-    // While it is being saved, the document counts as unmodified before it is in the file.
+    // While the document is being saved it counts as unmodified, although the file is not complete yet.
     if (!m_file.isModified() && !m_file.isSaving())
         clear();
     else
@@ -226,7 +226,7 @@ void Autosave::clear()
     ++m_generation;
     m_timer.stop();
     removeCopies();
-    // What was done while the file was being saved is not in it.
+    // Edits that were made while the file was being saved are not in it.
     m_isDue = m_file.isModified();
     schedule();
 }

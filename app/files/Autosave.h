@@ -16,20 +16,20 @@ namespace espalier {
 /// A safety copy that a crash left behind. As long as a copy of this value lives, other running programs do
 /// not see the leftover.
 struct Leftover {
-    QString fileName;      ///< Of the autosaved project
-    QString original;      ///< The file that it had been opened from, or empty
+    QString fileName;      ///< File of the autosaved project
+    QString original;      ///< File that the document had been opened from, or empty
     FileContent content{}; ///< What the original held when the changes were begun; does not exist if unknown
     QDateTime written;
     std::shared_ptr<QLockFile> lock;
 
-    /// For a person: the original's name without its folder.
+    /// The name of the original without its folder, for the user.
     QString displayName() const;
 };
 
-/// Keeps a safety copy of a document that has changes which are in no file: written in the background after
-/// finished commands, not more often than its interval and ten times as seldom as writing takes. It goes as
-/// soon as the document has no such changes any more: saved, given up, or undone. A safety copy that outlives
-/// its program is offered at the next start.
+/// Keeps a safety copy of a document that has changes which are in no file. The copy is written in the
+/// background after finished commands, not more often than the interval and ten times as seldom as writing
+/// takes. It is removed as soon as the document has no such changes any more: saved, discarded, or undone. A
+/// safety copy that outlives its program is offered at the next start.
 class Autosave : public QObject {
     Q_OBJECT
 
@@ -38,16 +38,16 @@ public:
     Autosave(const TreeDocument& document, DocumentFile& file, int interval, QObject* parent = nullptr);
     ~Autosave() override;
 
-    /// s; counts from the next autosave on.
+    /// @p interval in s; it counts from the next autosave on.
     void setInterval(int interval) { m_interval = interval * 1000; }
-    /// Where safety copies are.
+    /// The folder of the safety copies.
     static QString folder();
     /// Safety copies whose program is gone, the newest first. They stay until discard() is called with them.
     static std::vector<Leftover> leftovers();
     static void discard(const Leftover& leftover);
-    /// Takes a leftover that cannot be read out of the way, so that it is not offered again: into the folder
-    /// "unreadable" of folder(), under the name of its original and its time. Returns where it is now, which
-    /// is where it was if it cannot be moved.
+    /// Moves a leftover that cannot be read into the folder "unreadable" of folder(), under the name of its
+    /// original and its time, so that it is not offered again. Returns the new file name, or the old one if
+    /// the file cannot be moved.
     static QString keepAside(const Leftover& leftover);
 
     /// The document has just been recovered from this leftover, which therefore stays until it has a safety
@@ -59,19 +59,19 @@ public:
 Q_SIGNALS:
     /// The safety copy has been written.
     void written();
-    /// It could not be written; said once until it works again.
+    /// The safety copy could not be written; emitted once until writing works again.
     void failed(const QString& sentence);
 
 private:
     void schedule();
     void write();
     void followStack();
-    /// Removes the safety copy, and what the document was recovered from.
+    /// Removes the safety copy, and the leftover that the document was recovered from.
     void removeCopies();
 
     const TreeDocument& m_document;
     DocumentFile& m_file;
-    QString m_base; ///< Of the names of the safety copy's files, with folder
+    QString m_base; ///< Folder and base name of the safety copy's files
     std::unique_ptr<QLockFile> m_lock;
     std::optional<Leftover> m_adopted;
     QTimer m_timer;
@@ -81,7 +81,7 @@ private:
     bool m_isWriting = false;
     bool m_isDue = false; ///< Something has changed since the last snapshot
     bool m_hasFailed = false;
-    /// Grows with every clear(): what was begun before must not come back.
+    /// Grows with every clear(): a copy whose writing began before a clear() must not come back.
     int m_generation = 0;
 };
 

@@ -14,7 +14,7 @@
 
 namespace espalier {
 
-/// What has become of saving.
+/// The result of a save.
 struct DocumentFile::Outcome {
     Result<void> written;
     bool isRefused = false;
@@ -46,15 +46,15 @@ void DocumentFile::setFile(const QString& fileName, const QString& displayName)
 
 void DocumentFile::startNew(const TreeParameters& parameters)
 {
-    // Each tree is another one, even if the same hand makes it.
+    // Each new tree has another seed, so that the same strokes give another tree.
     m_document.reset(QRandomGenerator::global()->generate(), parameters);
     forgetFile({});
 }
 
 Result<DocumentFile::Read> DocumentFile::read(const QString& fileName, const std::atomic<bool>& isCancelled)
 {
-    // The content comes first: if the file is replaced while it is read, saving asks once too often, not once
-    // too seldom.
+    // The hash is computed before the project is read: if the file is replaced in between, saving asks once
+    // too often, not once too seldom.
     const FileStamp stamp = FileStamp::of(fileName);
     const FileContent content = FileContent::of(fileName);
     Result<Project> project = loadProject(fileName);
@@ -144,7 +144,7 @@ void DocumentFile::save(const QString& fileName, const QImage& thumbnail, Overwr
         expected = m_content;
     m_previousName = m_fileName;
     m_previousDisplayName = m_displayName;
-    // What is done from now on is not in the file. Should writing fail, nothing is.
+    // Edits from now on are not in the file. If writing fails, the document becomes modified again.
     m_document.undoStack().setClean();
     setFile(fileName, QFileInfo(fileName).fileName());
     Project project = snapshot();

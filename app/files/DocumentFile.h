@@ -43,7 +43,7 @@ public:
 
     /// Absolute; empty as long as there is none.
     const QString& fileName() const { return m_fileName; }
-    /// For a person, without the folder.
+    /// The name of the file without its folder, for the user.
     QString displayName() const;
     /// Whether the document has changes that are in no file.
     bool isModified() const { return !m_document.undoStack().isClean(); }
@@ -63,9 +63,9 @@ public:
     void recover(Read read, const QString& fileName, const FileContent& content);
     /// A tree that came from elsewhere, and has no file yet.
     void forgetFile(const QString& displayName);
-    /// Its file has another name now.
+    /// The document's file has been renamed to @p fileName.
     void fileMoved(const QString& fileName);
-    /// Its file is gone: all of the tree is a change that is in no file.
+    /// The document's file has been removed: the whole tree is a change that is in no file.
     void fileLost();
 
     /// The document as it is now; copies nothing of the columns.
@@ -73,14 +73,14 @@ public:
     /// Begins to write the document as it is now; one file at a time. saved(), saveFailed() or saveRefused()
     /// follow. Unless it is saved, the document keeps the file that it had before.
     void save(const QString& fileName, const QImage& thumbnail, Overwrite overwrite = Overwrite::WhatIsKnown);
-    /// Comes back when nothing is being written any more.
+    /// Returns when no file is being written any more.
     void waitForSaving();
     /// Looks in the background whether another program has changed the file; changedOnDisk() or
     /// removedFromDisk() say so, once for each change.
     void lookAtDisk();
 
 Q_SIGNALS:
-    /// Name or modification.
+    /// The name or the modified state has changed.
     void titleChanged();
     void saved(const QString& fileName);
     void saveFailed(const QString& sentence);
@@ -103,8 +103,8 @@ private:
     QString m_fileName;
     QString m_displayName;
     FileContent m_content;
-    FileStamp m_stamp; ///< Of the file when it was last looked at
-    /// Of the file before the one that is being saved.
+    FileStamp m_stamp; ///< State of the file when it was last looked at
+    /// Name of the document's file before the save that is running.
     QString m_previousName;
     QString m_previousDisplayName;
     bool m_isSaving = false;

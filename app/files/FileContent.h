@@ -7,7 +7,8 @@
 
 namespace espalier {
 
-/// Size and time of a file, as cheap to ask for as they are to deceive: a first hint that it was written.
+/// Size and time of a file: cheap to compare, but a file can change without them. A first hint that the file
+/// was written.
 struct FileStamp {
     qint64 size = -1;   ///< bytes; -1 if there is no file
     QDateTime modified; ///< Null if there is no file
@@ -27,7 +28,8 @@ struct FileContent {
     bool exists() const { return size >= 0; }
     bool operator==(const FileContent&) const = default;
 
-    /// One line for a side file, and back; a line that is none gives a content that does not exist.
+    /// Converts to one line for a side file, and back; a line that is not valid gives a content that does not
+    /// exist.
     QString toLine() const;
     static FileContent fromLine(const QString& line);
 };

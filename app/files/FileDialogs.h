@@ -7,8 +7,7 @@
 
 class QWidget;
 
-/// The questions about files that stop the work until they are answered. Names that a dialog returns are
-/// empty if the person would rather not.
+/// The modal questions about files. Functions that return a name return an empty one if the user cancels.
 namespace espalier::dialogs {
 
 inline const QString kProjectSuffix = QStringLiteral("espalier");
@@ -29,7 +28,7 @@ QString askForRecipe(QWidget& window, const QString& start);
 QString askForExport(QWidget& window, const QString& start, const Settings& settings);
 /// @p isGrowing: whether growth or a gesture is under way, which saving ends.
 Unsaved askAboutUnsaved(QWidget& window, const QString& name, bool isGrowing);
-/// Another program has written the file that is to be saved now.
+/// Asks what to do when another program has written the file that is to be saved.
 Changed askAboutChanged(QWidget& window, const QString& name);
 
 } // namespace espalier::dialogs

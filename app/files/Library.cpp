@@ -19,7 +19,7 @@ namespace {
 const QString kSuffix = QStringLiteral(".espalier");
 const QString kRecipeSuffix = QStringLiteral("json");
 const QString kTrash = QStringLiteral("Trash");
-/// Bytes of a name: what file systems allow, less room for a number and the suffix.
+/// Bytes of a name: the limit of file systems, without the room for a number and the suffix.
 constexpr qsizetype kMostBytes = 200;
 
 /// The name without a number at its end, and that number, or 1.

@@ -13,8 +13,8 @@
 
 namespace espalier {
 
-/// The trees that a person keeps: the projects of one folder, without its subfolders. Beside them the species
-/// that come with the program, which are recipes. It holds no list of its own: the folder says what there is.
+/// The user's trees: the projects of one folder, without its subfolders. Beside them the species that come
+/// with the program, which are recipes. The object holds no list of its own: it reads the folder each time.
 class Library {
     Q_DECLARE_TR_FUNCTIONS(Library)
 
@@ -29,23 +29,25 @@ public:
     const QString& folder() const { return m_folder; }
     bool holds(const QString& fileName) const;
 
-    /// The projects in the folder, those first that were changed last.
+    /// The projects in the folder, the latest changed first.
     std::vector<LibraryEntry> trees() const;
-    /// The recipes of the program by their names; those that cannot be read are left out. It reads them all:
-    /// for a worker thread.
+    /// The recipes of the program by their names; those that cannot be read are left out. Reads all of them:
+    /// call it on a worker thread.
     static std::vector<LibraryEntry> species();
 
-    /// A file that is not there yet, for a tree of that name or, if there is one, of the name and a number.
+    /// The name of a file that does not exist yet, for a tree of that name; a number is added if the name is
+    /// taken.
     Result<QString> newFile(const QString& name) const;
-    /// The file's new name. Fails if another tree has that name, or if none can.
+    /// Renames a tree and returns its new file name. Fails if another tree has that name, or if the name is
+    /// not valid.
     Result<QString> rename(const QString& fileName, const QString& name) const;
-    /// The copy's file.
+    /// Copies a tree and returns the copy's file name.
     Result<QString> duplicate(const QString& fileName) const;
-    /// Where the file is now, if the system has no trash for it: in the folder "Trash" of the library. Empty
-    /// if the system took it.
+    /// Moves a tree to the system's trash and returns an empty name. If the system has none for the file,
+    /// moves it into the folder "Trash" of the library and returns its new file name.
     Result<QString> moveToTrash(const QString& fileName) const;
 
-    /// What is wrong with a name for a tree, in a sentence; empty for nothing.
+    /// What is wrong with a name for a tree, in a sentence; empty if the name is valid.
     static QString problemWith(const QString& name);
 
 private:

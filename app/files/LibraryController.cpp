@@ -18,7 +18,7 @@ LibraryController::LibraryController(LibraryPanel& panel, FileController& files,
     connect(&panel, &LibraryPanel::openAsked, &files, &FileController::openFile);
     connect(&panel, &LibraryPanel::startAsked, &files, &FileController::startFrom);
     connect(&panel, &LibraryPanel::keepAsked, this, &LibraryController::keep);
-    // The field that the name was typed into is still open now.
+    // Queued, because the text field of the new name is still open when the signal is emitted.
     connect(&panel, &LibraryPanel::renameAsked, this, &LibraryController::rename, Qt::QueuedConnection);
     connect(&panel, &LibraryPanel::duplicateAsked, this, &LibraryController::duplicate);
     connect(&panel, &LibraryPanel::trashAsked, this, &LibraryController::moveToTrash);

@@ -11,7 +11,7 @@ class FileController;
 class LibraryPanel;
 class Notice;
 
-/// Does what a person asks of the library, and tells how it went.
+/// Performs what the user does in the library, and shows how it went.
 class LibraryController : public QObject {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ public:
                       QObject* parent = nullptr);
 
     void setFolder(const QString& folder);
-    /// Looks what there is now.
+    /// Reads the folder again and shows its trees.
     void refresh();
 
 private:

@@ -9,8 +9,8 @@
 
 namespace espalier {
 
-/// Writes a project in the format that the file's suffix names: .espalier, or one of exportSuffixes(). May
-/// run on any thread. What is exported is the tree at the moment shown.
+/// Writes a project in the format that the file's suffix names: .espalier, or one of exportSuffixes(). Can be
+/// called on any thread. The tree at the moment shown is exported.
 Result<void> writeOutput(const Project& project, const QString& fileName, const Progress& progress = {});
 
 /// Writes what was done to a project's tree as a recipe: see recipeOf() and saveRecipe(). May run on any

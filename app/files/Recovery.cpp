@@ -11,7 +11,7 @@ namespace espalier {
 
 namespace {
 
-/// A safety copy, and why it cannot be read; empty if it can.
+/// A safety copy, and the reason why it cannot be read; empty if it can.
 struct Tried {
     Leftover leftover;
     QString fault;
@@ -27,7 +27,7 @@ std::vector<Tried> tryToRead(const std::vector<Leftover>& leftovers)
     return tried;
 }
 
-/// Moves it aside and says so.
+/// Moves the safety copy aside and returns a sentence about that.
 QString sentenceAbout(const Leftover& leftover, const QString& fault)
 {
     const QString place = Autosave::keepAside(leftover);
@@ -46,7 +46,7 @@ Recovery::Recovery(Notice& notice, QObject* parent) : QObject(parent), m_notice(
 void Recovery::setNotice(Notice& notice)
 {
     m_notice = &notice;
-    // Later, since a button of the notice may just be telling what was chosen.
+    // Queued, because a button of the notice may not have reported the answer yet.
     connect(&notice, &Notice::closed, this, &Recovery::offerNext, Qt::QueuedConnection);
     QMetaObject::invokeMethod(this, &Recovery::offerNext, Qt::QueuedConnection);
 }

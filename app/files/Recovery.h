@@ -11,24 +11,25 @@ namespace espalier {
 
 class Notice;
 
-/// Offers everything that crashes have left behind, one safety copy after another, the newest first. A safety
-/// copy that cannot be read is kept aside, and a notice says where; it is never deleted. Other notices may
-/// cover the question; it comes back after them.
+/// Offers all safety copies that crashes have left behind, one after another, the newest first. A safety copy
+/// that cannot be read is moved aside, and a notice says where; it is never deleted. Another notice can cover
+/// the question; the question comes back after it.
 class Recovery : public QObject {
     Q_OBJECT
 
 public:
     explicit Recovery(Notice& notice, QObject* parent = nullptr);
-    /// Shows everything there from now on.
+    /// Sets the notice that shows the questions and messages from now on.
     void setNotice(Notice& notice);
 
     /// Looks for safety copies; those that can be read are offered, once a worker thread has tried.
     void start();
-    /// Keeps a safety copy aside that turned out to be unreadable after all; @p reason names the fault.
+    /// Moves a safety copy aside that turned out to be unreadable after it was offered; @p reason names the
+    /// fault.
     void keepAside(const Leftover& leftover, const QString& reason);
 
 Q_SIGNALS:
-    /// The person wants this one back.
+    /// The user wants to recover this leftover.
     void wanted(const espalier::Leftover& leftover);
 
 private:

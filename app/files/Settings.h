@@ -10,8 +10,7 @@
 
 namespace espalier {
 
-/// What the program remembers of a person from one day to the next. Each has its default here and nowhere
-/// else.
+/// The program's persistent settings. Each has its default here and nowhere else.
 class Settings {
 public:
     static constexpr int kMaxRecentFiles = 10;
@@ -19,28 +18,28 @@ public:
     ViewValues viewValues() const;
     void setViewValues(const ViewValues& values);
 
-    /// Projects, the latest first; only those that are still there.
+    /// Recently opened projects, the latest first; only those that still exist.
     QStringList recentFiles() const;
     void addRecentFile(const QString& fileName);
     void clearRecentFiles();
 
-    /// Where files were opened or saved last; at first the person's documents.
+    /// The folder where files were opened or saved last; at first the user's documents.
     QString folder() const;
     void setFolder(const QString& folder);
     /// Values out of range are moved to its nearest end, unknown ones are the defaults.
     Preferences preferences() const;
     void setPreferences(const Preferences& preferences);
-    /// The one that is set, or the program's own.
+    /// The library's folder that is set, or the default one.
     QString libraryFolder() const;
     /// Suffix of the last export; at first "glb".
     QString exportSuffix() const;
     void setExportSuffix(const QString& suffix);
 
-    /// Of the window; empty at first.
+    /// Geometry of the window; empty at first.
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
 
-    /// Whether the person has been shown around.
+    /// Whether the tour was shown.
     bool isTourSeen() const;
     void setTourSeen(bool seen);
 };

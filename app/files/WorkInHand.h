@@ -5,11 +5,11 @@
 
 namespace espalier {
 
-/// What is changing the document just now and is no undo step yet: a gesture, or growth. This is the only
-/// place where what is done with files asks for it; until it is told of any, there is none.
+/// A change of the document that is under way and no undo step yet: a gesture, or growth. The code that opens
+/// and saves files learns of it only through these functions; their defaults mean that nothing is under way.
 struct WorkInHand {
     std::function<bool()> isUnderWay = [] { return false; };
-    /// Ends it and keeps it, as undo steps.
+    /// Ends the work under way and keeps it, as undo steps.
     std::function<void()> finish = [] {};
 };
 

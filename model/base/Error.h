@@ -9,7 +9,7 @@
 
 namespace espalier {
 
-/// One clear sentence for a person: which file, which place in it, what is wrong.
+/// One clear sentence for the user: which file, which place in it, what is wrong.
 struct Error {
     enum class Kind { Input, Output, Cancelled };
 

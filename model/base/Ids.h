@@ -8,24 +8,24 @@ namespace espalier {
 
 /// An internode's row in every column, in the order of the journal's births. A parent's id is always smaller
 /// than its children's. Undo takes the rows of undone births out of the tree: what grows next gets the same
-/// ids as if the undone had never been. Where an internode must be found again later, name it by its
-/// InternodeKey.
+/// ids as if the undone births had never happened. Where an internode must be found again later, name it by
+/// its InternodeKey.
 using InternodeId = std::uint32_t;
 inline constexpr InternodeId kNoInternode = std::numeric_limits<InternodeId>::max();
 
-/// What an internode's random numbers are a function of, and its name in recipes: a hash of its parent's key,
-/// the bud that it grew from and the step that it was born in (Random.h). Two internodes of a tree have
-/// different keys.
+/// The name of an internode in recipes and the seed of its random numbers: a hash of its parent's key, the
+/// bud that it grew from and the step that it was born in (Random.h). Two internodes of a tree have different
+/// keys.
 using InternodeKey = std::uint64_t;
 
-/// A row of the table of placed leaves; likewise.
+/// A placed leaf's row in the table of placed leaves. Undo takes rows out as with internodes.
 using LeafId = std::uint32_t;
 
 /// Simulation time in growth steps.
 using Step = std::uint32_t;
 inline constexpr Step kNever = std::numeric_limits<Step>::max();
 
-/// Consecutive rows of a table, as one edit makes them.
+/// Consecutive rows of a table, which one edit adds.
 struct IdRange {
     InternodeId first = 0;
     std::uint32_t count = 0;

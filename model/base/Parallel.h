@@ -27,8 +27,8 @@ void parallelFor(std::size_t count, std::size_t grain, Body&& body)
         [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
 }
 
-/// Calls @p work() with all the threads that the program may use but one, which is left to whoever waits for
-/// the window; returns what it returns.
+/// Calls @p work() with all the threads that the program may use but one, which stays free for the window's
+/// thread; returns the result of @p work().
 template <class Work>
 auto leavingOneThread(Work&& work)
 {

@@ -9,8 +9,8 @@
 
 namespace espalier {
 
-/// What a random number is for. Part of its key, so that two uses never share a value; append only, since the
-/// values of the enumerators are part of "same recipe, same tree".
+/// What a random number is used for. It is part of the number's key, so that two uses never share a value.
+/// Append only: the values of the enumerators are part of "same recipe, same tree".
 enum class Purpose : std::uint32_t {
     BrushMarker,
     BudMarker,
@@ -44,8 +44,7 @@ constexpr InternodeKey rootKey(std::uint64_t seed)
 }
 
 /// The key of an internode that grows from the bud @p slot of the internode with the key @p parent and is
-/// born in
-/// @p step. It does not depend on rows, so what was tried and taken back leaves no trace in what grows next.
+/// born in @p step. It does not depend on rows, so edits that were undone do not change what grows next.
 constexpr InternodeKey childKey(InternodeKey parent, int slot, Step step)
 {
     return mixedBits(mixedBits(parent ^ 0x5851f42d4c957f2dU) ^
@@ -57,7 +56,7 @@ constexpr InternodeKey childKey(InternodeKey parent, int slot, Step step)
 /// tree. The mixing is applied to each part of the key in turn.
 class Random {
 public:
-    /// Numbers of an internode. @p number tells its buds or its steps apart.
+    /// Random numbers of an internode. @p number distinguishes its buds or its steps.
     Random(InternodeKey key, std::uint32_t number, Purpose purpose)
         : m_key(mixedBits(mixedBits(key ^ (std::uint64_t{number} << 32U)) ^
                           static_cast<std::uint64_t>(purpose)))

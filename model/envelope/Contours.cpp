@@ -27,8 +27,9 @@ std::array<std::array<int, 2>, 2> crossedSides(const std::array<bool, 4>& inside
         const auto corner = [&](int number) { return inside[static_cast<std::size_t>(number % 4)]; };
         if (!corner(side) || corner(side + 1))
             continue;
-        // The line has the inside on its left, so it comes in where the walk around the square goes out. It
-        // ends at the next way in; of two, at the first if the corners are joined across the centre.
+        // The line has the inside on its left, so it enters the square at a side where the walk around the
+        // square leaves the inside. It ends at the next side where the walk enters; of two such sides, at the
+        // first if the corners are joined across the centre.
         int end = side + 1;
         while (corner(end) || !corner(end + 1))
             ++end;

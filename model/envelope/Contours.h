@@ -14,7 +14,7 @@ public:
     /// Values above @p level are inside; those at the grid's edge must be outside.
     Contours(const Grid<float>& values, float level);
 
-    /// Closed, in units of nodes, none of them crossing: regions counter-clockwise, holes clockwise.
+    /// Closed lines, in units of nodes, which do not cross: regions counter-clockwise, holes clockwise.
     std::vector<Loop> loops() const;
     bool isEmpty() const { return m_segments.empty(); }
 
@@ -37,11 +37,12 @@ private:
     };
 
     std::vector<Segment> m_segments; ///< Square by square
-    Grid<int> m_begin;               ///< A square's first segment; they end where the next one's begin
+    /// Index of a square's first segment; its segments end where those of the next square begin.
+    Grid<int> m_begin;
 };
 
-/// How a line runs through a square of four nodes, 0...3 counter-clockwise from the lower left: pairs of the
-/// sides at which it enters and leaves, side k between corners k and k + 1; -1 for none.
+/// How a line runs through a square of four nodes, numbered 0...3 counter-clockwise from the lower left:
+/// pairs of the sides at which it enters and leaves, side k between corners k and k + 1; -1 for none.
 std::array<std::array<int, 2>, 2> crossedSides(const std::array<bool, 4>& inside, bool centreInside);
 
 } // namespace espalier

@@ -8,7 +8,7 @@ namespace espalier {
 
 namespace {
 
-constexpr int kLines = 8; ///< A node's square is filled line by line
+constexpr int kLines = 8; ///< Number of lines along y in a node's square
 
 struct Edge {
     double bottom; ///< y of the lower end
@@ -23,7 +23,7 @@ struct Crossing {
     int winding;
 };
 
-/// What one loop fills.
+/// The nodes that one loop fills.
 struct Layer {
     Grid<float> filled;
     double area = 0.0;
@@ -31,8 +31,8 @@ struct Layer {
     int right = 0;
     int bottom = 0;
     int top = 0;
-    int depth = 0;                   ///< In how many others it lies, one in the other
-    std::vector<std::size_t> within; ///< Those that it lies in
+    int depth = 0;                   ///< Number of other loops that contain it
+    std::vector<std::size_t> within; ///< The loops that contain it
 };
 
 std::vector<Edge> edgesFromBottom(const Loop& loop)

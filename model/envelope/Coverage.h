@@ -14,8 +14,8 @@ namespace espalier {
 using Loop = std::vector<Eigen::Vector2d>;
 
 /// How much of each node's square (±½ around it) the loops fill, 0...1: exact along x, in eight lines along
-/// y. Each loop is filled by non-zero winding. A loop that lies wholly in another is a hole of it, one in a
-/// hole is an island, and so on; all else is united. Loops must lie in the grid.
+/// y. Each loop is filled by non-zero winding. A loop that lies wholly in another one is a hole of it, a loop
+/// in a hole is an island, and so on; loops that overlap are united. Loops must lie in the grid.
 Grid<float> coverage(std::span<const Loop> loops, int width, int height);
 
 } // namespace espalier

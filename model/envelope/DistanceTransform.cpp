@@ -21,8 +21,8 @@ public:
 
     double& cost(int node) { return m_cost[static_cast<std::size_t>(node)]; }
 
-    /// Calls @p take(node, value, centre) for each node; centre is -1 and value infinite without any
-    /// parabola.
+    /// Calls @p take(node, value, centre) for each node; without any parabola, centre is -1 and value is
+    /// infinite.
     template <class Take>
     void each(Take&& take)
     {
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// Where the parabola of the later node @p right begins to lie below that of @p left.
+    /// The place from which on the parabola of the later node @p right lies below that of @p left.
     double meeting(int left, int right)
     {
         const double difference = cost(right) - cost(left);

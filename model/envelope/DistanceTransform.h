@@ -7,12 +7,12 @@
 
 namespace espalier {
 
-/// The cost of a node that is no site.
+/// The cost of a node that is not a site.
 inline constexpr double kNoSite = std::numeric_limits<double>::infinity();
 
 struct DistanceTransform {
     Grid<double> value; ///< min over sites q of |p - q|² + cost(q), in squares of the nodes' spacing
-    Grid<int> site;     ///< Index in the grid of the site at which it is reached, -1 without any site
+    Grid<int> site; ///< Index in the grid of the site at which that minimum is reached, -1 without any site
 };
 
 /// Exact, linear in the number of nodes: the lower envelope of the sites' parabolas along columns, then along

@@ -15,11 +15,11 @@ namespace {
 
 using Point3 = Eigen::Vector3d;
 
-/// Below this there is nothing to see nor to fill, m.
+/// A shorter side leaves nothing to show or to fill, m.
 constexpr double kShortestSide = 1e-6;
-/// Less than this many nodes' squares are no area.
+/// A smaller area, in squares of nodes, counts as none.
 constexpr double kLeastArea = 9.0;
-/// Attempts at one marker. One in two succeeds, so it is never reached but by numbers at their limits.
+/// Attempts at one marker. One in two succeeds, so the limit is only reached with numbers at their limits.
 constexpr int kAttempts = 1000;
 
 Error envelopeError(const char* text)
@@ -40,7 +40,7 @@ struct Envelope::Content {
     Box3 bounds;
     /// Squares of nodes that the silhouette touches, by the index of their lower left node.
     std::vector<int> squares;
-    /// Sums of the volumes of the boxes over those squares (up to each and with it), spacing³.
+    /// Sums of the volumes of the boxes over those squares, up to and including each, spacing³.
     std::vector<double> boxes;
     int deepestX = 0;
     int deepestY = 0;
@@ -56,7 +56,7 @@ struct Envelope::Content {
         const Point3 offset = (point.cast<double>() - corner) / spacing;
         return {offset.dot(right), offset.dot(up), offset.dot(front)};
     }
-    /// The square that a place lies over; none beside the grid.
+    /// The square over which a place lies; none outside the grid.
     std::optional<GridPlace> squareOf(const Point3& place) const
     {
         const Grid<float>& distance = field.distance;
@@ -67,14 +67,15 @@ struct Envelope::Content {
         const int below = static_cast<int>(place.y());
         return GridPlace{left, below, place.x() - left, place.y() - below};
     }
-    /// 0 beside the silhouette, spacing².
+    /// Squared height of the surface, spacing²; 0 beside the silhouette.
     double squaredHeightAt(const Point3& place) const
     {
         const std::optional<GridPlace> square = squareOf(place);
         return square ? field.squaredHeightAt(*square) : 0.0;
     }
 
-    /// Of the box over a square: the surface between the nodes is nowhere higher than at the highest of them.
+    /// Height of the box over a square: the surface between the nodes is nowhere higher than at the highest
+    /// of them.
     double boxHeight(int square) const
     {
         const int x = square % field.distance.width();
@@ -91,7 +92,7 @@ struct Envelope::Content {
     void measure();
 };
 
-/// Volume, bounds and what sampling needs.
+/// Computes volume, bounds and the data for sampling.
 void Envelope::Content::measure()
 {
     const int width = field.distance.width();
@@ -135,7 +136,7 @@ Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, con
     content.right = first.right.cast<double>().normalized();
     content.front = content.right.cross(first.up.cast<double>()).normalized();
     content.up = content.front.cross(content.right);
-    // Unit vectors but for what cannot be one; comparisons with NaN fail too.
+    // Fails unless the vectors have length 1; comparisons with NaN fail too.
     if (!(std::abs(content.front.norm() - 1.0) < 1e-6 && std::abs(content.right.norm() - 1.0) < 1e-6 &&
           origin.allFinite()))
         return envelopeError(QT_TRANSLATE_NOOP("Envelope", "The lasso's drawing plane is not valid."));
@@ -206,7 +207,7 @@ bool Envelope::containsWithin(const Vec3& point, double margin) const
     const double height = std::sqrt(content.squaredHeightAt(place));
     if (height == 0.0)
         return false;
-    // Of a round bar, that is the inner third of its width and depth.
+    // In a round bar, that is the inner third of its width and depth.
     const double within = std::min(margin / content.spacing, 0.7 * height);
     return interpolate(content.field.distance, *content.squareOf(place)) >= within &&
            std::abs(place.z()) <= height - within;
@@ -267,7 +268,7 @@ std::optional<Vec3> Envelope::propose(Random& random) const
     const int row = square / width;
     const double y = row + random.uniform();
     const Vec3 point = toWorld(x, y, random.uniform(-rise, rise));
-    // Tested where it lies after rounding, so that whoever asks gets the same answer.
+    // Tested after rounding, so that contains() returns the same for the marker.
     return contains(point) ? std::optional(point) : std::nullopt;
 }
 

@@ -26,26 +26,27 @@ struct EnvelopeOptions {
 /// sides of the plane. Immutable; copies share their content.
 class Envelope {
 public:
-    /// The strokes' ends are joined; a stroke within another is a hole, others are united (see coverage()).
-    /// They are taken in the plane of the first. An Error if the plane is none or nothing is enclosed.
+    /// The ends of each stroke are joined; a stroke within another is a hole, others are united (see
+    /// coverage()). All strokes are taken in the plane of the first. Fails if the first stroke has no plane
+    /// or if nothing is enclosed.
     static Result<Envelope> fromStrokes(std::span<const LassoStroke> strokes,
                                         const EnvelopeOptions& options = {});
 
     bool contains(const Vec3& point) const;
-    /// Whether the point lies at least @p margin (m, ≥ 0) within the silhouette and the surface; where the
-    /// envelope is thin, the middle of it counts.
+    /// Whether the point lies at least @p margin (m, ≥ 0) within the silhouette and the surface. Where the
+    /// envelope is thinner than that, its inner part counts as inside.
     bool containsWithin(const Vec3& point, double margin) const;
     /// How far the surface rises above the plane at the point's place in it, m; 0 beside the silhouette.
     double riseAt(const Vec3& point) const;
     /// m³
     double volume() const;
-    /// Contains all of it, and exceeds it by less than a node's spacing.
+    /// A box that contains the envelope and exceeds it by less than a node's spacing.
     Box3 bounds() const;
     /// Closed lines in the plane (the last point is joined to the first), m: regions counter-clockwise seen
     /// from the front, holes clockwise.
     std::vector<std::vector<Vec3>> outline() const;
-    /// Markers of free space, m: uniform in the volume. The same for the same seed and step, on any number of
-    /// threads.
+    /// Positions of markers of free space, m: uniform in the volume. The same seed and step give the same
+    /// positions, on any number of threads.
     std::vector<Vec3> sampleUniform(std::size_t count, std::uint64_t seed, std::uint32_t step = 0) const;
 
     const EnvelopeField& field() const;
@@ -61,8 +62,8 @@ private:
 
     explicit Envelope(std::shared_ptr<const Content> content) : m_content(std::move(content)) {}
 
-    /// One attempt at a point: uniform in the volume if it succeeds, which it does in the share that the
-    /// volume has of proposalVolume().
+    /// One attempt at a random point. A point that is returned is uniform in the volume; an attempt succeeds
+    /// with the probability volume() / proposalVolume().
     std::optional<Vec3> propose(Random& random) const;
     double proposalVolume() const; ///< m³
     Vec3 deepest() const;          ///< A point that is contained for certain

@@ -15,8 +15,8 @@ namespace {
 /// Width of the bell with which the balls' creases are rounded, nodes.
 constexpr double kSmoothing = 4.0;
 
-/// The distance rises by 1 a node but at its ridges: there by the sine of half the angle of the corner that
-/// they lead to, here 137 degrees.
+/// The distance rises by 1 a node, except at its ridges: there by the sine of half the angle of the corner to
+/// which the ridge leads, here 137 degrees.
 constexpr double kRidgeSlope = 0.93;
 
 double square(double value)
@@ -24,15 +24,15 @@ double square(double value)
     return value * value;
 }
 
-/// What values go on as, @p steps beyond the edge, with a constant second derivative.
+/// Extrapolates values with a constant second derivative, @p steps beyond the edge.
 double beyond(double edge, double inner, double curvature, int steps)
 {
     const double slope = inner - edge - 0.5 * curvature;
     return edge - slope * steps + 0.5 * curvature * steps * steps;
 }
 
-/// Along rows and columns with a symmetric kernel (its centre first). The values go on beyond the edge with
-/// the given second derivative along rows and along columns.
+/// Convolves along rows and columns with a symmetric kernel (its centre first). Beyond the edge, the values
+/// continue with the given second derivative along rows and along columns.
 Grid<float> convolved(const Grid<float>& values, const std::vector<double>& kernel, double curvature)
 {
     const int width = values.width();
@@ -99,8 +99,8 @@ std::vector<double> bell(double deviation)
     return kernel;
 }
 
-/// Smoothed such that quadratic functions stay what they are: around one axis the balls' squared height is
-/// one, and a plain bell would lower thin bars to nothing.
+/// Smooths such that quadratic functions do not change: around one axis the squared height of the balls is
+/// quadratic, and a plain bell would lower thin bars to nothing.
 Grid<float> smoothed(const Grid<float>& values)
 {
     constexpr double kCurvature = -2.0; // of R² - |p - s|²
@@ -112,7 +112,7 @@ Grid<float> smoothed(const Grid<float>& values)
     return once;
 }
 
-/// Distances to the contours' line, positive where the values are above the level.
+/// Distances to the contours, positive where the values are above the level.
 Grid<float> signedDistance(const Grid<float>& values, float level, const Contours& contours)
 {
     const int width = values.width();
@@ -142,7 +142,7 @@ Grid<float> signedDistance(const Grid<float>& values, float level, const Contour
     return result;
 }
 
-/// What balls that touch the outline rise to, squared; negative beyond them.
+/// Squared height of balls that touch the outline; negative beyond them.
 Grid<float> balls(const Grid<float>& distance, const Mask& centres)
 {
     Grid<double> cost(distance.width(), distance.height(), kNoSite);
@@ -165,7 +165,7 @@ Mask insideOf(const Grid<float>& distance)
 }
 
 /// Erosion alone would round off corners. So the ridges that corners raise in the distance are kept at first;
-/// they are a few nodes wide, which a second erosion mends.
+/// they are a few nodes wide, and a second erosion thins them.
 Mask chordalAxes(const Grid<float>& distance)
 {
     const Mask inside = insideOf(distance);
@@ -180,7 +180,7 @@ Mask chordalAxes(const Grid<float>& distance)
     return thinned(thinned(inside, ridges));
 }
 
-/// The axes run between nodes, so balls belong to the inner nodes beside theirs too.
+/// The axes run between nodes, so the inner nodes beside an axis get balls too.
 Mask withNeighbours(const Mask& axes, const Grid<float>& distance)
 {
     Mask result(axes.width(), axes.height());
@@ -192,8 +192,8 @@ Mask withNeighbours(const Mask& axes, const Grid<float>& distance)
     return result;
 }
 
-/// Smoothing lifts the surface off the outline in notches and lowers it below in corners. Brings it back,
-/// within a few nodes of the outline, by as much as it is off at the nearest point of that.
+/// Smoothing lifts the surface off the outline in notches and lowers it below the outline in corners. This
+/// corrects the surface within a few nodes of the outline, by the error at the nearest point of the outline.
 Grid<float> sewnToOutline(const Grid<float>& squaredHeight, const Grid<float>& distance)
 {
     const int width = distance.width();
@@ -225,7 +225,7 @@ Grid<float> sewnToOutline(const Grid<float>& squaredHeight, const Grid<float>& d
 
 EnvelopeField inflate(std::span<const Loop> loops, int width, int height)
 {
-    // Half a node's blur takes the steps out of the outline.
+    // A blur of half a node removes the steps from the outline.
     const Grid<float> filled = convolved(coverage(loops, width, height), {0.5, 0.25}, 0.0);
     constexpr float kHalf = 0.5F;
     const Contours contours(filled, kHalf);

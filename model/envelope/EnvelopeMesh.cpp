@@ -47,7 +47,7 @@ private:
         int y;
     };
 
-    /// 0 beyond the field, where there is nothing.
+    /// Distance at a node; 0 beyond the field.
     double distance(Node node) const
     {
         const int x = node.x * m_stride;
@@ -79,7 +79,8 @@ private:
         Vertex& front = m_front(node.x, node.y);
         Vertex& back = m_back(node.x, node.y);
         if (front == kNoVertex) {
-            // The surface is squaredHeight(x, y) - z² = 0, its normal that function's fall.
+            // The surface is squaredHeight(x, y) - z² = 0; its normal is the negative gradient of that
+            // function.
             const int x = node.x * m_stride;
             const int y = node.y * m_stride;
             const float z = std::sqrt(m_field.squaredHeight(x, y));
@@ -90,7 +91,7 @@ private:
         return {front, back};
     }
 
-    /// Where the outline crosses from one node to the next, right of it or above.
+    /// The point where the outline crosses the edge from one node to the next, right of it or above.
     Corner onOutline(Node from, Node to)
     {
         const bool rightward = from.y == to.y;
@@ -98,7 +99,7 @@ private:
             std::swap(from, to);
         Vertex& vertex = rightward ? m_rightward(from.x, from.y) : m_upward(from.x, from.y);
         if (vertex == kNoVertex) {
-            // Kept off the nodes, so that no triangle is without area.
+            // A minimum distance from the nodes, so that each triangle has an area.
             const double place = std::clamp(distance(from) / (distance(from) - distance(to)), 0.02, 0.98);
             const auto between = [&](int a, int b) { return m_stride * std::lerp(a, b, place); };
             const auto share = static_cast<float>(place);
@@ -129,8 +130,8 @@ private:
             return onOutline(nodes[static_cast<std::size_t>(side)],
                              nodes[static_cast<std::size_t>((side + 1) % 4)]);
         };
-        // A part is what lies left of the line: from where it leaves the square around to where it came in,
-        // and on along the other line if the square holds two that bound the same part.
+        // A part is the region left of the line: from where the line leaves the square around to where it
+        // came in, and on along the other line if the square holds two lines that bound the same part.
         std::array<bool, 2> done{};
         for (std::size_t first = 0; first < sides.size(); ++first) {
             if (sides[first][0] < 0 || done[first])
@@ -155,7 +156,8 @@ private:
 
     void addPolygon(std::vector<Corner> corners)
     {
-        // Fanned out from a node: a triangle on the outline alone would lie in front and back alike.
+        // The fan starts at a node: a triangle with all corners on the outline would be the same in front and
+        // back.
         std::ranges::rotate(corners, std::ranges::find_if(corners, [](const Corner& corner) {
                                 return corner.front != corner.back;
                             }));
@@ -173,7 +175,7 @@ private:
     const Envelope& m_envelope;
     const EnvelopeField& m_field;
     int m_stride;
-    int m_width; ///< Of the mesh's own lattice, one node more than needed
+    int m_width; ///< Width of the mesh's own lattice, one node more than needed
     int m_height;
     Grid<Vertex> m_front;
     Grid<Vertex> m_back;

@@ -12,8 +12,8 @@ struct EnvelopeMesh {
     std::vector<std::uint32_t> triangles;
 };
 
-/// Closed: a front and a back over every @p stride-th node of the envelope's field (1...8), sewn together on
-/// the outline. Parts thinner than the stride are missing, unless nothing else would be left.
+/// Makes a closed surface: a front and a back over every @p stride-th node of the envelope's field (1...8),
+/// joined on the outline. Parts thinner than the stride are missing, unless nothing else would be left.
 EnvelopeMesh envelopeMesh(const Envelope& envelope, int stride = 2);
 
 } // namespace espalier

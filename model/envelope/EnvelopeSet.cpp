@@ -70,7 +70,7 @@ double EnvelopeSet::volume() const
         return m_envelopes.front().volume();
     double sum = 0.0;
     for (const Envelope& envelope : m_envelopes) {
-        // A point that several contain counts for each of them, so for a share in each.
+        // A point in several envelopes is counted once for each of them, so it counts for a share in each.
         double shares = 0.0;
         for (const Vec3& point : envelope.sampleUniform(kVolumePoints, 0))
             shares += 1.0 / static_cast<double>(std::max<std::size_t>(1, envelopesAt(point)));
@@ -105,7 +105,7 @@ std::vector<Vec3> EnvelopeSet::sampleUniform(std::size_t count, std::uint64_t se
                 const auto chosen = std::ranges::upper_bound(upTo, random.uniform() * total) - upTo.begin();
                 const std::size_t one = std::min(static_cast<std::size_t>(chosen), upTo.size() - 1);
                 const std::optional<Vec3> point = m_envelopes[one].propose(random);
-                // Where several envelopes propose points, only one of as many is taken.
+                // Where n envelopes propose points, one in n is taken.
                 if (point && random.uniform() * static_cast<double>(envelopesAt(*point)) < 1.0) {
                     markers[i] = *point;
                     break;

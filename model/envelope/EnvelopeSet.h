@@ -11,8 +11,8 @@ public:
     EnvelopeSet() = default;
     explicit EnvelopeSet(std::vector<Envelope> envelopes) : m_envelopes(std::move(envelopes)) {}
 
-    /// Strokes in the same plane make one envelope, in which they can be one another's holes. Those that
-    /// enclose nothing are left out; an Error if there are no others.
+    /// Strokes in the same plane make one envelope, in which one stroke can be a hole of another. Strokes
+    /// that enclose nothing are left out; fails if all strokes enclose nothing.
     static Result<EnvelopeSet> fromStrokes(std::span<const LassoStroke> strokes,
                                            const EnvelopeOptions& options = {});
 
@@ -20,15 +20,16 @@ public:
     bool isEmpty() const { return m_envelopes.empty(); }
 
     bool contains(const Vec3& point) const;
-    /// Whether it lies so in one of the envelopes; see there.
+    /// Whether one of the envelopes contains the point; see Envelope::containsWithin().
     bool containsWithin(const Vec3& point, double margin) const;
-    /// The greatest of the envelopes that contain the point; see there.
+    /// The greatest Envelope::riseAt() of the envelopes that contain the point.
     double riseAt(const Vec3& point) const;
-    /// m³; what envelopes have in common counts once. Of several envelopes it is estimated at 20,000 points,
+    /// m³; overlaps of envelopes count once. The volume of several envelopes is estimated at 20,000 points,
     /// to about one percent.
     double volume() const;
-    Box3 bounds() const; ///< Empty if the set is
-    /// As Envelope::sampleUniform; where envelopes overlap it is no denser. None if the set is empty.
+    Box3 bounds() const; ///< Empty if the set is empty
+    /// Like Envelope::sampleUniform(); where envelopes overlap the density is the same. None if the set is
+    /// empty.
     std::vector<Vec3> sampleUniform(std::size_t count, std::uint64_t seed, std::uint32_t step = 0) const;
 
 private:

@@ -11,7 +11,7 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
-/// The simplified lines of scribbles may be off by this share of their side.
+/// The largest error of the simplified line of a scribble, as a share of its side.
 constexpr double kLargestTolerance = 0.01;
 
 double cross(const Point& a, const Point& b)
@@ -31,11 +31,11 @@ std::vector<Vec2> withoutNonsense(const std::vector<Vec2>& points)
     return kept;
 }
 
-/// The directions from an anchor in which a line passes all points since then within the tolerance.
+/// The directions of lines from an anchor that pass all points since then within the tolerance.
 class Sector {
 public:
-    /// Whether a line from the anchor to @p point keeps all points so far; if so, point is one of them from
-    /// now on.
+    /// Whether a line from the anchor to @p point passes all points so far within the tolerance; if so, adds
+    /// the point.
     bool admit(const Point& anchor, const Point& point, double tolerance)
     {
         const Point offset = point - anchor;
@@ -88,7 +88,7 @@ std::vector<Vec2> simplifiedWithin(const std::vector<Vec2>& points, double toler
     return kept;
 }
 
-/// Points of a line at equal distances along it, its ends among them.
+/// Points at equal distances along a line, including its ends.
 std::vector<Vec2> evenlySpaced(const std::vector<Vec2>& points, std::size_t count)
 {
     const std::vector<double> along = lengthsAlong(points);
@@ -105,7 +105,7 @@ std::vector<Vec2> evenlySpaced(const std::vector<Vec2>& points, std::size_t coun
     return result;
 }
 
-/// How far along a (0...1) and along b the segments a and b cross.
+/// The places along a and along b (0...1) at which the segments a and b cross.
 std::optional<std::pair<double, double>> crossing(const Point& a0, const Point& a1, const Point& b0,
                                                   const Point& b1)
 {

@@ -51,7 +51,7 @@ Mask thinned(const Mask& mask)
 
 Mask thinned(const Mask& mask, const Mask& kept)
 {
-    // A frame of one node spares the test for the edge.
+    // A frame of one node makes tests for the edge unnecessary.
     Mask result(mask.width() + 2, mask.height() + 2);
     Mask listed(result.width(), result.height());
     for (int y = 0; y < mask.height(); ++y) {
@@ -73,8 +73,8 @@ Mask thinned(const Mask& mask, const Mask& kept)
         return bits;
     };
 
-    // Only nodes at the border can go, so only those are looked at: each deletion adds its neighbours. The
-    // kept count as listed from the start, and so never are.
+    // Only nodes at the border can be deleted, so only those are tested: each deletion adds its neighbours to
+    // the list. Kept nodes are marked as listed from the start, so they are never added.
     std::vector<std::size_t> border;
     for (std::size_t node = 0; node < result.size(); ++node) {
         if (result[node] != 0 && listed[node] == 0 && neighbours(node) != 255) {

@@ -24,15 +24,15 @@ struct WriterText {
 /// Bytes that are written at once.
 constexpr qsizetype kBlock = 1 << 16;
 
-/// Whether @p number says that a file system cannot bring a file or folder to the disk by itself, which some
-/// network and virtual file systems cannot; that is no failure.
+/// Whether @p number says that a file system does not support bringing a file or folder to the disk, as with
+/// some network and virtual file systems; that is not a failure.
 bool cannotSync(int number)
 {
     return number == EINVAL || number == ENOSYS || number == ENOTSUP || number == EROFS;
 }
 
-/// Brings a folder's list of names to the disk, so that a rename survives a power cut. Where that fails the
-/// new file is in place all the same.
+/// Brings a folder's list of names to the disk, so that a rename survives a power cut. If that fails, the new
+/// file is in place nevertheless.
 void syncFolder(const QString& folder)
 {
     const int descriptor =
@@ -43,7 +43,7 @@ void syncFolder(const QString& folder)
     ::close(descriptor);
 }
 
-/// The reason why no file can be made there, as far as it is known before trying; empty if none is.
+/// The reason why no file can be made there, as far as it is known before trying; empty if there is none.
 QString problemWithPlace(const QFileInfo& target)
 {
     const QFileInfo folder(target.absolutePath());
@@ -60,7 +60,8 @@ QString problemWithPlace(const QFileInfo& target)
     return {};
 }
 
-/// Why Qt could not open or replace the file. It has words of its own for errno, which may be another by now.
+/// Why Qt could not open or replace the file. Compares Qt's error text with those of known errors, because
+/// errno may have changed since.
 QString reasonOf(const QFileDevice& file, int number)
 {
     for (const int known : {ENOSPC, EDQUOT, EROFS, EACCES, EPERM, EFBIG, EIO, ENAMETOOLONG, EMFILE, ENFILE}) {
@@ -158,8 +159,8 @@ void FileWriter::fail(const QString& reason)
 
 void FileWriter::writeOut(const char* data, qint64 size)
 {
-    // Past QSaveFile, which keeps what is written to it in a buffer and does not say if that buffer could not
-    // be written in the end (Qt 6.4).
+    // Writes to the descriptor and not to QSaveFile, which keeps data in a buffer and does not report if that
+    // buffer could not be written in the end (Qt 6.4).
     while (m_result && size > 0) {
         const ssize_t written = ::write(m_descriptor, data, static_cast<std::size_t>(size));
         if (written < 0 && errno == EINTR)

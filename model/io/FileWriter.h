@@ -9,7 +9,7 @@
 
 namespace espalier {
 
-/// A file that is being written. Nothing else in this program opens a file for writing
+/// A file that is being written. All code of this program writes files through this class
 /// (scripts/check-writers.py checks that).
 ///
 /// The text goes into a temporary file beside the target. commit() puts that file in the target's place;
@@ -28,8 +28,8 @@ public:
     const QString& fileName() const { return m_fileName; }
     bool isSequential() const override { return true; }
 
-    /// Brings all that was written to the disk. Whatever a full disk makes fail has failed after this;
-    /// commit() then only renames. Of files that belong together, call finish() of all before commit() of the
+    /// Brings all that was written to the disk. If the disk is full, this fails; after it has succeeded,
+    /// commit() only renames. For files that belong together, call finish() of all before commit() of the
     /// first.
     Result<void> finish();
     /// Calls finish(), then replaces the target, then brings the folder to the disk.
@@ -43,7 +43,7 @@ private:
     void openTarget();
     void flushBlock();
     void writeOut(const char* data, qint64 size);
-    /// Keeps the reason of a system call that failed with @p number, if it is the first failure.
+    /// Keeps the reason of a system call that failed with @p number, unless an earlier failure is kept.
     void fail(int number);
     void fail(const QString& reason);
 
@@ -63,7 +63,7 @@ Result<void> writeFile(const QString& fileName, const QByteArray& bytes);
 /// Copies the content of a file; the target is replaced whole or stays as it was.
 Result<void> copyFile(const QString& from, const QString& to);
 
-/// Why a system call failed with @p number (errno), in words for a person: "the disk is full".
+/// Why a system call failed with @p number (errno), in words for the user: "the disk is full".
 QString systemReason(int number);
 
 } // namespace espalier

@@ -63,7 +63,7 @@ Result<ImageAsset> readImage(const QByteArray& file, const QString& name)
 Result<ImageAsset> readImageFile(const QString& fileName, const QString& name)
 {
     const QString shown = name.isEmpty() ? QFileInfo(fileName).fileName() : name;
-    // A pipe or a device would be read for ever.
+    // Reading a pipe or a device might never end.
     if (!QFileInfo(fileName).isFile())
         return inputError(shown, ImageText::tr("there is no such file"));
     QFile file(fileName);

@@ -15,7 +15,7 @@ struct JsonText {
     Q_DECLARE_TR_FUNCTIONS(JsonReader)
 };
 
-/// Arrays and objects together, and values, that parsing may make. A value takes 16 bytes and a container
+/// Limits of arrays and objects together, and of values, when parsing. A value takes 16 bytes and a container
 /// some 150, so this is about 300 MB; the largest recipe has a million samples of five numbers.
 constexpr qsizetype kMaximumContainers = 1'300'000;
 constexpr qsizetype kMaximumValues = 8'000'000;

@@ -20,8 +20,8 @@ Error inputError(const QString& place, const QString& what);
 Result<QJsonObject> parseJsonObject(const QByteArray& json, qsizetype maximumBytes);
 
 /// Reads the members of one JSON object strictly: each must be of its type and within its limits, none may be
-/// unknown. The first fault is kept, together with its place ("operations[3].steps"), and what is read after
-/// it is of no account: so a reader reads all, then asks once.
+/// unknown. The first fault is kept, together with its place ("operations[3].steps"); values that are read
+/// after a fault have no meaning. So a caller reads all members, then calls finish() once.
 class JsonReader {
 public:
     JsonReader(QJsonObject object, QString place) : m_object(std::move(object)), m_place(std::move(place)) {}
@@ -47,7 +47,7 @@ public:
     /// Keeps @p error if it is the first.
     void fail(Error error);
     void fail(QLatin1StringView key, const QString& what) { fail(inputError(placeOf(key), what)); }
-    /// The first fault, or else that of a member nobody asked for.
+    /// The first fault, or else an error that names a member that was never read.
     Result<void> finish() const;
 
 private:
@@ -59,7 +59,7 @@ private:
     std::optional<Error> m_error;
 };
 
-/// A seed as JsonReader::seed reads it.
+/// A seed in the form that JsonReader::seed() reads.
 QJsonValue seedToJson(std::uint64_t seed);
 
 } // namespace espalier

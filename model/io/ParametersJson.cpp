@@ -36,7 +36,7 @@ struct Key {
 };
 
 /// The angle in degrees, with as few digits as lead back to exactly the same radians. Every angle that was
-/// ever given in degrees has such a number; for others the nearest one is taken.
+/// given in degrees has such a number; for others the nearest number is used.
 double shortestDegrees(double angle)
 {
     const double direct = degrees(angle);
@@ -78,7 +78,7 @@ QJsonValue valueToJson(const ParameterInfo& info, T field)
         return field;
 }
 
-/// What is wrong with @p value, or nothing; then @p field has it.
+/// Reads @p value into @p field. Returns what is wrong with it, or nothing.
 template <class T>
 std::optional<QString> readValue(const ParameterInfo& info, const QJsonValue& value, T& field)
 {
@@ -108,7 +108,7 @@ std::optional<QString> readValue(const ParameterInfo& info, const QJsonValue& va
     return {};
 }
 
-/// What is wrong with the name of an image, or nothing; then @p image is the one of that name.
+/// Reads the name of an image and sets @p image to the image of that name. Returns what is wrong, or nothing.
 std::optional<QString> readImageName(const QJsonValue& value, const ImageOfName& imageOfName,
                                      ImageAsset& image)
 {
@@ -141,7 +141,7 @@ void put(QJsonObject& json, const Key& key, const QJsonValue& value)
     json[key.group] = group;
 }
 
-/// What contradicts what, and in which field.
+/// Finds parameters that contradict each other; the error names the field.
 std::optional<Error> contradiction(const GrowthParameters& growth, const QString& place)
 {
     if (growth.axisWeight + growth.tropismWeight + growth.spaceWeight <= 0.0) {

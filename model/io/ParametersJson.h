@@ -10,14 +10,14 @@
 
 namespace espalier {
 
-/// What an image is called in a file, and the image of that name.
+/// Returns the name of an image in a file; and the image of that name.
 using ImageName = std::function<QString(const ImageAsset&)>;
 using ImageOfName = std::function<Result<ImageAsset>(const QString&)>;
 
 /// Parameters as JSON: {"growth": {"apicalDominance": 0.5, …}, "widths": …, "leaves": …, "bark": …}, in
 /// surface units: degrees for angles, the name for a choice, true or false for a switch. Every number has as
-/// few digits as lead back to the same value. An image is its @p imageName, or its hash if that is not given;
-/// where there is none, nothing is said.
+/// few digits as lead back to the same value. An image is written as @p imageName of it, or as its hash if no
+/// function is given; a parameter without an image is left out.
 QJsonObject toJson(const TreeParameters& parameters, const ImageName& imageName = {});
 /// Only what differs from @p base; "" takes an image away.
 QJsonObject toJson(const TreeParameters& parameters, const TreeParameters& base,

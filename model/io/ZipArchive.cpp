@@ -16,12 +16,12 @@ struct ZipText {
     Q_DECLARE_TR_FUNCTIONS(ZipArchive)
 };
 
-/// Fastest deflate: a save is to be quick, and columns of floats hardly get smaller by trying harder.
+/// Fastest deflate: saving must be quick, and columns of floats hardly get smaller with a higher level.
 constexpr zip_uint32_t kFastLevel = 1;
-/// 1 January 1980, midnight: the beginning of time in a ZIP archive.
+/// 1 January 1980, midnight: the earliest time in a ZIP archive.
 constexpr zip_uint16_t kFixedDate = 1 << 5 | 1;
 constexpr zip_uint16_t kFixedTime = 0;
-/// Deflate cannot pack tighter than 1032 : 1; a little more for what surrounds it.
+/// Deflate cannot pack tighter than 1032 : 1; a little more for headers.
 constexpr std::uint64_t kMaximumRatio = 1040;
 
 struct DiscardArchive {
@@ -97,7 +97,7 @@ Result<QByteArray> ZipWriter::finish()
     }
     if (zip_close(archive.get()) != 0)
         return outputError(zip_strerror(archive.get()));
-    static_cast<void>(archive.release()); // a closed archive is gone
+    static_cast<void>(archive.release()); // closing the archive has freed it
     return contentOf(target);
 }
 
@@ -195,7 +195,7 @@ Result<void> ZipReader::readExactly(const char* name, std::span<std::byte> targe
             return damaged(name);
         done += static_cast<std::size_t>(count);
     }
-    // Reading on to the end is what makes libzip compare the checksum.
+    // libzip compares the checksum only when the entry is read to its end.
     std::byte beyond{};
     if (zip_fread(file.get(), &beyond, 1) != 0)
         return damaged(name);

@@ -33,21 +33,21 @@ private:
     std::vector<Entry> m_entries;
 };
 
-/// Reads the entries of a ZIP archive without trusting it: nothing is unpacked before the size that the
-/// archive declares has been compared with what is wanted and with what its packed bytes can hold at all.
+/// Reads the entries of a ZIP archive without trusting it: before an entry is unpacked, its declared size is
+/// compared with the expected size and with what its packed bytes can hold at most.
 class ZipReader {
 public:
     /// @p content must stay as it is while the reader lives.
     static Result<ZipReader> open(const QByteArray& content);
-    /// Reads no more of the file than is asked for.
+    /// Reads only the requested entries of the file.
     static Result<ZipReader> openFile(const QString& fileName);
 
     bool contains(const char* name) const;
-    /// An entry of at most @p maximumBytes.
+    /// Unpacks an entry of at most @p maximumBytes.
     Result<QByteArray> read(const char* name, std::uint64_t maximumBytes) const;
-    /// An entry that is to fill @p target exactly.
+    /// Unpacks an entry into @p target, which it must fill exactly.
     Result<void> readExactly(const char* name, std::span<std::byte> target) const;
-    /// Whether an entry is there and has @p bytes: ask before allocating them.
+    /// Fails unless the entry exists and has @p bytes: call it before allocating them.
     Result<void> expectSize(const char* name, std::uint64_t bytes) const;
 
 private:

@@ -11,7 +11,7 @@ namespace espalier {
 struct BranchMesh : TriangleMesh {
     /// Where one piece is.
     struct Part {
-        InternodeId base = 0; ///< Its first internode
+        InternodeId base = 0; ///< First internode of the piece
         std::uint32_t firstVertex = 0;
         std::uint32_t firstIndex = 0;
         MeshSize size{};
@@ -20,8 +20,8 @@ struct BranchMesh : TriangleMesh {
     std::vector<WoodOrigin> origins; ///< Of the vertices
 };
 
-/// Meshes every piece that @p mesher parts the tree into, in parallel and with the same result on one thread
-/// or many.
+/// Meshes every piece into which @p mesher divides the tree, in parallel and with the same result on one
+/// thread or many.
 BranchMesh meshBranches(const Tree& tree, const TreeIndex& index, const Widths& widths,
                         const WoodMeshOptions& options = {}, const WoodMesher& mesher = tubeWood());
 

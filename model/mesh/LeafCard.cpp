@@ -9,12 +9,12 @@ namespace {
 
 constexpr std::size_t kLeavesPerTask = 4096;
 
-/// How a leaf bends; heights in widths out of the plane.
+/// The bend of a leaf; heights in widths out of the plane.
 struct Relief {
-    float aspect; ///< Width / length that the shape usually has
-    float arch;   ///< Of the middle of the midrib above its chord
-    float tip;    ///< Of the tip below the petiole
-    float fold;   ///< Of the edges above the midrib
+    float aspect; ///< Usual width / length of the shape
+    float arch;   ///< Height of the midrib's middle above its chord
+    float tip;    ///< Depth of the tip below the petiole
+    float fold;   ///< Height of the edges above the midrib
 };
 
 float midrib(const Relief& relief, float y)

@@ -10,17 +10,17 @@
 
 namespace espalier {
 
-/// The mesh that every leaf of one shape is an instance of. In leaf space: x in widths from the midrib, y in
-/// lengths from the petiole, z in widths out of the upper face. A leaf stands at position + rotation (x
-/// width, y length, z width); normals and tangents are to be rotated alone.
+/// The mesh that all leaves of one shape share. In leaf space: x in widths from the midrib, y in lengths from
+/// the petiole, z in widths out of the upper face. A leaf stands at position + rotation (x width, y length, z
+/// width); normals and tangents are only rotated.
 struct LeafCard {
     std::vector<MeshVertex> vertices;
     std::vector<VertexIndex> indices;
 };
 
 /// Six triangles for a simple leaf: folded along the midrib, arched, and cut off at the corners that its
-/// texture leaves empty; eight for one of several blades, which has no such corners,
-/// twenty for a frond, twelve for an image of the person's own. Four for needles: two crossed cards.
+/// texture leaves empty; eight for a leaf of several blades, which has no such corners; twenty for a frond;
+/// twelve for the user's own image. Four for needles: two crossed cards.
 const LeafCard& leafCard(LeafShape shape);
 
 struct LeafMeshOptions {
@@ -32,7 +32,7 @@ struct LeafMeshOptions {
     bool operator==(const LeafMeshOptions&) const = default;
 };
 
-/// One plain mesh of all leaves of positive length, for export. To be drawn from both sides.
+/// One plain mesh of all leaves of positive length, for export. Its triangles must be drawn from both sides.
 TriangleMesh expandLeaves(std::span<const LeafInstance> leaves, const LeafMeshOptions& options = {});
 
 } // namespace espalier

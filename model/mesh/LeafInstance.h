@@ -7,7 +7,8 @@
 
 namespace espalier {
 
-/// A leaf as it goes to the graphics card: 48 bytes without padding; without initial values, as MeshVertex.
+/// A leaf in the form that the graphics card gets: 48 bytes without padding. It has no initial values, like
+/// MeshVertex.
 struct LeafInstance {
     std::array<float, 3> position; ///< m, where the petiole begins
     float length;                  ///< m, petiole to tip; 0 hides it
@@ -15,7 +16,7 @@ struct LeafInstance {
     /// face.
     std::array<float, 4> rotation;
     float width;        ///< m
-    float hueShift;     ///< rad, to be added to the texture's hue
+    float hueShift;     ///< Added to the texture's hue, rad
     float value;        ///< Factor of the texture's brightness
     std::int32_t shape; ///< LeafShape
 

@@ -15,9 +15,9 @@ namespace espalier {
 namespace {
 
 constexpr std::size_t kTubesPerTask = 256;
-/// No leaf card reaches further from its petiole, in lengths and widths.
+/// The farthest that a leaf card reaches from its petiole, in lengths and widths.
 constexpr float kLongestReach = 1.5F;
-/// Into how many steps half a turn upward is divided.
+/// Number of steps in half a turn upward.
 constexpr int kGroundTurns = 18;
 /// Spread of a leaf's direction at full irregularity, as a share of its length: about 20°.
 constexpr float kMostJitter = 0.36F;
@@ -26,10 +26,10 @@ constexpr float kSmallestSize = 0.1F;
 constexpr double kWeakDarkening = 0.1;
 /// Radians between one leaf and the next of a spiral.
 constexpr double kGoldenAngle = std::numbers::pi * (3.0 - 2.2360679774997896964);
-/// How much an upright shoot's own plane counts beside the level one, which it has the more of the more it
-/// leans.
+/// Weight of an upright shoot's own plane relative to the level one, whose weight grows with the shoot's
+/// lean.
 constexpr float kOwnPlane = 0.25F;
-/// Hues from here on shift through magenta, the others through green and yellow.
+/// Hues from here on shift through magenta, smaller ones through green and yellow.
 constexpr double kBlue = radians(240);
 
 /// Four numbers in -1...1 out of 64 random bits.
@@ -72,7 +72,7 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
     m_jitter = kMostJitter * static_cast<float>(tree.parameters().growth.irregularity);
     m_cosine = static_cast<float>(std::cos(m_parameters.angle));
     m_sine = static_cast<float>(std::sin(m_parameters.angle));
-    // Needles clothe the whole shoot, and so do leaves that stand one by one; others sit at its nodes.
+    // Needles, and leaves that stand one by one, are spread along the shoot; other leaves are at its nodes.
     m_alongInternode = (m_parameters.shape == LeafShape::Needles && m_parameters.image.isNull()) ||
                        m_parameters.arrangement == LeafArrangement::Spiral ||
                        m_parameters.arrangement == LeafArrangement::Flat;
@@ -83,7 +83,7 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
     }
 }
 
-/// How many nodes its axis has below that of @p id.
+/// The number of nodes of the axis below that of @p id.
 std::uint32_t LeafPlacer::nodesBelow(InternodeId id) const
 {
     std::uint32_t count = 0;
@@ -111,14 +111,14 @@ LeafPlacer::Stand LeafPlacer::stand(std::uint32_t i, std::uint32_t below, const 
 {
     const Vec3 axis = frame.col(1);
     const float along = m_alongInternode ? static_cast<float>(i) / static_cast<float>(m_perNode) : 0.0F;
-    // Counted from the axis's foot; on an internode the first leaf is the uppermost.
+    // Counted from the axis's foot; the first leaf of an internode is the uppermost.
     const std::uint32_t number = below * m_perNode + (m_perNode - 1 - i);
     double azimuth = 0.0;
     switch (m_parameters.arrangement) {
     case LeafArrangement::Shoot:
         return {frame.col(0) * m_azimuths[i].x() + frame.col(2) * m_azimuths[i].y(), axis, along};
     case LeafArrangement::Flat: {
-        // A level spray looks to the sky, the leaves of an upright shoot look along it.
+        // The leaves of a level spray face the sky, those of an upright shoot face along it.
         const Vec3 normal = side.cross(axis);
         const Vec3 face = normal.y() * normal + (1.0F - std::abs(normal.y())) * axis;
         return {number % 2 == 0 ? side : Vec3(-side), face, along};
@@ -161,7 +161,7 @@ void LeafPlacer::place(InternodeId id, std::uint32_t below, std::span<LeafInstan
         const float norm = direction.norm();
         direction = norm > 1e-3F ? Vec3(direction / norm) : outward;
 
-        // The upper face turns from where it looks by nature to the sky as far as the leaf can turn.
+        // The upper face turns from its natural direction toward the sky as far as the leaf can turn.
         Vec3 normal = across(face, direction);
         if (normal.squaredNorm() < 1e-6F)
             normal = across(-outward, direction);
@@ -212,7 +212,8 @@ void LeafPlacer::keepAboveGround(LeafInstance& leaf, const Eigen::Matrix3f& fram
     };
     if (isAbove(frame))
         return;
-    // About the level line across the midrib; a leaf that hangs straight down turns as its face looks.
+    // Turns about the level line across the midrib; a leaf that hangs straight down turns in the direction of
+    // its face.
     Vec3 axis = frame.col(1).cross(up());
     axis = axis.norm() > 1e-3F ? Vec3(axis.normalized()) : Vec3(frame.col(0));
     for (int i = 1; i <= kGroundTurns && leaf.position[1] >= 0.0F; ++i) {
@@ -239,7 +240,7 @@ void LeafPlacer::place(std::span<const InternodeId> internodes, std::span<LeafIn
     std::uint32_t below = 0;
     InternodeId previous = kNoInternode;
     for (const InternodeId id : internodes) {
-        // Where a lateral goes on, another axis begins.
+        // A lateral begins another axis.
         if (m_index.axis(id) == id)
             below = 0;
         else

@@ -11,7 +11,7 @@
 
 namespace espalier {
 
-/// Where weak shoots' leaves shift to.
+/// The hue that leaves of weak shoots shift toward.
 inline constexpr double kLeafWeakHue = radians(10);
 /// A shoot of at least this vigour has leaves of full colour. Vigour is relative to the strongest bud of its
 /// step.
@@ -25,14 +25,14 @@ double shootWeakness(double vigour, double reference = kFullVigour);
 double shiftedLeafHue(double hue, double amount);
 
 /// Leaves on young shoots, by the LeafParameters in force: at each node of an internode that carries few
-/// tips. LeafArrangement::Shoot goes by the frames that the shoots grew with: evenly around, the first above
-/// the first lateral bud. The others count along the axis from its first internode, and start from the plane
-/// of the twig: that which is level across it, where it leans; one of the axis's own, where it stands. Random
-/// spread is a function of the tree's seed and the internode alone, and its amount that of
-/// GrowthParameters::irregularity: at 0 the arrangement is exact.
+/// tips. LeafArrangement::Shoot uses the frames that the shoots grew with: the leaves stand evenly around,
+/// the first above the first lateral bud. The other arrangements count along the axis from its first
+/// internode. They start from the plane of the twig: for a leaning axis the plane that is level across it,
+/// for an upright one a plane that the axis determines. Random spread is a function of the tree's seed and
+/// the internode alone; its amount is GrowthParameters::irregularity: at 0 the arrangement is exact.
 ///
-/// No leaf reaches below the ground, y = 0: it turns upward as far as it must, and where that does not help
-/// (it stands below the ground) it is hidden.
+/// No leaf reaches below the ground, y = 0: it turns upward as far as necessary. A leaf that stands below the
+/// ground is hidden.
 class LeafPlacer {
 public:
     explicit LeafPlacer(const Tree& tree, const TreeIndex& index);
@@ -43,14 +43,14 @@ public:
         const std::uint32_t tips = m_index.tipCount(id);
         return m_perNode > 0 && tips > 0 && tips <= m_maxTips && m_index.subtreeSize(id) <= m_reach;
     }
-    /// On each internode that bears.
+    /// Number of leaves on each internode that bears leaves.
     std::uint32_t leavesPerInternode() const { return m_perNode; }
 
     /// Writes the leaves of one internode that bears into a span of leavesPerInternode().
     void place(InternodeId id, std::span<LeafInstance> leaves) const { place(id, nodesBelow(id), leaves); }
 
-    /// Leaves of living internodes, such as those of a piece of wood: how many, and they themselves in a span
-    /// of that size. It is quicker where each internode follows its parent.
+    /// Counts the leaves of living internodes, such as those of a piece of wood, and writes them into a span
+    /// of that size. Fastest if each internode follows its parent.
     std::uint32_t count(std::span<const InternodeId> internodes) const;
     void place(std::span<const InternodeId> internodes, std::span<LeafInstance> leaves) const;
 
@@ -58,7 +58,7 @@ private:
     /// Where a leaf stands on its internode.
     struct Stand {
         Vec3 outward; ///< Unit vector across the shoot
-        Vec3 face;    ///< Where the blade looks by nature
+        Vec3 face;    ///< Direction of the blade's upper face before it is turned
         float along;  ///< From the internode's node (0) down to the one below (1)
     };
 
@@ -75,7 +75,7 @@ private:
     std::uint32_t m_maxTips;
     std::uint32_t m_reach;
     float m_jitter;
-    float m_cosine; ///< Of the angle between shoot and petiole
+    float m_cosine; ///< Cosine of the angle between shoot and petiole
     float m_sine;
     bool m_alongInternode;
     std::array<Vec2, 8> m_azimuths;

@@ -12,8 +12,8 @@
 
 namespace espalier {
 
-/// A vertex as it goes to the graphics card: 48 bytes without padding. Without initial values, so that large
-/// buffers need not be written twice.
+/// A vertex in the form that the graphics card gets: 48 bytes without padding. It has no initial values, so
+/// that large buffers are not written twice.
 struct MeshVertex {
     std::array<float, 3> position; ///< m
     std::array<float, 3> normal;   ///< Unit, out of the surface
@@ -56,7 +56,7 @@ struct TriangleMesh {
     MeshBuffer<VertexIndex> indices;
 };
 
-/// How many elements of a mesh something takes.
+/// The numbers of elements of a mesh or of a part of one.
 struct MeshSize {
     std::uint32_t vertices = 0;
     std::uint32_t indices = 0;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kMostSides = kSideCounts.back();
 
-/// Cosine and sine around a ring of m sides and the share of the way; entry m repeats entry 0 exactly, so
-/// that the seam welds.
+/// Cosine and sine around a ring of m sides, and the share of the full turn; entry m repeats entry 0 exactly,
+/// so that the seam has no gap.
 struct RingTable {
     std::array<float, kMostSides + 1> cosine{};
     std::array<float, kMostSides + 1> sine{};
@@ -58,10 +58,10 @@ Vec3 transported(const Vec3& normal, const Vec3& from, const Vec3& fromTangent, 
     }
     const Vec3 bisector = toTangent - tangent;
     const float bisectorSquared = bisector.squaredNorm();
-    // A reversal has no frame that is nearest; any will do.
+    // After a reversal no frame is the nearest; any frame is right.
     if (bisectorSquared > 1e-12F)
         carried -= 2.0F / bisectorSquared * bisector.dot(carried) * bisector;
-    // Rounding must not build up along an axis of thousands of rings.
+    // Otherwise rounding would accumulate along an axis of thousands of rings.
     carried -= carried.dot(toTangent) * toTangent;
     const float squared = carried.squaredNorm();
     return squared > 1e-8F ? Vec3(carried / std::sqrt(squared)) : anyPerpendicular(toTangent);

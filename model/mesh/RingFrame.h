@@ -15,8 +15,8 @@ inline constexpr std::array<int, 9> kSideCounts{4, 6, 8, 12, 16, 24, 32, 48, 64}
 Vec3 transported(const Vec3& normal, const Vec3& from, const Vec3& fromTangent, const Vec3& to,
                  const Vec3& toTangent);
 
-/// What one ring's vertices have in common. A vertex is base + cosine · C + sine · S in the twelve numbers of
-/// MeshVertex, but for u.
+/// The numbers that all vertices of a ring share. A vertex is base + cosine · C + sine · S in the twelve
+/// numbers of MeshVertex, except u.
 class RingFrame {
 public:
     /// A ring of @p radius (m) around @p centre, across @p tangent, beginning at @p normal. @p slant: how

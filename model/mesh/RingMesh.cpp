@@ -10,14 +10,14 @@ namespace espalier {
 
 namespace {
 
-/// A ring whose centre is in the ground shrinks to this share of its radius, no less, so that it stays a
+/// A ring whose centre is in the ground shrinks to this share of its radius at least, so that it stays a
 /// ring.
 constexpr float kLeastBuried = 0.01F;
-/// m; divides in place of less.
+/// m; used as divisor instead of smaller lengths.
 constexpr float kLeastPath = 1e-9F;
 
-/// The radius of a ring, m: of one whose centre is in the ground, of that part of a round branch which a
-/// level cut at the ground would show.
+/// The radius of a ring, m. If its centre is in the ground, it is the radius of the part of a round branch
+/// that a level cut at the ground would show.
 float unburied(const TubeRing& ring)
 {
     if (ring.centre.y() >= 0.0F)
@@ -31,7 +31,7 @@ MeshVertex* writeRing(MeshVertex* vertex, const TubeRing& ring, const RingFrame&
 {
     frame.write(vertex, ring.sides, repeats);
     MeshVertex* const end = vertex + ring.sides + 1;
-    // A ring is as high as twice its radius at most, and a cap's lies that much further on.
+    // A ring's height is at most twice its radius, and a cap's ring lies that much farther along.
     if (ring.centre.y() < 2.0F * ring.radius) {
         for (MeshVertex* place = vertex; place != end; ++place)
             place->position[1] = std::max(place->position[1], 0.0F);

@@ -5,7 +5,7 @@
 
 namespace espalier {
 
-/// From this many sides on a tube is thick enough for a rounder cap and finer bends.
+/// A tube with at least this many sides is thick enough for a rounder cap and finer bends.
 inline constexpr int kRoundSides = 8;
 
 /// A ring of a tube's vertices.
@@ -13,20 +13,21 @@ struct TubeRing {
     Vec3 centre = Vec3::Zero();
     Vec3 tangent = Vec3::UnitY();
     float radius = 0.0F; ///< m
-    float path = 0.0F;   ///< m of tube below it
+    float path = 0.0F;   ///< Length of the tube below the ring, m
     int sides = 4;       ///< One of kSideCounts
     WoodOrigin origin;
 };
 
-/// How the first ring lies and is textured.
+/// Orientation and texture of the first ring.
 struct RingTexture {
     Vec3 normal = Vec3::UnitX(); ///< Toward its first vertex
-    float repeats = 1.0F;        ///< Of the texture, around the tube
+    float repeats = 1.0F;        ///< Repeats of the texture around the tube
     float v = 0.0F;
 };
 
-/// Writes the vertices of @p rings, sides + 1 of each from the base up; where the last has kRoundSides or
-/// more, a ring of the round cap; then the apex. What would lie below the ground, y = 0, lies on it.
+/// Writes the vertices of @p rings, sides + 1 of each from the base up; then a ring of the round cap if the
+/// last ring has kRoundSides or more; then the apex. Vertices that would lie below the ground, y = 0, lie on
+/// it.
 void writeRingVertices(std::span<const TubeRing> rings, const RingTexture& start,
                        std::span<MeshVertex> vertices);
 

@@ -7,18 +7,18 @@
 
 namespace espalier {
 
-/// How much there is of a tree: of what lives.
+/// Sizes of the living tree.
 struct TreeCounts {
     std::uint64_t internodes = 0;
     std::uint64_t buds = 0;
     std::uint64_t leaves = 0;
     std::uint64_t axes = 0;
-    Step steps = 0; ///< Of growth
+    Step steps = 0; ///< Growth steps
 };
 
 TreeCounts countTree(const Tree& tree, const TreeIndex& index);
 
-/// Around all living nodes and the base, m.
+/// The box around all living nodes and the base, m.
 Box3 treeBounds(const Tree& tree, const TreeIndex& index);
 
 } // namespace espalier

@@ -13,25 +13,26 @@ namespace {
 
 constexpr float kMostRingsPerSpan = 4.0F;
 constexpr float kRingsPerCollar = 3.0F;
-/// Most that a thick tube turns from ring to ring, rad: light shows a kink that no outline does.
+/// The largest turn of a thick tube from ring to ring, rad: shading shows a kink that the outline does not.
 constexpr float kBend = 0.2F;
-/// The curve between nodes is a guess, so it may be missed by this many tolerances.
+/// The curve between nodes is interpolated, so the mesh may miss it by this many tolerances.
 constexpr float kCurveTolerances = 5.0F;
-/// Over how many internodes at most a branch's direction is told.
+/// The most internodes over which a branch's direction is measured.
 constexpr int kDirectionInternodes = 256;
-/// A lateral is thinner than its parent by this much at least, so that their surfaces never coincide.
+/// A lateral is at least this much thinner than its parent, so that their surfaces never coincide.
 constexpr float kThinner = 0.9F;
 /// A lateral of more than this share of its parent's radius has a root: it begins this many radii below the
-/// node, this much thinner, so that its end stays inside the parent even where that bends.
+/// node, this much thinner, so that its end stays inside the parent even where the parent bends.
 constexpr float kRootedShare = 0.4F;
 constexpr float kRootDepth = 0.9F;
 constexpr float kRootRadius = 0.45F;
-/// Over how many of its radii a branch's direction is told: thick ones grow straight over the kinks of single
-/// internodes.
+/// The length over which a branch's direction is measured, in its radii: thick branches grow straight over
+/// the kinks of single internodes.
 constexpr float kDirectionRadii = 3.0F;
-/// The trunk's flare at the ground is gone after so many radii.
+/// The trunk's flare ends at this height, in radii.
 constexpr float kFlareRadii = 3.5F;
-/// A lateral's collar: how much of its radius it may add, and how far it reaches beyond the parent's axis.
+/// A lateral's collar: the share of its radius that it can add, and how far it reaches beyond the parent's
+/// axis.
 constexpr float kCollar = 0.6F;
 constexpr float kCollarParentRadii = 1.0F;
 constexpr float kCollarRadii = 2.5F;
@@ -100,16 +101,16 @@ MeshSize TubeMesher::prepare(InternodeId base)
         m_collarEnd = kCollarParentRadii * m_parentRadius + kCollarRadii * radius;
     }
     m_repeats = std::max(1.0F, std::round(2.0F * std::numbers::pi_v<float> * radius / m_barkScale));
-    // Branches side by side should not wear the same piece of bark: multiples of the golden ratio, modulo 1.
+    // Neighbouring branches must not show the same piece of bark: multiples of the golden ratio, modulo 1.
     m_firstV = static_cast<float>((base * 2654435769U) >> 8U) * 0x1.0p-24F;
 
     chooseKnots();
     const Vec3 heading = m_index.heading(base);
-    // A trunk stands on the ground with its whole foot, however it leans.
+    // The whole foot of a trunk stands on the ground, also if the trunk leans.
     Vec3 first = heading.y() > 0.0F ? up() : heading;
     if (!isTrunk) {
-        // The first control point lies on the parent's line, nearer to the node the more the branch turns
-        // back.
+        // The first control point lies on the parent's line, and nearer to the node for a branch that turns
+        // back more.
         const Vec3 arrival = directionBelow(parent);
         first = 0.45F * (1.0F + arrival.dot(heading)) * arrival + 0.02F * heading;
     }
@@ -178,7 +179,7 @@ void TubeMesher::write(std::span<MeshVertex> vertices, std::span<VertexIndex> in
 
 int TubeMesher::sidesFor(float radius) const
 {
-    // A chord of one of m sides lies r (1 − cos π/m) deep in the circle.
+    // The chord of a ring with m sides lies r (1 − cos π/m) deep in the circle.
     const double cosine = 1.0 - m_tolerance / std::max(static_cast<double>(radius), m_tolerance);
     const double wanted = std::numbers::pi / std::acos(cosine);
     for (const int sides : kSideCounts) {
@@ -188,14 +189,14 @@ int TubeMesher::sidesFor(float radius) const
     return kSideCounts.back();
 }
 
-/// A knot stands at the end of each so many internodes, where they are as short as that at @p place. A power
-/// of two, so that as a branch thickens its rings stay where they are but for every second.
+/// Number of internodes between two knots at @p place, where internodes are short. A power of two, so that
+/// when a branch thickens, every second ring is removed and the others stay.
 std::size_t TubeMesher::strideAt(std::size_t place) const
 {
     const float radius = m_radii[place];
     const float length = m_tree.length(m_internodes[place]);
     const std::size_t most = std::bit_ceil(m_internodes.size());
-    // Of NaN and 0 as well.
+    // Also true for NaN and 0.
     if (!(length * static_cast<float>(most) > radius))
         return most;
     return std::bit_ceil(static_cast<std::size_t>(radius / length) + 1);
@@ -256,7 +257,7 @@ void TubeMesher::chooseRings()
         Knot& knot = m_knots[i];
         // |t₁ − t₀| is the angle between them for all angles that matter.
         const float turn = (m_knots[i + 1].tangent - knot.tangent).norm();
-        // An arc of this length and turn is s·φ/8 high; k parts of it are so by the square of k less.
+        // An arc of this length and turn is s·φ/8 high; each of k parts of it is lower by the factor k².
         float rings = std::sqrt(knot.chord * turn / (8.0F * tolerance));
         if (knot.sides >= kRoundSides) {
             rings = std::max(rings, turn / kBend);
@@ -265,7 +266,7 @@ void TubeMesher::chooseRings()
         }
         knot.rings = static_cast<int>(std::ceil(std::clamp(rings, 1.0F, kMostRingsPerSpan)));
     }
-    // The end, and where the tube is thick a ring between it and the apex.
+    // The end; where the tube is thick, also a ring between it and the apex.
     m_knots.back().rings = m_knots.back().sides >= kRoundSides ? 2 : 1;
 }
 

@@ -11,16 +11,16 @@ namespace espalier {
 /// closed at both ends. Frames: parallel transport by double reflection (Wang et al. 2008). Texture:
 /// generalised cylinders with a whole number of repeats (Bloomenthal 1985).
 ///
-/// It starts at the node of its parent, inside it, in the parent's direction, never thicker than 90 % of it.
-/// A collar widens it toward the parent, and the trunk toward the ground.
+/// A tube starts at the node of its parent, inside the parent, in the parent's direction, with at most 90 %
+/// of the parent's radius. A collar widens it toward the parent, and the trunk toward the ground.
 ///
 /// A ring has m sides, the fewest of kSideCounts whose chords lie no deeper in the circle than the tolerance,
 /// and m + 1 vertices, since the seam is doubled; where a tube has become thin, m halves. Rings stand at each
 /// node; at every second, fourth and so on where internodes are short for their thickness (a trunk grows
 /// straight over the kinks of its youth); and between nodes where the curve bends.
 ///
-/// Nothing lies below the ground, y = 0: the base of a trunk lies on it, and what dips into it is cut off
-/// there.
+/// Nothing lies below the ground, y = 0: the base of a trunk lies on it, and parts of a tube below it are cut
+/// off there.
 ///
 /// u runs from 0 to a whole number k around the tube, v so that texels are square: dv = k ds / 2πr.
 ///
@@ -51,15 +51,16 @@ private:
         Vec3 tangent = Vec3::UnitY();
         float radius = 0.0F; ///< m, without flare and collar
         float chord = 0.0F;  ///< m, to the next knot
-        float root = 0.0F;   ///< Square root of chord: the centripetal parameter's length
-        float path = 0.0F;   ///< m of chords below it
+        /// Square root of chord: the parameter's length in the centripetal parametrisation.
+        float root = 0.0F;
+        float path = 0.0F; ///< Sum of the chords below it, m
         int sides = 4;
-        std::uint32_t internode =
-            0;         ///< Of m_internodes, the one that ends here; the first for the tube's foot
+        /// Index in m_internodes of the internode that ends here; that of the first for the tube's foot.
+        std::uint32_t internode = 0;
         int rings = 1; ///< Rings from here (included) to the next knot (excluded)
     };
 
-    /// Unit, in which the branch below the node of @p id comes to it.
+    /// Direction, a unit vector, in which the branch below the node of @p id reaches it.
     Vec3 directionBelow(InternodeId id) const;
     int sidesFor(float radius) const;
     std::size_t strideAt(std::size_t place) const;
@@ -78,13 +79,13 @@ private:
 
     std::vector<InternodeId> m_internodes;
     std::vector<float> m_radii;
-    std::vector<float> m_thickest; ///< m, of the radii from here to the end
+    std::vector<float> m_thickest; ///< The largest radius from here to the end, m
     std::vector<Knot> m_knots;
     std::vector<Ring> m_rings;
     Vec3 m_firstNormal = Vec3::UnitX();
     float m_parentRadius = 0.0F;
     float m_collar = 0.0F;    ///< Most that is added to the radius, m, at path 0
-    float m_collarEnd = 0.0F; ///< Path at which nothing is added any more, m
+    float m_collarEnd = 0.0F; ///< Path beyond which the collar adds nothing, m
     float m_repeats = 1.0F;   ///< k
     bool m_rooted = false;    ///< Has a ring below its first knot
     float m_firstV = 0.0F;

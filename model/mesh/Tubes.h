@@ -7,10 +7,10 @@
 
 namespace espalier {
 
-/// The wood of a tree is meshed in tubes. A tube goes on through a node's terminal shoot, as an axis does;
-/// but where that is missing, or where a lateral carries more than twice as many tips, the lateral is what
-/// the branch has become, and the bark follows it. Returns the living internode in which the tube of @p id
-/// goes on, or kNoInternode. A function of the tree as it is, not of how it came about.
+/// The wood of a tree is meshed in tubes. At a node a tube continues in the terminal shoot, as an axis does;
+/// but if there is none, or if a lateral carries more than twice as many tips, it continues in that lateral,
+/// since that is now the main branch. Returns the living internode in which the tube of @p id continues, or
+/// kNoInternode. The result is a function of the tree as it is, not of its history.
 inline InternodeId tubeContinuation(const TreeIndex& index, InternodeId id)
 {
     InternodeId best = index.firstChild(id);
@@ -20,7 +20,7 @@ inline InternodeId tubeContinuation(const TreeIndex& index, InternodeId id)
     std::uint32_t bestTips = 0;
     for (InternodeId child = best; child != kNoInternode; child = index.nextSibling(child)) {
         const std::uint32_t tips = index.tipCount(child) * (child == main ? 2 : 1);
-        // A tie is the terminal shoot's, then the elder's.
+        // At equal numbers of tips the terminal shoot comes first, then the older lateral.
         if (tips > bestTips || (tips == bestTips && child == main)) {
             best = child;
             bestTips = tips;

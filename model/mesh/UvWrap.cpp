@@ -13,7 +13,7 @@ namespace {
 
 constexpr VertexIndex kNone = std::numeric_limits<VertexIndex>::max();
 
-/// A vertex of the result: which vertex it was, and what was subtracted from its v.
+/// A vertex of the result: its vertex in the source, and the number that was subtracted from its v.
 struct Copy {
     std::int32_t shift = 0;
     VertexIndex index = kNone;
@@ -56,13 +56,13 @@ private:
     MeshBuffer<MeshVertex> m_vertices;
 };
 
-/// What to subtract from a triangle's v, if it may be what was subtracted from the triangle before.
+/// The number to subtract from a triangle's v, if possible the number of the triangle before.
 std::int32_t shiftFor(float least, float greatest, std::int32_t before)
 {
     const auto moved = static_cast<float>(before);
     if (least - moved >= -kGreatestV && greatest - moved <= kGreatestV)
         return before;
-    // As low as possible, since the triangles above follow.
+    // As low as possible, because the next triangles lie higher.
     const float lowest = std::floor(least + kGreatestV);
     const float middle = std::round((least + greatest) / 2.0F);
     return static_cast<std::int32_t>(greatest - lowest <= kGreatestV ? lowest : middle);

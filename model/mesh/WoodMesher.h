@@ -11,11 +11,11 @@ namespace espalier {
 
 /// How finely wood is meshed.
 struct WoodMeshOptions {
-    /// The finest tolerance, m: what is asked for below counts as this.
+    /// The finest tolerance, m; smaller requests are raised to it.
     static constexpr double kFinest = 1e-5;
 
-    /// How far the mesh may lie inside the round and curved surface that it stands for, m: 1 mm looks round
-    /// at a few metres.
+    /// The largest distance between the mesh and the round and curved surface that it approximates, m: 1 mm
+    /// looks round at a few metres.
     double tolerance = 0.001;
 
     bool operator==(const WoodMeshOptions&) const = default;
@@ -40,33 +40,34 @@ public:
     WoodPieceMesher& operator=(const WoodPieceMesher&) = delete;
     virtual ~WoodPieceMesher() = default;
 
-    /// Reads the piece that begins with the living internode @p base and returns what its mesh takes.
+    /// Reads the piece that begins with the living internode @p base and returns the size of its mesh.
     virtual MeshSize prepare(InternodeId base) = 0;
     /// Writes the mesh of the piece prepared last, a closed surface, into spans of exactly that size; @p
     /// firstVertex is added to the indices.
     virtual void write(std::span<MeshVertex> vertices, std::span<VertexIndex> indices,
                        VertexIndex firstVertex = 0) = 0;
-    /// Where each vertex of the piece written last belongs, in their order.
+    /// Writes the place on the tree of each vertex of the piece written last, in their order.
     virtual void writeOrigins(std::span<WoodOrigin> origins) const = 0;
 
     /// The internodes of the prepared piece, its base first, and the radius of each, m.
     virtual std::span<const InternodeId> internodes() const = 0;
     virtual std::span<const float> radii() const = 0;
-    /// Of the internode that the prepared piece stands on, m; 0 if it stands on the ground.
+    /// Radius of the internode that the prepared piece stands on, m; 0 if it stands on the ground.
     virtual float supportRadius() const = 0;
 };
 
-/// A way to make a surface of a tree's wood. The living internodes are parted into pieces, each of which is
-/// connected, has an internode that it begins with, and is meshed as a whole: so a change costs what it
-/// touches. Of a piece's mesh, all is a function of its own internodes' places and radii, of the direction
-/// and radius of the internode that it stands on, of the branches' tip counts around it, and of the options.
+/// A way to make a surface of a tree's wood. The living internodes are divided into pieces. Each piece is
+/// connected, begins with one internode, and is meshed as a whole: so a change only costs what it touches.
+/// The mesh of a piece depends only on the places and radii of its own internodes, on the direction and
+/// radius of the internode that it stands on, on the tip counts of the branches around it, and on the
+/// options.
 class WoodMesher {
 public:
     virtual ~WoodMesher() = default;
 
     /// Whether a living internode belongs to the piece of its parent; if not, it begins a piece.
     virtual bool joinsParent(const Tree& tree, const TreeIndex& index, InternodeId id) const = 0;
-    /// @p tree, @p index and @p widths outlive what is returned.
+    /// @p tree, @p index and @p widths must outlive the returned mesher.
     virtual std::unique_ptr<WoodPieceMesher> pieceMesher(const Tree& tree, const TreeIndex& index,
                                                          const Widths& widths,
                                                          const WoodMeshOptions& options) const = 0;
@@ -83,7 +84,7 @@ public:
     }
 };
 
-/// Wood as tubes, see Tubes.h and TubeMesher.
+/// The mesher that makes tubes, see Tubes.h and TubeMesher.
 const WoodMesher& tubeWood();
 
 } // namespace espalier

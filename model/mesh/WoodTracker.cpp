@@ -8,9 +8,9 @@ namespace espalier {
 
 namespace {
 
-/// In how many steps all radii are looked at, where they all change.
+/// Number of steps in which all radii are checked, when they all change.
 constexpr std::uint32_t kRoundSteps = 4;
-/// Share of the tolerance that is kept for what drifts between two looks.
+/// Share of the tolerance that is reserved for drift between two checks.
 constexpr float kDriftShare = 0.25F;
 
 bool isOff(float value, float reference, float tolerance)
@@ -52,8 +52,8 @@ void WoodTracker::follow(const Tree& tree, const TreeIndex& index, const TreeDel
     m_leavesAreDirty = m_leavesAreDirty || m_parameters.leaves != now.leaves ||
                        m_parameters.growth.irregularity != now.growth.irregularity;
     m_parameters = now;
-    // Where not tips alone decide, any edit may change widths anywhere: take() computes and compares them
-    // all, once. With neither constraints nor a base diameter, they do not depend on the tree.
+    // Where radii depend on more than tips, an edit can change widths anywhere: take() computes and compares
+    // all of them, once. With neither constraints nor a base diameter, they do not depend on the tree.
     const bool isTapered = now.widths.baseDiameter > 0.0 && index.tipCount(0) == 1;
     if (!tree.widthConstraints().empty() || !delta.sparse.width.empty() || isTapered ||
         !m_widths->dependOnTipsAlone())
@@ -94,7 +94,7 @@ WoodTracker::Work WoodTracker::take(const Tree& tree, const TreeIndex& index, st
     if (m_waiting.empty())
         work.leaves = taken(m_bare);
     work.gone = std::exchange(m_gone, {});
-    // Pieces that have become a part of another's go when that is meshed.
+    // Pieces that have become part of another piece are removed when that piece is meshed.
     for (const InternodeId base : work.wood) {
         for (const InternodeId id : internodesOf(index, base)) {
             if (id != base && std::exchange(m_isPiece[id], std::uint8_t{0}) != 0)
@@ -162,7 +162,7 @@ void WoodTracker::resize(std::uint32_t size)
     m_visited.resize(size, 0);
 }
 
-/// Rows that were taken out. What they continued ends at their parents now.
+/// Handles rows that were taken out: pieces that continued in them now end at their parents.
 void WoodTracker::forgetRemoved(const Tree& tree, const TreeDelta& delta)
 {
     for (auto id = static_cast<InternodeId>(m_joins.size()); id-- > tree.size();) {
@@ -175,7 +175,8 @@ void WoodTracker::forgetRemoved(const Tree& tree, const TreeDelta& delta)
     }
 }
 
-/// Born, dead, back to life or moved: their pieces and those of their parents.
+/// Notes internodes that were born, died, came back to life or moved: their pieces and those of their
+/// parents.
 void WoodTracker::collectTouched(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
     const auto touch = [&](InternodeId id) {
@@ -191,7 +192,7 @@ void WoodTracker::collectTouched(const Tree& tree, const TreeIndex& index, const
             m_dirty.push_back(id);
             inspect(tree, index, id, kTolerance);
         } else {
-            // What it continued ends at its parent now.
+            // The piece that it continued now ends at its parent.
             if (standsOnWood && m_joins[id] != 0)
                 m_dirty.push_back(parent);
             forget(id);
@@ -199,7 +200,7 @@ void WoodTracker::collectTouched(const Tree& tree, const TreeIndex& index, const
         if (standsOnWood)
             inspect(tree, index, parent, kTolerance);
     };
-    // Buds are not meshed, so of the touched only these matter.
+    // Buds are not meshed, so only these internodes of the delta matter.
     for (InternodeId id = delta.born.first; id != delta.born.end(); ++id)
         touch(id);
     for (const InternodeId id : delta.died)
@@ -208,14 +209,14 @@ void WoodTracker::collectTouched(const Tree& tree, const TreeIndex& index, const
         if (tree.isAlive(id))
             m_dirty.push_back(id);
     }
-    // What a bent internode stands on has another bend at its end.
+    // The internode below a bent one has another bend at its end.
     delta.forEachReframed([&](InternodeId id) {
         if (const InternodeId parent = tree.parent(id); parent != kNoInternode && tree.isAlive(parent))
             m_dirty.push_back(parent);
     });
 }
 
-/// Internodes that carry more or less than before.
+/// Notes internodes that carry more or fewer tips than before.
 void WoodTracker::collectChanged(const Tree& tree, const TreeIndex& index)
 {
     const LeafPlacer placer(tree, index);
@@ -247,8 +248,8 @@ void WoodTracker::startRound()
     m_nextCheck = 0;
 }
 
-/// With a base diameter set, every tip changes the power of all widths a little. So that no step pays for
-/// all, each looks at some internodes, unless the drift becomes too great for that.
+/// With a base diameter, every tip changes the power of all widths a little. Each step checks only some
+/// internodes, to spread the cost, unless the drift becomes too great for that.
 void WoodTracker::followWidths(const Tree& tree, const TreeIndex& index)
 {
     if (std::exchange(m_widthsAreStale, false)) {
@@ -285,7 +286,8 @@ void WoodTracker::checkRadius(const TreeIndex& index, InternodeId id, float tole
         m_dirty.push_back(id);
 }
 
-/// Looks at a living internode's node: which children are of its piece, and whether the others still fit.
+/// Checks a living internode's node: which children belong to its piece, and whether the other children still
+/// fit.
 void WoodTracker::inspect(const Tree& tree, const TreeIndex& index, InternodeId id, float tolerance)
 {
     if (std::exchange(m_inspected[id], m_update) == m_update)
@@ -312,8 +314,8 @@ void WoodTracker::forget(InternodeId id)
     m_bears[id] = 0;
 }
 
-/// Turns what has been noted since into pieces that wait behind the others. Where the tree has changed, those
-/// may be no pieces any more, so all are looked for anew.
+/// Turns the noted internodes into pieces at the end of the queue. If the tree has changed, queued internodes
+/// may not begin pieces any more, so all are looked up again.
 void WoodTracker::collectWaiting(const Tree& tree)
 {
     std::vector<InternodeId> noted(m_waiting.rbegin(), m_waiting.rend());
@@ -323,8 +325,8 @@ void WoodTracker::collectWaiting(const Tree& tree)
     ++m_update;
     for (const InternodeId id : noted) {
         if (!tree.isAlive(id))
-            continue; // died since it was noted
-        // Down to the base of its piece, or to where another went down before.
+            continue; // it has died since it was noted
+        // Goes down to the base of the piece, or to an internode that an earlier walk has reached.
         InternodeId place = id;
         while (std::exchange(m_visited[place], m_update) != m_update) {
             const InternodeId below = tree.parent(place);

@@ -10,49 +10,51 @@
 
 namespace espalier {
 
-/// Knows which pieces of a growing tree's mesh (see WoodMesher), and which leaves, are out of date. Follows
-/// the tree delta by delta, at a cost of what the deltas touch, and is told what was meshed; where meshes are
-/// kept is the caller's business.
+/// Records which pieces of a growing tree's mesh (see WoodMesher), and which leaves, are out of date. Follows
+/// the tree delta by delta, at a cost proportional to what the deltas touch. The caller keeps the meshes, and
+/// reports what it has meshed.
 ///
-/// A piece whose branches have only thickened is in order until one of its radii is off by more than
-/// kTolerance; noteInexact() finds these, when there is time.
+/// A piece whose branches have only thickened counts as up to date until one of its radii is off by more than
+/// kTolerance; noteInexact() finds such pieces, when there is time.
 class WoodTracker {
 public:
     static constexpr float kTolerance = 0.02F;
 
     explicit WoodTracker(const WoodMesher& mesher = tubeWood()) : m_mesher(&mesher) {}
 
-    /// Starts anew: nothing is meshed, and all of @p tree is to be.
+    /// Starts again: all pieces of @p tree are to be meshed.
     void restart(const Tree& tree, const TreeIndex& index);
     bool isStarted() const { return m_widths.has_value(); }
-    /// Notes what @p delta, which @p tree and @p index have just applied or reverted, and other parameters in
-    /// force make out of date. To be called for each delta.
+    /// Notes what @p delta, which @p tree and @p index have just applied or reverted, and a change of the
+    /// parameters put out of date. Call it for each delta.
     void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
-    /// Notes what is within the tolerance but not exact; returns whether there is any. Precondition:
-    /// isDone().
+    /// Notes the pieces that are within the tolerance but not exact; returns whether there are any.
+    /// Precondition: isDone().
     bool noteInexact(const Tree& tree, const TreeIndex& index);
-    /// Another fineness puts all wood out of date.
+    /// Sets the fineness; a change puts all wood out of date.
     void setOptions(const WoodMeshOptions& options);
     const WoodMeshOptions& options() const { return m_options; }
 
     /// Pieces by their first internodes.
     struct Work {
-        std::vector<InternodeId> gone;   ///< Were meshed and are no pieces any more, or will be meshed anew
-        std::vector<InternodeId> wood;   ///< To be meshed, leaves too
-        std::vector<InternodeId> leaves; ///< To get new leaves alone
+        /// Pieces that were meshed and do not exist any more, or will be meshed again.
+        std::vector<InternodeId> gone;
+        std::vector<InternodeId> wood;   ///< Pieces whose wood and leaves are to be meshed
+        std::vector<InternodeId> leaves; ///< Pieces that only need new leaves
     };
-    /// Takes the next pieces that are out of date, @p pieces of them at most, those that have waited longest
-    /// first; what is gone comes all at once. They count as done.
+    /// Takes the next pieces that are out of date: at most @p pieces of them, those that have waited longest
+    /// first, and all pieces that are gone. They then count as up to date.
     Work take(const Tree& tree, const TreeIndex& index, std::size_t pieces);
-    /// Whether nothing is left to take. Not before take() has been called after the last follow().
+    /// Whether there is nothing to take. Valid only if take() was called after the last follow().
     bool isDone() const { return m_waiting.empty() && m_bare.empty(); }
 
     /// The mesher of one thread, for the pieces that take() returned.
     std::unique_ptr<WoodPieceMesher> pieceMesher(const Tree& tree, const TreeIndex& index) const;
-    /// Remembers what the piece that @p piece has prepared was meshed with. Threads may do so at the same
-    /// time, each for pieces of its own.
+    /// Records the radii that the piece prepared by @p piece was meshed with. Several threads can call this
+    /// at the same time, each for other pieces.
     void noteMeshed(const WoodPieceMesher& piece);
-    /// Remembers which of these internodes have been given leaves, likewise.
+    /// Records which of these internodes have leaves now. Several threads can call this at the same time,
+    /// each for other internodes.
     void noteLeaves(const LeafPlacer& placer, std::span<const InternodeId> internodes);
     /// The internodes of the piece that begins with @p base, parents before children.
     std::vector<InternodeId> internodesOf(const TreeIndex& index, InternodeId base) const;
@@ -79,29 +81,30 @@ private:
     WoodMeshOptions m_options;
     TreeParameters m_parameters;
     std::optional<Widths> m_widths;
-    bool m_widthsAreStale = false; ///< Only where not tips alone decide, or did not
-    // Power of the widths when this round of checks began, and the one before: every radius has been looked
-    // at since that one.
+    bool m_widthsAreStale = false; ///< Used only where radii depend, or did depend, on more than tips
+    // Power of the widths when this round of checks began, and when the one before began: every radius has
+    // been checked since the earlier one.
     double m_roundPower = 0.0;
     double m_checkedPower = 0.0;
     InternodeId m_nextCheck = 0;
 
-    // By internode
-    std::vector<std::uint8_t> m_joins;      ///< The piece of its parent, as seen last
-    std::vector<std::uint8_t> m_isPiece;    ///< That is meshed
-    std::vector<float> m_supportRadius;     ///< m, as meshed; 0 for those that begin no piece
-    std::vector<float> m_radius;            ///< m, as meshed
-    std::vector<std::uint8_t> m_bears;      ///< Leaves, as placed
-    std::vector<std::uint32_t> m_inspected; ///< Number of the update in which it was
+    // All of these have an element for each internode.
+    std::vector<std::uint8_t> m_joins;   ///< Whether it belongs to the piece of its parent, when last checked
+    std::vector<std::uint8_t> m_isPiece; ///< Whether it begins a piece that is meshed
+    std::vector<float> m_supportRadius; ///< Support radius as meshed, m; 0 for internodes that begin no piece
+    std::vector<float> m_radius;        ///< Radius as meshed, m
+    std::vector<std::uint8_t> m_bears;  ///< Whether it has leaves, as placed
+    std::vector<std::uint32_t> m_inspected; ///< Number of the update in which it was last checked
     std::vector<std::uint32_t> m_visited;
     std::uint32_t m_update = 0;
-    // Until take()
-    std::vector<InternodeId> m_gone;    ///< Pieces
-    std::vector<InternodeId> m_dirty;   ///< Internodes whose pieces must be meshed
-    std::vector<InternodeId> m_waiting; ///< First internodes of such pieces, the last of them first
-    std::vector<InternodeId>
-        m_bare;                 ///< First internodes of pieces that wait for their leaves alone, likewise
-    bool m_hasChanged = false;  ///< The tree, since collectWaiting()
+    // What take() still has to return.
+    std::vector<InternodeId> m_gone;  ///< Pieces that are gone
+    std::vector<InternodeId> m_dirty; ///< Internodes whose pieces must be meshed
+    /// First internodes of the pieces to be meshed; the last one is the next.
+    std::vector<InternodeId> m_waiting;
+    /// First internodes of the pieces that only need leaves; the last one is the next.
+    std::vector<InternodeId> m_bare;
+    bool m_hasChanged = false;  ///< The tree has changed since collectWaiting()
     bool m_woodIsDirty = false; ///< All pieces must be meshed
     bool m_leavesAreDirty = false;
 };

@@ -9,13 +9,13 @@ namespace espalier {
 
 namespace {
 
-/// Edge of a cell in internodes of mean length, to begin with.
+/// Initial edge of a cell, in internodes of mean length.
 constexpr float kInternodesPerEdge = 8.0F;
 constexpr float kLeastCellEdge = 1e-4F; ///< m
 /// Cells that hold more nodes than this on average are too large; fewer, too small.
 constexpr std::uint32_t kMostNodes = 320;
 constexpr std::uint32_t kFewestNodes = 5;
-/// A tree of fewer nodes is looked through at once, whatever its cells are.
+/// Trees with fewer nodes keep their cells: searching all of them is fast.
 constexpr std::uint32_t kSmallTree = 2'000;
 /// Cells are numbered from -kFarthestPoint to kFarthestPoint along each axis; what lies farther out is in the
 /// outermost.
@@ -30,7 +30,7 @@ void PickIndex::clear()
 
 void PickIndex::follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
-    // Before the first question, and where all is to be read again, there is nothing to note.
+    // Before the first query, or if all will be read again, there is nothing to note.
     if (m_edge == 0.0F)
         return;
     const auto note = [this](InternodeId id) {
@@ -53,7 +53,7 @@ void PickIndex::settle(const Tree& tree, const TreeIndex& index)
         readAll(tree, index);
         return;
     }
-    // Rows at the tree's end may have gone.
+    // Rows at the tree's end may have been removed.
     for (std::size_t id = tree.size(); id < m_place.size(); ++id) {
         ++m_lastCost;
         remove(static_cast<InternodeId>(id));
@@ -100,7 +100,7 @@ void PickIndex::fill(const Tree& tree, const TreeIndex& index)
     }
 }
 
-/// Changes the edge if cells hold far too many nodes, or too few; then all must be filled again.
+/// Changes the edge if cells hold far too many nodes, or too few; then all cells must be filled again.
 bool PickIndex::suitDensity()
 {
     const std::size_t cells = std::max<std::size_t>(m_cells.size(), 1);
@@ -173,7 +173,7 @@ void PickIndex::remove(InternodeId id)
     if (m_place[id] == kNowhere)
         return;
     std::vector<Node>& nodes = m_cells[m_place[id]].nodes;
-    // What came last goes first: undo finds it at the end.
+    // Searches from the end, because undo removes the latest nodes first.
     const auto found = std::ranges::find(nodes.rbegin(), nodes.rend(), id, &Node::id);
     *found = nodes.back();
     nodes.pop_back();

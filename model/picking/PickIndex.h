@@ -11,10 +11,10 @@
 
 namespace espalier {
 
-/// Where the living nodes of a tree are, for what has to find those along a ray: cubic cells, each with a box
+/// The places of the living nodes of a tree, for finding nodes along a ray: cubic cells, each with a box
 /// around its nodes. Follows the tree's deltas, forwards and backwards, in proportion to what they touch;
-/// deltas are noted, and worked out when a question is asked. Knows no growth model. Cells exist only where
-/// there are nodes, and their edge follows the density of the tree.
+/// deltas are noted, and processed before the next query. It does not depend on a growth model. Cells exist
+/// only where there are nodes, and their edge depends on the density of the tree.
 class PickIndex {
 public:
     /// A living node: the upper end of an internode.
@@ -29,12 +29,12 @@ public:
     };
     using Nodes = std::span<const Node>;
 
-    /// Forgets everything: another tree stands here now. The next settle() reads all of it.
+    /// Forgets everything because the document has another tree. The next settle() reads all of it.
     void clear();
-    /// Notes what @p delta, which @p tree and @p index have just applied or reverted, has changed. Ids at or
-    /// beyond tree.size() are nodes that are there no longer.
+    /// Notes what @p delta, which @p tree and @p index have just applied or reverted, has changed. Ids of
+    /// tree.size() or more are nodes that do not exist any more.
     void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
-    /// Works out what was noted. To be called before a question.
+    /// Processes the noted changes. Call it before a query.
     void settle(const Tree& tree, const TreeIndex& index);
 
     /// Calls @p visit(centre, radius, nodes) for all living nodes, cell by cell; centre and radius are those
@@ -51,14 +51,14 @@ public:
 
     std::uint32_t nodeCount() const { return m_nodeCount; }
     std::size_t cellCount() const { return m_cells.size(); }
-    /// Nodes that the last settle() looked at.
+    /// Number of nodes that the last settle() has read.
     std::size_t lastCost() const { return m_lastCost; }
     std::size_t bytes() const;
 
 private:
     struct Cell {
         std::vector<Node> nodes;
-        Vec3 lower = Vec3::Zero(); ///< Of a box around the nodes, and perhaps some that have gone
+        Vec3 lower = Vec3::Zero(); ///< Of a box around the nodes, which can be larger after nodes have gone
         Vec3 upper = Vec3::Zero();
     };
 
@@ -73,13 +73,13 @@ private:
 
     static constexpr std::uint32_t kNowhere = ~0U;
 
-    float m_edge = 0.0F; ///< Of a cell, m; 0 while nothing has been read
+    float m_edge = 0.0F; ///< Edge of a cell, m; 0 until the tree has been read
     std::vector<Cell> m_cells;
     std::unordered_map<std::uint64_t, std::uint32_t> m_cellOf; ///< By keyOf()
-    std::vector<std::uint32_t> m_place; ///< The cell of each node; kNowhere for the dead
+    std::vector<std::uint32_t> m_place; ///< The cell of each node; kNowhere for dead nodes
     std::uint32_t m_nodeCount = 0;
     std::vector<std::uint8_t> m_isNoted;
-    std::vector<InternodeId> m_noted; ///< Until settle()
+    std::vector<InternodeId> m_noted; ///< Nodes that settle() has to process
     std::size_t m_lastCost = 0;
 };
 

@@ -17,7 +17,7 @@ Units g_units = Units::Metric;
 struct UnitName {
     const char* name;
     double metres;
-    double next; ///< What a bare number after it is one of, m; 0 for nothing
+    double next; ///< Unit of a bare number that follows, m; 0 for none
 };
 
 constexpr std::array kUnits{
@@ -29,7 +29,7 @@ constexpr std::array kUnits{
     UnitName{"\u2019", kFoot, kInch},
 };
 
-/// What is rounded up to 1 or 10 is written like these.
+/// Numbers that are rounded up to 1 or 10 get the digits of 1 or 10.
 int digitsFor(double number)
 {
     if (number == 0.0 || number >= 9.95)
@@ -93,7 +93,7 @@ std::optional<double> parseNumber(const QString& text)
             plain += c;
         }
     }
-    // Neither "1e5" nor "inf" is anything that a person measures.
+    // "1e5" and "inf" are not accepted as lengths.
     static const QRegularExpression kNumber(QStringLiteral("^[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)$"));
     if (!kNumber.match(plain).hasMatch())
         return std::nullopt;
@@ -119,7 +119,7 @@ std::optional<double> parseLength(const QString& text, double bareUnit)
             return std::nullopt;
         const QString name = term.captured(2).toLower();
         double unit = bare;
-        // A bare number is the last one.
+        // Only the last number can be without a unit.
         bare = 0.0;
         if (!name.isEmpty()) {
             const auto* known = std::ranges::find_if(

@@ -7,28 +7,30 @@
 
 namespace espalier {
 
-/// How a person measures lengths; inside they are metres.
+/// The units in which lengths are shown and typed; the program calculates in metres.
 enum class Units { Metric, Imperial };
 
-/// What lengths are written in, by the whole program. Metric at first. What is shown already keeps its texts.
+/// The units of the whole program; metric by default. A change does not affect texts that are already on the
+/// screen.
 Units units();
 void setUnits(Units units);
 
-/// A length as a person reads it, in the units in force: "0.42 cm", "42 cm", "1.25 m", or "1.7 in", "4 ft 1
+/// A length as text for the user, in the units in force: "0.42 cm", "42 cm", "1.25 m", or "1.7 in", "4 ft 1
 /// in".
 QString lengthText(double metres);
 
-/// A number in the person's own notation, with a fixed number of decimals and no signs between thousands.
+/// A number in the user's locale, with a fixed number of decimals and no thousands separators.
 QString numberText(double number, int decimals);
 
-/// What a person has typed: a decimal comma or point, "," and "." before it between thousands.
+/// Reads a number that the user has typed: with a decimal comma or point, and "," or "." as thousands
+/// separators.
 std::optional<double> parseNumber(const QString& text);
 
-/// What a person has typed as a length, in whichever units: "12 cm", "0,3m", "5 ft 3 in", 5'3", "1 m 20".
-/// A number without a unit is one of @p bareUnit, m. Returns m, or nothing if it is no length.
+/// Reads a length that the user has typed, in any units: "12 cm", "0,3m", "5 ft 3 in", 5'3", "1 m 20". A
+/// number without a unit is multiplied by @p bareUnit, m. Returns m, or nothing if the text is not a length.
 std::optional<double> parseLength(const QString& text, double bareUnit);
 
-/// The nearest length that is round in the units in force, as a slider gives it: whole millimetres, or
+/// The nearest length that a slider can give, a round number in the units in force: whole millimetres, or
 /// twentieths of an inch.
 double roundedLength(double metres);
 

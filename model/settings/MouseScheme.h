@@ -3,7 +3,7 @@
 
 namespace espalier {
 
-/// Which buttons of a mouse move the camera. In all of them the left button alone is the tool's, Space and
+/// Which mouse buttons move the camera. In all schemes the left button alone works with the tool, Space and
 /// the left button pan, and a click with Alt selects a bud.
 enum class MouseScheme : int {
     Espalier, ///< Right, middle, or Alt and left rotate; Shift and middle pan

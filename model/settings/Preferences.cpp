@@ -8,7 +8,7 @@ namespace espalier {
 QStringList Preferences::languages()
 {
     QStringList codes{QStringLiteral("en")};
-    // Beside them lie the texts of Qt itself.
+    // The folder also contains Qt's own translations.
     const QDir folder(QStringLiteral(":/translations"));
     for (const QString& file : folder.entryList({QStringLiteral("espalier_*")}, QDir::Files, QDir::Name))
         codes << file.section(QLatin1Char('_'), 1).section(QLatin1Char('.'), 0, 0);

@@ -12,7 +12,7 @@ namespace espalier {
 /// Colours of the window: dark, light, or as the system has them.
 enum class Look : int { Dark, Light, System };
 
-/// What a person sets once, in the sheet of settings.
+/// The user's choices in the sheet of settings.
 struct Preferences {
     static constexpr double kSoftest = 0.25;
     static constexpr double kFirmest = 4.0;
@@ -20,17 +20,16 @@ struct Preferences {
     static constexpr int kMostUndoSteps = 10'000;
 
     Look look = Look::Dark;
-    bool areToolsRight = false; ///< The bar of tools is on the right, for those who draw with the left hand
+    bool areToolsRight = false; ///< The bar of tools is on the right, for people who draw with the left hand
     double pressureExponent = 1.0; ///< kSoftest...kFirmest; see PointerReader::setPressureExponent
     MouseScheme mouse = MouseScheme::Espalier;
     int autosaveInterval = 20; ///< Shortest time between two autosaves, s, 1...kLongestInterval
-    int undoSteps = 0;         ///< As many can be taken back, 0...kMostUndoSteps; 0 for all
-    QString
-        libraryFolder{}; ///< Where the library keeps its trees; empty for a folder among the program's data
+    int undoSteps = 0;         ///< Number of undo steps that are kept, 0...kMostUndoSteps; 0 for all
+    QString libraryFolder{};   ///< Folder of the library's trees; empty for a folder among the program's data
     Units units = Units::Metric;
-    QString language{}; ///< One of Preferences::languages(); empty for the system's
+    QString language{}; ///< One of Preferences::languages(); empty for the system's language
 
-    /// Codes of the languages that the program speaks, as "de"; English first.
+    /// Codes of the languages that the program has texts in, such as "de"; English first.
     static QStringList languages();
 
     bool operator==(const Preferences&) const = default;

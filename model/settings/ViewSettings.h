@@ -18,11 +18,11 @@ inline constexpr double kMaxBrushRadius = 5.0;
 inline constexpr double kLeastBendWeight = 0.01;
 inline constexpr double kMostBendWeight = 100.0;
 
-/// The next larger (@p notches > 0) or smaller radius, as a wheel or the keys [ and ] step through them: by
-/// a tenth a notch, down to an axis and up again from it.
+/// The next larger (@p notches > 0) or smaller radius, for the wheel and the keys [ and ]: a notch changes it
+/// by a tenth, down to the radius 0 of a single axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
 
-/// The sun stays above the horizon, rad.
+/// The least elevation of the sun above the horizon, rad.
 inline constexpr double kLeastSunElevation = radians(5);
 
 /// What stands behind the tree.
@@ -36,53 +36,55 @@ enum class Backdrop : int {
 };
 inline constexpr int kBackdropCount = 6;
 
-/// A picture behind the tree to draw after. It stands upright at the seedling, parallel to the screen, so it
-/// keeps its place beside the tree when the view is moved or magnified.
+/// A picture behind the tree to draw after. It stands upright at the seedling, parallel to the screen, so
+/// that it keeps its place beside the tree when the view is moved or magnified.
 struct TracingImage {
     static constexpr double kMaxHeight = 100.0; ///< m
     static constexpr double kMaxOffset = 100.0; ///< m
 
-    QString file{};       ///< Empty for none
-    double right = 0.0;   ///< m, of its middle from the seedling, −kMaxOffset...kMaxOffset
-    double up = 1.5;      ///< m, likewise
-    double height = 3.0;  ///< m, 0.01...kMaxHeight; its width follows
+    QString file{}; ///< Empty for none
+    /// Distance of its middle from the seedling to the right, m, −kMaxOffset...kMaxOffset.
+    double right = 0.0;
+    double up = 1.5;      ///< Height of its middle above the seedling, m, −kMaxOffset...kMaxOffset
+    double height = 3.0;  ///< m, 0.01...kMaxHeight; its width follows from the file
     double opacity = 0.5; ///< 0...1
 
     bool operator==(const TracingImage&) const = default;
 };
 
-/// How the tree is shown and what the hand holds; belongs to the person who works, not to the tree, so it
-/// is no part of the document and nothing of it is undone.
+/// How the tree is shown and how the brush is set. This belongs to the user, not to the tree: it is not part
+/// of the document and not undone.
 struct ViewValues {
     double brushRadius = 0.5;   ///< m, 0...kMaxBrushRadius; 0 draws a single axis
     bool pressureScales = true; ///< A pen's pressure scales the radius of the brush
-    bool markersShown = true;   ///< Markers of free space while brushing
-    bool envelopeShown = true;  ///< What lassos enclose, while the lasso is in hand
-    bool planeShown = true;     ///< Hints of where the drawing plane is
+    bool markersShown = true;   ///< Markers of free space show while brushing
+    bool envelopeShown = true;  ///< The envelopes of lassos show while the lasso is the current tool
+    bool planeShown = true;     ///< Hints of the drawing plane show
     double bendingWeight =
         1.0; ///< Resistance of branches against bending, kLeastBendWeight...kMostBendWeight
-    double stretchingWeight = 1.0; ///< Likewise, against stretching
+    /// Resistance of branches against stretching, kLeastBendWeight...kMostBendWeight.
+    double stretchingWeight = 1.0;
     bool leavesShown = true;
     bool groundShown = true;
     bool shadowsShown = true;
     bool gridShown = false; ///< Lines on the ground, a metre apart
     Backdrop backdrop = Backdrop::Studio;
-    bool isThemeLight = false;            ///< What Backdrop::Studio follows; the theme's, not the person's
-    QColor backgroundColour{92, 98, 104}; ///< Of Plain; of Gradient at the lower edge
-    QColor backgroundTop{188, 202, 214};  ///< Of Gradient at the upper edge
+    bool isThemeLight = false;            ///< Whether the theme is light; Backdrop::Studio follows it
+    QColor backgroundColour{92, 98, 104}; ///< Colour of Plain; of Gradient at the lower edge
+    QColor backgroundTop{188, 202, 214};  ///< Colour of Gradient at the upper edge
     TracingImage tracing{};
-    /// rad from +Z (front) toward +X (right); of a pinned sun, from the camera toward its right.
+    /// rad from +Z (front) toward +X (right); of a pinned sun, rad from the camera toward its right.
     double sunAzimuth = radians(58);
     double sunElevation = radians(48); ///< rad above the horizon, kLeastSunElevation...90°
-    bool sunPinned = false;            ///< It stays where it is on the screen when the tree is turned
-    bool sunShown = true;              ///< As a ball that a hand can drag
+    bool sunPinned = false;            ///< The sun stays at its place on the screen when the tree is turned
+    bool sunShown = true;              ///< The sun shows as a ball that can be dragged
 
     bool operator==(const ViewValues&) const = default;
 };
 
-/// The backdrop that is seen: Backdrop::Studio is one of the two.
+/// The backdrop that is shown: Backdrop::Studio becomes the dark or the light studio.
 Backdrop shownBackdrop(const ViewValues& values);
-/// Whether what stands behind the tree, at the lower edge, wants dark words over it.
+/// Whether the backdrop's lower edge is so light that words over it must be dark.
 bool isBackdropLight(const ViewValues& values);
 
 /// The ViewValues in force, shared by the views and the panels.
@@ -93,7 +95,7 @@ public:
     using QObject::QObject;
 
     const ViewValues& values() const { return m_values; }
-    /// Values out of range are moved to its nearest end. Emits changed() if anything differs.
+    /// Values out of range are set to the nearest limit. Emits changed() if a value has changed.
     void setValues(const ViewValues& values);
 
     /// Sets one value: set(&ViewValues::brushRadius, 0.2).

@@ -33,7 +33,7 @@ std::vector<ChainHandle> handlesOn(std::span<const InternodeId> path,
     for (const BranchBend::Handle& handle : handles) {
         const auto place = std::ranges::lower_bound(path, handle.id);
         const bool isOnPath = place != path.end() && *place == handle.id;
-        // The base stands for all that hold nothing.
+        // Handles that have no effect get the base's index.
         const auto internode = static_cast<std::uint32_t>(isOnPath ? place - path.begin() : 0);
         found.push_back({internode, handle.along});
     }
@@ -89,7 +89,7 @@ std::vector<FrameChange> BranchBend::changes() const
     const ChainPose& bent = m_chain.pose();
     Eigen::Quaterniond turnBelow = Eigen::Quaterniond::Identity();
     for (std::size_t i = 1; i < m_path.size(); ++i) {
-        // From the stored row on, so that what has not moved keeps it to the last bit.
+        // Turns the stored row, so that a frame that has not moved keeps every bit.
         const Eigen::Quaterniond turn = bent.rotations[i] * rest.rotations[i].conjugate();
         const Eigen::Quaterniond& below = rest.rotations[i - 1];
         const Eigen::Quaterniond local =
@@ -106,7 +106,7 @@ std::vector<FrameChange> BranchBend::changes() const
         const double least = std::max(kLeastShare * before, std::min(kLeastBranchLength, before));
         const auto lengthAfter =
             static_cast<float>(std::clamp(wanted, least, static_cast<double>(kGreatestLength)));
-        // Rounding must not add up over many bends.
+        // Otherwise rounding would accumulate over many bends.
         if (after != m_rotations[i])
             after.normalize();
         if (after != m_rotations[i] || lengthAfter != m_lengths[i])

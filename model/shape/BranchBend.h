@@ -13,7 +13,7 @@ namespace espalier {
 /// in its subtree.
 std::vector<InternodeId> pathBetween(const Tree& tree, InternodeId base, InternodeId end);
 
-/// What bending did to the row of an internode; all that hangs on it moves along.
+/// The change of an internode's row by bending; everything that hangs on the internode moves along.
 struct FrameChange {
     InternodeId id;
     Rotation before; ///< Local frame
@@ -22,15 +22,15 @@ struct FrameChange {
     float lengthAfter;  ///< m
 };
 
-/// A branch of a tree while hands bend it (TreeSketch §3.3): the path from a base internode, which stays, to
-/// an end internode, as a ChainBend. What hangs on the path keeps its frames against the internodes that
-/// carry it. The rest pose, and the rows that changes() counts from, are those of the tree at construction,
-/// whatever is applied to the tree later.
+/// A branch of a tree during a bend (TreeSketch §3.3): the path from a base internode, which stays, to an end
+/// internode, as a ChainBend. Branches that hang on the path keep their frames relative to the internodes
+/// that carry them. The rest pose, and the rows that changes() compares with, are those of the tree at
+/// construction, even if the tree changes later.
 class BranchBend {
 public:
-    /// Where a hand holds the branch.
+    /// A place at which a pointer or a pin holds the branch.
     struct Handle {
-        InternodeId id = kNoInternode; ///< On the path, above the base; another holds nothing
+        InternodeId id = kNoInternode; ///< On the path, above the base; a handle elsewhere has no effect
         double along = 1.0;            ///< 0...1 from its lower to its upper node
 
         bool operator==(const Handle&) const = default;
@@ -41,7 +41,7 @@ public:
 
     /// Base to end. A path of less than two internodes does not bend.
     std::span<const InternodeId> path() const { return m_path; }
-    /// World position of a handle at rest, m: what its target is to be measured from.
+    /// World position of a handle at rest, m: the displacement of its target counts from here.
     Vec3 restPoint(const Handle& handle) const;
 
     /// See ChainBend::solve; @p targets in the order of the handles, m.
@@ -49,9 +49,9 @@ public:
     void reset() { m_chain.reset(); }
     const ChainPose& pose() const { return m_chain.pose(); }
 
-    /// What the rows of the path's internodes must become for the tree to stand as pose() says; none of those
-    /// that stay as they are, never the base's. A length is never less than a hundredth of what it was, and
-    /// never beyond what a tree may hold.
+    /// The changes of the path's internodes that bring the tree into pose(), without internodes that stay as
+    /// they are; the base always stays. A new length is at least a hundredth of the old one, and at most the
+    /// longest that a tree can have.
     std::vector<FrameChange> changes() const;
 
 private:

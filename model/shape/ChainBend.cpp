@@ -15,8 +15,8 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// Half-width of the joints' faces, in lengths of what can move: the smaller, the less a chain is pulled
-/// apart before it bends.
+/// Half-width of the joints' faces, in lengths of the movable part: the smaller it is, the less a chain is
+/// pulled apart before it bends.
 constexpr double kFaceShare = 0.05;
 /// No internode counts as shorter than this, in mean internode lengths.
 constexpr double kLeastLength = 1e-3;
@@ -25,25 +25,25 @@ constexpr double kTautGap = 0.05;
 /// rad, the most that a prism turns in a step.
 constexpr double kMostTurn = 0.5;
 constexpr int kMostHalvings = 12;
-/// A step must bring this share of the descent that the slope promises.
+/// A step is accepted if it brings this share of the descent that the slope promises.
 constexpr double kLeastDescent = 1e-4;
-/// Steps below this (rad, or lengths of what can move) end a call.
+/// Steps below this (rad, or lengths of the movable part) end a call.
 constexpr double kSmallestStep = 1e-7;
-/// What a call may cost, in steps times internodes, and the least steps that it makes.
+/// Limit of a call's cost, in steps times internodes, and the least number of steps.
 constexpr std::size_t kWork = 8'000;
 constexpr std::size_t kLeastSteps = 10;
 constexpr std::size_t kMostSteps = 60;
-/// A handle that moves further at once, in lengths of what can move, goes there in stages.
+/// A handle whose target moves further at once, in lengths of the movable part, moves there in stages.
 constexpr double kStage = 0.2;
 constexpr double kMostStages = 4.0;
 constexpr std::size_t kStepsPerStage = 4;
-/// rad, far below what can be seen.
+/// rad, far too small to be seen.
 constexpr double kNudge = 1e-6;
-/// How much a handle may be off, once gaps are closed, rather than that a node goes far astray.
+/// Weight of keeping nodes in place against holding the handles exactly, when gaps are closed.
 constexpr double kClosingRidge = 1e-2;
 
-/// Without what is less than rounding beside @p scale: components that fade away would end as denormal
-/// numbers, which are slow.
+/// Sets components to zero that are less than rounding beside @p scale: they would become denormal numbers,
+/// which are slow.
 template <class Values>
 Values withoutTraces(const Values& values, double scale)
 {
@@ -139,7 +139,7 @@ std::vector<ChainJoint> ChainBend::makeJoints(const BendOptions& options) const
     };
     const double halfWidth = kFaceShare * m_length;
     for (std::size_t i = 0; i + 1 < count; ++i) {
-        // Half of each prism gives way at its joint; of the first, which stays, nothing.
+        // Half of each prism is elastic at its joint; of the first prism, which stays, nothing.
         const double length = 0.5 * ((i > 0 ? lengthOf(i) : 0.0) + lengthOf(i + 1));
         const Vector3d sum = m_directions[i] + m_directions[i + 1];
         const Vector3d normal = sum.norm() > 1e-6 ? Vector3d(sum.normalized()) : m_directions[i];
@@ -218,7 +218,7 @@ bool ChainBend::solve(std::span<const Vector3d> targets)
     return settled;
 }
 
-/// Turns each prism a little, so that a straight chain which is pushed gives way to a side.
+/// Turns each prism a little, so that a straight chain that is pushed can yield sideways.
 void ChainBend::unsettle()
 {
     for (std::size_t i = 1; i < m_motions.size(); ++i) {
@@ -238,7 +238,7 @@ bool ChainBend::isTaut() const
     return false;
 }
 
-/// Returns whether there is more to do.
+/// Makes one step. Returns whether more steps are needed.
 bool ChainBend::makeStep(double& energyNow)
 {
     m_energy.findStep(m_motions, m_held, isTaut(), m_step);
@@ -271,8 +271,8 @@ bool ChainBend::makeStep(double& energyNow)
     return false;
 }
 
-/// A node is in the middle of the gap at its joint; then as little as can be is moved to bring the held
-/// points to their targets again.
+/// Moves each node to the middle of the gap at its joint; then moves nodes as little as possible to bring the
+/// held points to their targets again.
 void ChainBend::closeGaps()
 {
     const std::vector<ChainPrism>& prisms = m_energy.prisms();
@@ -290,7 +290,7 @@ void ChainBend::closeGaps()
     const auto grips = static_cast<Eigen::Index>(m_grips.size());
     const auto weight = [&](const Grip& grip, std::size_t node) {
         if (node < 2)
-            return 0.0; // of the first internode
+            return 0.0; // the first internode
         return node == grip.internode ? 1.0 - grip.along : node == grip.internode + 1 ? grip.along : 0.0;
     };
     Eigen::MatrixXd system(grips, grips);

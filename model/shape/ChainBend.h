@@ -11,11 +11,12 @@
 
 namespace espalier {
 
-/// How a branch gives way to the hand that bends it. Only the ratio of the two weights matters for its form.
+/// How a branch yields when it is bent. Only the ratio of the two weights affects its form.
 struct BendOptions {
-    double stretching = 1.0;  ///< σ, 0.01...100, resistance of joints against being pulled apart
-    double bending = 1.0;     ///< β, 0.01...100, resistance of joints against bending and twisting
-    double mostStretch = 1.5; ///< 1...10, how far a target may be, in lengths of the path that leads there
+    double stretching = 1.0; ///< σ, 0.01...100, resistance of joints against being pulled apart
+    double bending = 1.0;    ///< β, 0.01...100, resistance of joints against bending and twisting
+    /// 1...10, how far away a target can be, in lengths of the path that leads to the handle.
+    double mostStretch = 1.5;
 
     bool operator==(const BendOptions&) const = default;
 };
@@ -26,7 +27,7 @@ struct ChainPose {
     std::vector<Eigen::Quaterniond> rotations;
 };
 
-/// Where a hand holds a path.
+/// A place at which a path is held.
 struct ChainHandle {
     std::uint32_t internode = 0; ///< Index in the path
     double along = 1.0;          ///< 0...1 from its lower to its upper node
@@ -39,34 +40,34 @@ struct ChainHandle {
 ///     E = Σ w (σ |gap|² + β ∫ |distance of the two prisms' copies of the face|²)
 ///
 /// is least; w is 1 over the length that a joint stands for, so that shorter internodes give the same form.
-/// Energy is measured from the rest pose: who brings the handles back gets that pose back.
+/// Energy is measured from the rest pose: handles at their rest points give that pose again.
 ///
-/// Minimised by Gauss-Newton steps of all prisms at once, each turned about its own centre or the point that
-/// is held. Steps are halved until the energy falls; where the chain is taut, the part of the second
-/// derivative that keeps it so is added. A call makes a bounded number of steps and the next goes on from
-/// there, so that a path of 200 internodes can be dragged at 60 frames a second.
+/// Minimised by Gauss-Newton steps of all prisms at once, each turned about its own centre or about the point
+/// that is held. Steps are halved until the energy falls; where the chain is taut, the part of the second
+/// derivative that keeps it taut is added. A call makes a bounded number of steps and the next call continues
+/// from there, so that a path of 200 internodes can be dragged at 60 frames a second.
 class ChainBend {
 public:
-    /// @p rest needs one more node than rotations. Several handles of one internode act as one in their
-    /// middle; those of the first internode, or beyond the last, hold nothing.
+    /// @p rest has one node more than rotations. Several handles of one internode act as one in their middle;
+    /// handles on the first internode, or beyond the last, have no effect.
     ChainBend(ChainPose rest, std::span<const ChainHandle> handles, const BendOptions& options = {});
 
-    /// Pulls the handles (in the order given) to @p targets, m; what is out of reach is pulled in that
-    /// direction. A target that is not a number leaves its handle where it was. Returns whether the form has
-    /// settled; if not, more calls bring it nearer.
+    /// Pulls the handles (in the order given) to @p targets, m; a handle whose target is out of reach is
+    /// pulled in the target's direction. A target that is not a number leaves its handle where it was.
+    /// Returns whether the form has settled; if not, more calls bring it nearer.
     bool solve(std::span<const Eigen::Vector3d> targets);
-    /// Back to rest.
+    /// Returns to the rest pose.
     void reset();
 
     const ChainPose& rest() const { return m_rest; }
-    /// What the last call has led to: gaps closed, each rotation's +Y along its internode, and turned about
-    /// it with its prism.
+    /// The pose that the last call has led to: gaps are closed, and each rotation has +Y along its internode
+    /// and is turned about it with its prism.
     const ChainPose& pose() const { return m_pose; }
 
-    /// Of the prisms, with the gaps between them; 0 at rest.
+    /// The elastic energy of the prisms with the gaps between them; 0 at rest.
     double energy() const;
-    /// Before and after each step of the last call; a stage of it (handles move in several) begins with an
-    /// energy of its own.
+    /// Energies before and after each step of the last call. Handles move in several stages, and each stage
+    /// begins with a new energy.
     struct Descent {
         double before;
         double after;
@@ -82,11 +83,11 @@ private:
     struct Grip {
         std::size_t internode;
         double along;
-        double reach; ///< m, from the grip below it or the first prism
-        double count; ///< Handles that it stands for
+        double reach; ///< m, from the grip below it or from the first prism
+        double count; ///< Number of handles that this grip replaces
         Eigen::Vector3d target;
     };
-    /// Turns the prisms that handles hold about the points that they hold.
+    /// Sets the centres of the prisms that handles hold to the held points.
     void placeGrips(std::span<const ChainHandle> handles, std::span<ChainPrism> prisms);
     std::vector<ChainJoint> makeJoints(const BendOptions& options) const;
     std::vector<Eigen::Vector3d> reachable(std::span<const Eigen::Vector3d> targets) const;
@@ -97,12 +98,13 @@ private:
 
     ChainPose m_rest;
     std::vector<Eigen::Vector3d> m_directions; ///< Of internodes at rest, unit
-    double m_length = 0.0;                     ///< m, of all that can move
+    double m_length = 0.0;                     ///< Length of all that can move, m
     double m_mostStretch = 1.0;
     ChainEnergy m_energy;
-    std::vector<Grip> m_grips;         ///< From the base up
-    std::vector<std::size_t> m_gripOf; ///< By handle; past the end if it holds nothing
-    std::vector<std::size_t> m_held;   ///< Internodes of the grips
+    std::vector<Grip> m_grips; ///< From the base up
+    /// Index of the grip of each handle; past the end if the handle has no effect.
+    std::vector<std::size_t> m_gripOf;
+    std::vector<std::size_t> m_held; ///< Internodes of the grips
     ChainEnergy::Motions m_motions;
     ChainEnergy::Motions m_trial;
     ChainEnergy::Step m_step;

@@ -26,8 +26,8 @@ Matrix3d inertia(const Vector3d& a, const Vector3d& b)
     return a.dot(b) * Matrix3d::Identity() - b * a.transpose();
 }
 
-/// The positive part of what the curvature of the rotation of @p lever adds to the second derivative of
-/// |e|²/2, where the end of the lever appears in @p e.
+/// The positive part of the contribution of the curvature of the rotation of @p lever to the second
+/// derivative of |e|²/2, where the end of the lever appears in @p e.
 Matrix3d curvature(const Vector3d& e, const Vector3d& lever)
 {
     const Matrix3d product = e * lever.transpose();

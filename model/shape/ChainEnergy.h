@@ -25,7 +25,7 @@ struct ChainJoint {
     Eigen::Vector3d b;
 };
 
-/// Where a prism is now.
+/// Current place of a prism.
 struct ChainMotion {
     Eigen::Matrix3d rotation; ///< From rest
     Eigen::Vector3d centre;   ///< m
@@ -49,9 +49,9 @@ public:
     const std::vector<ChainPrism>& prisms() const { return m_prisms; }
     const std::vector<ChainJoint>& joints() const { return m_joints; }
 
-    /// Of the chain when its prisms are at @p motions; 0 at rest.
+    /// The energy of the chain when its prisms are at @p motions; 0 at rest.
     double of(const Motions& motions) const;
-    /// m, from prism @p joint + 1 to the one below it.
+    /// The gap from prism @p joint + 1 to the prism below it, m.
     Eigen::Vector3d gap(const Motions& motions, std::size_t joint) const;
 
     /// A step of all prisms.
@@ -61,8 +61,8 @@ public:
         double slope = 0.0; ///< Derivative of the energy along the step, negative for a descent
     };
     /// Sets @p step to the Gauss-Newton step from @p motions to the minimum of the quadratic model of the
-    /// energy. The first prism stays; those of the indices @p held (from 1 on) turn and do not shift. @p
-    /// withCurvature adds the positive part of what the gaps of a taut chain contribute to the second
+    /// energy. The first prism stays; the prisms with the indices @p held (from 1 on) turn and do not shift.
+    /// @p withCurvature adds the positive part of what the gaps of a taut chain contribute to the second
     /// derivative.
     void findStep(const Motions& motions, std::span<const std::size_t> held, bool withCurvature, Step& step);
 

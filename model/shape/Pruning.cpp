@@ -27,7 +27,7 @@ std::vector<InternodeId> falling(const Tree& tree, const TreeIndex& index, std::
             fallen.push_back(cut);
     }
     std::ranges::sort(fallen);
-    // Cuts above other cuts come again as what those carry.
+    // The subtree of a cut already contains the cuts above it.
     std::vector<InternodeId> all;
     std::vector<InternodeId> branch;
     for (const InternodeId cut : fallen) {

@@ -8,13 +8,13 @@
 
 namespace espalier {
 
-/// Where the branch that @p id belongs to is cut (TreeSketch §3.3): the internode that begins at the
-/// branching point below it, or just above a width constraint below it, so that the stub stays. Everything
-/// from there on goes. 0, the seedling, if there is nothing to cut.
+/// Returns where the branch of @p id is cut (TreeSketch §3.3): the internode that begins at the branching
+/// point below it, or just above a width constraint below it, so that the stub stays. Everything from there
+/// on is removed. 0, the seedling, if there is nothing to cut.
 InternodeId cutBelow(const Tree& tree, const TreeIndex& index, InternodeId id);
 
-/// Takes the internodes @p cuts away with all that they carry; those that are dead, the seedling, and what
-/// lies above another cut count for nothing. The delta is empty if nothing falls.
+/// Removes the internodes @p cuts with all that they carry. Dead internodes, the seedling, and internodes
+/// above another cut are ignored. The delta is empty if nothing is removed.
 TreeDelta prune(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> cuts);
 
 /// The living internodes that prune() would take away, by ascending id.

@@ -14,7 +14,7 @@ constexpr double kLargestRegionExponent = 10.0;
 constexpr int kMostIterations = 60;
 constexpr double kSmallestTip = 1e-9; ///< m
 constexpr double kLargestDiameter = 1e6;
-/// A seedling that is to become a thick tree is no thicker than this share of its length.
+/// A seedling for a thick tree is at most as thick as this share of its length.
 constexpr double kThickestStem = 1.0 / 3.0;
 constexpr std::uint32_t kRegionTableSize = 1024;
 
@@ -39,7 +39,7 @@ LogSum logSum(double exponent, std::span<const WidthExtremities> extremities)
     return {largest + std::log(sum), weighted / sum};
 }
 
-/// The root of a base thicker than each of several extremities.
+/// The exponent for a base that is thicker than each of several extremities.
 double solveExponent(double logBase, std::span<const WidthExtremities> extremities)
 {
     double count = 0.0;
@@ -67,7 +67,7 @@ double solveExponent(double logBase, std::span<const WidthExtremities> extremiti
     return exponent;
 }
 
-/// Builds the radii; one for each call of constrainedRadii.
+/// Computes the radii; one object for each call of constrainedRadii.
 class Regions {
 public:
     Regions(const Tree& tree, const TreeIndex& index, std::span<const WidthConstraint> constraints)
@@ -98,13 +98,13 @@ public:
     }
 
 private:
-    /// What lies between a base and the extremities above it.
+    /// The part of the tree between a base and the extremities above it.
     struct Region {
         InternodeId base = 0;
         std::optional<double> logBase;
         std::vector<std::uint32_t> ends; ///< Constraints that are extremities
         WidthLaw law{1.0, 0.0};
-        /// Internodes that carry twigs only: ln d = ln d_e + power · ln tips
+        /// For internodes that carry twigs only: ln d = ln d_e + power · ln tips
         double power = 1.0;
         std::vector<float> table; ///< Radii of small tip counts
     };
@@ -112,8 +112,8 @@ private:
     struct Crossing {
         InternodeId id;
         std::uint32_t region;
-        std::uint32_t tips; ///< That the end carries
-        double logDiameter; ///< Of the end
+        std::uint32_t tips; ///< Number of tips that the end carries
+        double logDiameter; ///< Of the end's diameter
         double share;       ///< 1 at the base, 0 at the end, by the length between
     };
 
@@ -123,7 +123,7 @@ private:
         return diameter > 0.0 ? std::log(std::clamp(diameter, kSmallestTip, kLargestDiameter)) : m_logTip;
     }
 
-    /// The parameter, m; of a tree that is a single axis yet, no more than its length allows.
+    /// The base diameter parameter, m; for a tree that is still a single axis, limited by its length.
     double baseDiameter() const
     {
         if (m_index.tipCount(0) != 1)
@@ -135,7 +135,7 @@ private:
                         std::max(m_parameters.tipDiameter, kThickestStem * length));
     }
 
-    /// Region 0 is that of the tree's base, region i + 1 the one above constraint i.
+    /// Region 0 is the one at the tree's base, region i + 1 the one above constraint i.
     void findRegions()
     {
         m_regions.resize(m_constraints.size() + 1);
@@ -172,8 +172,8 @@ private:
             extremities.push_back({static_cast<double>(twigs), m_logTip});
         region.law = solveWidths(region.logBase, extremities, m_parameters.exponent);
         region.power = 1.0 / region.law.exponent;
-        // The factor's share in a twig-bearing internode is how far it is from a twig to the base, by the
-        // logarithm of the diameter: that leaves a power law.
+        // The factor's share in an internode that carries twigs is its distance from a twig to the base, by
+        // the logarithm of the diameter: so the diameters follow a power law.
         const double rise = logDiameter(region.law.exponent, extremities) - m_logTip;
         if (rise > 1e-9)
             region.power *= 1.0 + region.law.logFactor / rise;
@@ -185,7 +185,7 @@ private:
             cross(self, id, m_index.tipCount(id), logOf(m_constraints[end]));
         }
         if (region.ends.empty() && twigs == 1 && region.logBase) {
-            // A single twig: there is no exponent, and the width changes along its length.
+            // With a single twig there is no exponent, and the width changes along its length.
             InternodeId tip = region.base;
             while (m_index.firstChild(tip) != kNoInternode)
                 tip = m_index.firstChild(tip);
@@ -227,7 +227,7 @@ private:
         }
     }
 
-    /// @p ends are those above one internode.
+    /// Radius of an internode; @p ends are the extremities above it.
     float radiusOf(std::span<const Crossing> ends)
     {
         const Region& region = m_regions[ends.front().region];
@@ -235,7 +235,7 @@ private:
         double share = 0.0;
         m_extremities.clear();
         for (const Crossing& end : ends) {
-            // Two of one internode belong to regions that meet there: it is a constraint's own.
+            // If ends belong to two regions, the regions meet here: the internode has a constraint.
             if (end.region != ends.front().region)
                 return 0.0F;
             twigs -= end.tips;
@@ -254,7 +254,8 @@ private:
     std::span<const WidthConstraint> m_constraints;
     double m_logTip;
     std::vector<Region> m_regions;
-    std::vector<std::uint32_t> m_regionOf; ///< By internode; a constraint's own is the one above it
+    /// By internode; an internode with a constraint belongs to the region above it.
+    std::vector<std::uint32_t> m_regionOf;
     std::vector<Crossing> m_crossings;
     std::vector<float> m_radii;
     std::vector<WidthExtremities> m_extremities;

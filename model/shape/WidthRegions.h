@@ -16,26 +16,26 @@ struct WidthExtremities {
     double logDiameter = 0.0; ///< ln m
 };
 
-/// What makes the diameters in a region of a tree.
+/// The formula for the diameters in a region of a tree.
 struct WidthLaw {
     double exponent; ///< n of d^n = Σ d_i^n, 0.5...10
-    /// Where no such exponent leads to the base's diameter: ln of the factor that does, to be applied fully
-    /// at the base, not at all at the extremities, and in part between.
+    /// If no exponent in that range leads to the base's diameter: ln of a factor that does. It is applied
+    /// fully at the base, not at all at the extremities, and in part between.
     double logFactor;
 };
 
-/// Solves d^n = Σ d_i^n for n (TreeSketch §3.3, eq. 3), d being the base's diameter and d_i those of the
-/// extremities, by Newton's method on the logarithm of the sum, which is convex and falls: from the lower
-/// end of a bracket it cannot overshoot. A single extremity leaves @p fallback for n; so does a base without
-/// a diameter (no @p logBase), and then there is no factor.
+/// Solves d^n = Σ d_i^n for n (TreeSketch §3.3, eq. 3), with the base's diameter d and the extremities'
+/// diameters d_i, by Newton's method on the logarithm of the sum, which is convex and falls: from the lower
+/// end of a bracket the method cannot overshoot. With a single extremity, or a base without a diameter (no @p
+/// logBase), n is @p fallback; in the latter case there is no factor.
 WidthLaw solveWidths(std::optional<double> logBase, std::span<const WidthExtremities> extremities,
                      double fallback);
 
 /// ln d for d^n = Σ d_i^n.
 double logDiameter(double exponent, std::span<const WidthExtremities> extremities);
 
-/// Radii of all internodes, m, 0 for the dead, for @p constraints, which are of living internodes and
-/// ascending. The cost is a pass over the rows, and the paths that lead down from the constraints.
+/// Radii of all internodes, m, 0 for dead ones, for @p constraints of living internodes in ascending order.
+/// The cost is a pass over the rows, and the paths that lead down from the constraints.
 std::vector<float> constrainedRadii(const Tree& tree, const TreeIndex& index,
                                     std::span<const WidthConstraint> constraints);
 

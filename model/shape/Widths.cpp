@@ -14,8 +14,8 @@ constexpr double kSmallestExponent = 0.5;
 constexpr double kLargestExponent = 10.0;
 constexpr std::uint32_t kTableSize = 1024;
 
-/// p of d = d_e · tips^p: 1 / n, or where n is out of its limits, what leads to the base's diameter all the
-/// same.
+/// p of d = d_e · tips^p: 1 / n, or where n is beyond its limits, the power that still leads to the base's
+/// diameter.
 double widthPower(const WidthParameters& parameters, std::uint32_t tips, double exponent)
 {
     if (tips < 2 || parameters.baseDiameter <= 0.0 || parameters.tipDiameter <= 0.0)

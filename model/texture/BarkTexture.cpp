@@ -27,7 +27,7 @@ public:
         const float grain = m_noise(8.0F * u, 8.0F * v);
         const float x = u + 0.045F * bend + 0.012F * fray;
         const TileCells::Nearest ridge = m_ridges.nearest(x, v + 0.05F * sway + 0.006F * fray);
-        // Furrows run along the trunk: what lies across it is no more than a crack.
+        // Furrows run along the trunk: lines across it are only cracks.
         const float furrow = ridge.edge * (1.0F + 2.2F * ridge.levelness) + 0.05F * fray;
         const float side = std::abs(m_noise(3.0F * u + 0.2F * sway, v + 0.6F)) + 0.05F;
         const float crack = std::abs(m_noise(2.0F * u + 0.3F, 5.0F * v + 0.2F * bend));
@@ -129,8 +129,8 @@ private:
     TileCells m_plates{5, 3, 0.95F, 32};
 };
 
-/// A level lenticel, pointed at both ends, in those cells that the lot falls on: the rarer its value, the
-/// longer.
+/// A level lenticel, pointed at both ends, in cells whose random value is @p rarity or more; the higher the
+/// value, the longer the lenticel.
 float lenticelIn(const TileCells::Sample& cell, float rarity, float thickness, float grain)
 {
     if (cell.value < rarity)
@@ -227,7 +227,7 @@ public:
         const float sway = m_noise(v + 0.63F, u + 0.11F);
         const float fray = m_noise(5.0F * u + 0.1F, 4.0F * v);
         const float grain = m_noise(9.0F * u, 9.0F * v);
-        // Each layer that has fallen left its own patches; the oldest lies on top.
+        // Each fallen layer left its own patches; the oldest layer is drawn on top.
         const float x = u + 0.06F * bend;
         const float y = v + 0.06F * sway;
         const float middle = patch(m_noise(2.0F * x + 0.31F, 2.0F * y + 0.17F) + 0.12F * fray, -0.05F);
@@ -292,7 +292,7 @@ public:
         const float grain = m_noise(9.0F * u, 9.0F * v);
         const float ring = static_cast<float>(kRings) * (v + 0.012F * bend + 0.006F * fray) + 0.5F;
         const float within = ring - std::floor(ring);
-        // A scar's lip stands out and sheds the fibres below it.
+        // The lip of a scar stands out, and there are no fibres below it.
         const float lip = smoothStep(0.0F, 0.1F, within) * (1.0F - smoothStep(0.16F, 0.42F, within));
         const float groove = 1.0F - smoothStep(0.0F, 0.09F, std::min(within, 1.0F - within));
         const float height = 0.35F + 0.4F * lip - 0.3F * groove + 0.16F * fibre + 0.06F * grain;

@@ -16,8 +16,8 @@ struct BladeForm {
     float lobeDepth;  ///< Share of the width
     float veinStrength;
     int veins;          ///< On one side
-    float veinRise;     ///< How much higher a vein meets the margin than it leaves the midrib, in t
-    float sinus = 0.0F; ///< How far the blade reaches below its own base on either side, in t
+    float veinRise;     ///< Height of a vein at the margin above its height at the midrib, in t
+    float sinus = 0.0F; ///< How far the blade reaches below its base on either side, in t
 };
 
 /// A leaf of one blade, as a texture.
@@ -68,16 +68,16 @@ private:
     static constexpr float kEdgeBand = 0.15F;
     static constexpr float kBladeEnd = 0.98F;
 
-    /// Of the blade; it ends just below the image's edge.
+    /// Height t of the row @p v in the blade; the blade ends just below the image's edge.
     float bladeHeight(float v) const { return (v - m_form.petiole) / (kBladeEnd - m_form.petiole); }
 
-    /// The height at which the vein through a place left the midrib.
+    /// The height at which the vein through a place leaves the midrib.
     float veinHeight(float x, float t) const { return t - m_form.veinRise * x * (1.0F + 0.35F * x); }
 
-    /// How far inside of the margin, in half widths; negative outside.
+    /// Distance from the margin inward, in half widths; negative outside.
     float blade(float x, float t) const
     {
-        // The lobes at a heart's base hang below it.
+        // The lobes at the base of a heart-shaped leaf hang below it.
         t += m_form.sinus * std::sin(std::numbers::pi_v<float> * std::min(1.25F * x, 1.0F)) *
              (1.0F - smoothStep(0.0F, 0.5F, t));
         if (t <= 0.0F || t >= 1.0F)
@@ -92,14 +92,14 @@ private:
             const float turn =
                 2.0F * std::numbers::pi_v<float> * static_cast<float>(m_form.lobes) * veinHeight(x, t);
             const float round = std::sqrt(0.5F + 0.5F * std::cos(turn));
-            // The last sinus stays shallow, or the tip would come off.
+            // The last sinus stays shallow, otherwise it would cut the tip off.
             const float depth = m_form.lobeDepth * (1.0F - smoothStep(0.75F, 1.0F, t));
             width *= 1.0F - depth * (1.0F - round);
         }
         return width - x;
     }
 
-    /// Coverage of a pixel by what is where @p inside > 0, by the slope of @p inside.
+    /// Coverage of a pixel by the region where @p inside > 0, from the slope of @p inside.
     float coverage(float u, float v, float inside) const
     {
         if (std::abs(inside) > kEdgeBand)

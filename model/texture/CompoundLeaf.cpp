@@ -100,7 +100,7 @@ CompoundForm frondForm()
     for (int i = 0; i < pairs; ++i) {
         const float share = static_cast<float>(i) / (pairs - 1);
         const Vec2 node(0.0F, 0.1F + 0.8F * share);
-        // Longest a third of the way up.
+        // The longest leaflets are a third of the way up.
         const float length = 0.1F + 0.12F * std::sin(std::numbers::pi_v<float> * std::pow(share, 0.7F));
         for (const float side : {-1.0F, 1.0F}) {
             const float angle = side * (1.05F - 0.65F * share);
@@ -154,7 +154,8 @@ LeafPoint CompoundLeaf::operator()(float u, float v) const
     InLeaflet best{.inside = -2.0F};
     for (std::size_t i = 0; i < m_form.leaflets.size(); ++i) {
         const InLeaflet own = placeIn(i, place);
-        // Deepest inside; where blades have grown together, the nearest midrib decides whose veins there are.
+        // The blade in which the place lies deepest decides; where blades have grown together, the nearest
+        // midrib decides whose veins are drawn.
         if (own.inside > best.inside)
             best = own;
     }

@@ -8,8 +8,8 @@
 
 namespace espalier {
 
-/// One blade of a leaf of several. Lengths are shares of the leaf's; the petiole stands at the origin, y runs
-/// to the tip.
+/// One blade of a compound leaf. Lengths are shares of the leaf's length; the petiole is at the origin, y
+/// points to the tip.
 struct Leaflet {
     Vec2 base;
     Vec2 tip;
@@ -27,24 +27,24 @@ struct LeafStalk {
     float halfWidth;
 };
 
-/// The drawing of a leaf of several blades, whether they have grown together (palmate) or not (pinnate).
+/// The drawing of a leaf with several blades, grown together (palmate) or separate (pinnate).
 struct CompoundForm {
     float aspect; ///< Width / length that the drawing is made for
     std::vector<Leaflet> leaflets;
     std::vector<LeafStalk> stalks;
     int veins;      ///< On one side of a leaflet
-    float veinRise; ///< How much higher a vein meets the margin than it leaves the midrib
+    float veinRise; ///< Height of a vein at the margin above its height at the midrib
     float veinStrength;
 };
 
-/// Five or seven blades that spread from the petiole and have grown together, as a maple's.
+/// Five or seven blades that spread from the petiole and have grown together, as on a maple.
 CompoundForm palmateForm();
-/// Leaflets in pairs along a stalk, and one at its end, as an ash's.
+/// Leaflets in pairs along a stalk, and one at its end, as on an ash.
 CompoundForm pinnateForm();
-/// Many narrow leaflets along a stalk, as a palm's.
+/// Many narrow leaflets along a stalk, as on a palm.
 CompoundForm frondForm();
 
-/// Such a leaf as a texture.
+/// A compound leaf as a texture.
 class CompoundLeaf {
 public:
     CompoundLeaf(CompoundForm form, int size, double hue);
@@ -52,12 +52,12 @@ public:
     LeafPoint operator()(float u, float v) const;
 
 private:
-    /// Where in a leaflet a place is.
+    /// A place in a leaflet.
     struct InLeaflet {
         float along = 0.0F;  ///< 0...1, base to tip
         float across = 0.0F; ///< From the midrib, in half widths
-        float inside = 0.0F; ///< How far inside of the margin, in lengths of the leaf; negative outside
-        float length = 1.0F; ///< Of the leaflet
+        float inside = 0.0F; ///< Distance from the margin inward, in lengths of the leaf; negative outside
+        float length = 1.0F; ///< Length of the leaflet
     };
     InLeaflet placeIn(std::size_t leaflet, const Vec2& place) const;
 

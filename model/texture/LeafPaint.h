@@ -10,7 +10,7 @@ namespace espalier {
 
 /// One place of a leaf's texture.
 struct LeafPoint : TexturePoint {
-    LeafPoint() { roughness = 0.0F; } // what it is rougher than the rest of the leaf
+    LeafPoint() { roughness = 0.0F; } // what is added to the leaf's roughness here
 
     float alpha = 0.0F;
 };
@@ -25,12 +25,12 @@ inline Colour fromHsv(float hue, float saturation, float value)
     return {channel(5.0F), channel(3.0F), channel(1.0F)};
 }
 
-/// What there is at one place of a blade.
+/// The position of a pixel in a blade.
 struct BladePlace {
-    float u = 0.0F; ///< In the image
+    float u = 0.0F; ///< Position in the image
     float v = 0.0F;
     float along = 0.0F;  ///< 0 at the blade's base, 1 at its tip
-    float inside = 0.0F; ///< How far inside of the margin, in half widths
+    float inside = 0.0F; ///< Distance from the margin inward, in half widths
     float rib = 0.0F;    ///< 0...1, midrib
     float vein = 0.0F;   ///< 0...1, lateral vein
     float bulge = 0.0F;  ///< 0...1, between the veins
@@ -54,7 +54,7 @@ inline LeafPoint paintedBlade(const BladePlace& place, float leafHue, float vein
     point.colour = fromHsv(hue, saturation, value);
     point.height = 0.6F * veinStrength * place.bulge + 0.08F * fine - 0.12F * net - 0.5F * place.rib -
                    0.25F * place.vein;
-    // Added to the shape's own: the wax is thinnest on ribs and at the margin.
+    // Added to the roughness of the shape: the wax is thinnest on ribs and at the margin.
     point.roughness = 0.12F * pale + 0.05F * net + 0.06F * fine + 0.08F * margin;
     return point;
 }

@@ -76,7 +76,8 @@ QImage paintLeaf(int size, const Leaf& leaf)
     });
 }
 
-/// Of the upper face between the veins: leather and needles are waxy, thin leaves are dull.
+/// Roughness of the upper face between the veins: leathery leaves and needles are waxy, thin leaves are
+/// rough.
 float roughnessOf(LeafShape shape)
 {
     switch (shape) {

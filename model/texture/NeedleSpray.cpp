@@ -42,14 +42,14 @@ NeedleSpray::NeedleSpray(Kind kind, int size, double hue)
 void NeedleSpray::drawTwig()
 {
     Chance between(0);
-    // From below to above, so that the younger needles lie on the older ones.
+    // Drawn from the bottom up, so that younger needles lie on older ones.
     draw({0.5F, 0.0F}, {0.5F, 0.45F}, {0.505F, 0.8F}, 0.011F, 0.006F, {0.35F, 0.27F, 0.19F}, 0.2F);
     for (int i = 0; i < kNeedles; ++i) {
         const float share = static_cast<float>(i) / static_cast<float>(kNeedles - 1);
         const float side = i % 2 == 0 ? 1.0F : -1.0F;
         const Vec2 root(0.5F + 0.005F * side, 0.02F + 0.78F * share + between(-0.012, 0.012));
         const bool front = between(0.0, 1.0) < 0.3F;
-        // Needles in front look at the viewer and seem shorter; those at the tip stand together like a
+        // Needles in front point to the viewer and seem shorter; needles at the tip stand together like a
         // brush.
         const float angle =
             side * (front ? between(0.05, 0.7) : between(0.65, 1.05)) * (1.0F - 0.55F * share * share);
@@ -70,7 +70,7 @@ void NeedleSpray::drawFascicle()
 {
     Chance between(1);
     for (int i = 0; i < kFascicleNeedles; ++i) {
-        // Outer needles first, so that the inner ones, which look at the viewer, lie on them.
+        // Outer needles are drawn first, so that the inner ones, which point to the viewer, lie on them.
         const float share = static_cast<float>(i) / static_cast<float>(kFascicleNeedles - 1);
         const float side = i % 2 == 0 ? 1.0F : -1.0F;
         const float angle = side * (1.0F - share) * 0.62F + between(-0.12, 0.12);
@@ -108,7 +108,7 @@ void NeedleSpray::draw(const Vec2& a, const Vec2& b, const Vec2& c, float from, 
                                  (static_cast<float>(row) + 0.5F) / size);
                 const float projection = (place - lower).dot(span) / span.squaredNorm();
                 if ((projection < 0.0F && piece > 1) || (projection > 1.0F && piece < kPieces))
-                    continue; // the next piece's
+                    continue; // belongs to the next piece
                 const float share = clamped(projection);
                 const float along = first + share / kPieces;
                 const float half = from + (to - from) * along * along;

@@ -12,8 +12,8 @@ namespace espalier {
 class NeedleSpray {
 public:
     enum class Kind {
-        Twig,     ///< A twig with needles all around, as a spruce's
-        Fascicle, ///< A tuft of long needles from one place, as a pine's
+        Twig,     ///< A twig with needles all around, as on a spruce
+        Fascicle, ///< A tuft of long needles from one place, as on a pine
     };
     NeedleSpray(Kind kind, int size, double hue);
 
@@ -27,7 +27,8 @@ public:
 private:
     void drawTwig();
     void drawFascicle();
-    /// A bent needle from @p a by @p b to @p c, of half-widths @p from and @p to; round, and @p level high.
+    /// Draws a round, bent needle from @p a by @p b to @p c, with half-widths @p from and @p to, at the
+    /// height @p level.
     void draw(const Vec2& a, const Vec2& b, const Vec2& c, float from, float to, const Colour& colour,
               float level);
 

@@ -21,18 +21,19 @@ namespace {
 constexpr int kAspectEdge = 512; ///< px, at which a leaf's aspect is measured
 constexpr double kLeastAspect = 0.02;
 constexpr double kGreatestAspect = 3.0;
-// A background: how much its colours may differ, and from where on a colour is wholly leaf; of 255.
+// The largest difference of a background's colours, and the difference from which on a colour is wholly leaf;
+// of 255.
 constexpr int kPlainSpread = 24;
 constexpr float kBackgroundEnd = 14.0F;
 constexpr float kLeafBegin = 44.0F;
-/// Less alpha than this is no leaf.
+/// A pixel with less alpha is not leaf.
 constexpr int kCovered = 128;
-/// More alpha than this has nothing of the background in its colour.
+/// The colour of a pixel with more alpha contains nothing of the background.
 constexpr int kSolid = 240;
 constexpr double kLeastLeaf = 0.002; ///< Share of the image
 constexpr double kLeastRim = 0.6;    ///< Share of its rim that is background
 
-/// Relief of an image's light and dark, as a share of its edge.
+/// Relief from an image's brightness, as a share of its edge.
 constexpr float kBarkRelief = 0.014F;
 constexpr float kLeafRelief = 0.008F;
 
@@ -56,7 +57,7 @@ int distance(const uchar* a, const std::array<int, 3>& b)
     return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
-/// The colour that all four corners have, if it is one.
+/// The common colour of all four corners, if they have one.
 std::optional<std::array<int, 3>> backgroundOf(const QImage& image)
 {
     const int patch = std::max(2, std::min(image.width(), image.height()) / 50);
@@ -78,12 +79,12 @@ std::optional<std::array<int, 3>> backgroundOf(const QImage& image)
         channel /= count;
     const auto off = std::ranges::count_if(
         pixels, [&](const uchar* pixel) { return distance(pixel, sum) > kPlainSpread; });
-    // Dust and noise are forgiven.
+    // Dust and noise are tolerated.
     return off > count / 50 ? std::nullopt : std::optional(sum);
 }
 
-/// Takes what is like the background and reaches the image's edge out of it; false if there is no such
-/// background all around.
+/// Removes the pixels that are like the background and connected with the image's edge; false if there is no
+/// such background all around.
 bool takeBackgroundOut(QImage& image)
 {
     const auto background = backgroundOf(image);
@@ -144,7 +145,8 @@ bool isTransparentAnywhere(const QImage& image)
     return false;
 }
 
-/// Where the leaf is, with its petiole in the middle as far as that costs little room; null if it is nowhere.
+/// The rectangle of the leaf, with its petiole in the middle if that needs little more room; null if there is
+/// no leaf.
 QRect leafIn(const QImage& image)
 {
     int left = image.width();
@@ -178,7 +180,7 @@ QRect leafIn(const QImage& image)
     }
     const int petiole = static_cast<int>(sum / std::max<std::int64_t>(1, count));
     const int half = std::max(petiole - left, right - petiole);
-    // A leaf that lies aslant, or has lobes beside its petiole, would be left with an empty half.
+    // A leaf that lies aslant, or has lobes beside its petiole, would leave half of the image empty.
     const bool isNearMiddle = 2 * half < (right - left) * 3 / 2;
     if (isNearMiddle) {
         left = petiole - half;
@@ -187,7 +189,7 @@ QRect leafIn(const QImage& image)
     return {left, top, right - left + 1, bottom - top + 1};
 }
 
-/// Whether a place and all that is within @p margin pixels of it are covered.
+/// Whether a place and all places within @p margin pixels of it are covered.
 bool isSolid(const QImage& image, int x, int y, int margin)
 {
     for (int row = std::max(0, y - margin); row <= std::min(image.height() - 1, y + margin); ++row) {
@@ -201,14 +203,14 @@ bool isSolid(const QImage& image, int x, int y, int margin)
     return true;
 }
 
-/// Lets colours go on where there is no leaf, and over @p margin pixels within its edge, which have the
-/// background's colour in them: each place takes the mean of what is around it, of a size that has some.
+/// Extends the leaf's colours beyond its edge and over @p margin pixels within it, whose colours contain the
+/// background's: each place gets the mean colour of the smallest neighbourhood that has colours.
 void spreadColours(QImage& image, int margin)
 {
     struct Level {
         int width;
         int height;
-        std::vector<std::array<float, 4>> pixels; ///< Colours times their weight, and that
+        std::vector<std::array<float, 4>> pixels; ///< Colours times their weight, and the weight
     };
     std::deque<Level> levels;
     Level& first = levels.emplace_back(Level{image.width(), image.height(), {}});
@@ -256,7 +258,7 @@ void spreadColours(QImage& image, int margin)
     }
 }
 
-/// 0...1, as bright as a person sees it.
+/// Perceived brightness, 0...1.
 HeightMap lightness(const QImage& image)
 {
     const QImage grey = image.convertToFormat(QImage::Format_Grayscale8);
@@ -315,7 +317,7 @@ QImage roughnessMap(const HeightMap& lightness, float middle)
     return image;
 }
 
-/// How often an image is to be repeated across and along so that it becomes about square.
+/// How often an image must be repeated across and along to become about square.
 QSize repeats(const QSize& size)
 {
     QSize best(1, 1);
@@ -324,7 +326,7 @@ QSize repeats(const QSize& size)
         for (int along = 1; along <= 4; ++along) {
             const double off =
                 std::abs(std::log(static_cast<double>(across * size.width()) / (along * size.height())));
-            // Of two that fit, the one with fewer.
+            // Of two equally good numbers, the smaller one.
             if (off + 0.05 * (across * along) < least) {
                 least = off + 0.05 * (across * along);
                 best = {across, along};
@@ -348,7 +350,7 @@ double difference(const QImage& image, int a, int b, bool rows)
     return static_cast<double>(sum) / length;
 }
 
-/// Whether an image (Format_RGB888) shows a seam where it meets itself.
+/// Whether an image (Format_RGB888) shows a seam when it is repeated.
 bool hasSeam(const QImage& image, bool rows)
 {
     const int count = rows ? image.height() : image.width();
@@ -358,8 +360,8 @@ bool hasSeam(const QImage& image, bool rows)
     return difference(image, count - 1, 0, rows) > 2.0 * inside + 3.0;
 }
 
-/// Fades the last eighth of an image (Format_RGB888) into what lies before its first row or column, so that
-/// it repeats; that eighth is lost.
+/// Fades the last eighth of an image (Format_RGB888) into the pixels before its first row or column, so that
+/// it repeats; the original content of that eighth is lost.
 QImage withoutSeam(const QImage& image, bool rows)
 {
     const int whole = rows ? image.height() : image.width();
@@ -367,7 +369,7 @@ QImage withoutSeam(const QImage& image, bool rows)
     const int kept = whole - band;
     QImage result = rows ? image.copy(0, 0, image.width(), kept) : image.copy(0, 0, kept, image.height());
     for (int i = 0; i < band; ++i) {
-        // Ahead of the first row lies what follows the last one that is kept.
+        // The pixels before the first row are those that follow the last kept one.
         const int share = 255 * (2 * i + 1) / (2 * band);
         const int length = rows ? image.width() : image.height();
         for (int j = 0; j < length; ++j) {
@@ -382,7 +384,7 @@ QImage withoutSeam(const QImage& image, bool rows)
     return result;
 }
 
-/// How an image becomes a tile that repeats: the same for each of the images of a bark.
+/// How an image becomes a repeating tile; the same for all images of a bark.
 struct Tiling {
     bool fadesRows = false;
     bool fadesColumns = false;
@@ -426,7 +428,7 @@ struct Tiling {
     }
 };
 
-/// Several repeats of a tile come out a pixel or two short; images of one material are of one size.
+/// Several repeats of a tile can be a pixel or two short; this scales all images of one material to one size.
 QImage sized(const QImage& image, const QSize& size)
 {
     return image.size() == size ? image : image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
@@ -446,7 +448,7 @@ std::optional<QImage> cutLeaf(const ImageAsset& asset, int size)
     const QRect leaf = leafIn(image);
     if (leaf.isNull() || (!hasAlpha && !isTransparentAnywhere(image)))
         return {};
-    // A photograph smears an edge over a few pixels.
+    // In a photograph an edge is blurred over a few pixels.
     const int margin = hasAlpha ? 0 : 2;
     image = image.copy(leaf.adjusted(-margin, -margin, margin, margin));
     spreadColours(image, margin);
@@ -518,7 +520,7 @@ SurfaceTextures leafTextures(const LeafParameters& leaves, int size)
 
 std::array<double, 3> hueFactors(double angle)
 {
-    // A green of value 0.5 and saturation 0.62, and what it turns into; see leaf.vert.
+    // A green of value 0.5 and saturation 0.62, and the green that it becomes; see leaf.vert.
     constexpr std::array kShown{0.305, 0.5, 0.19};
     constexpr std::array kOffsets{5.0, 3.0, 1.0};
     std::array<double, 3> factors;

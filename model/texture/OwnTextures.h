@@ -7,29 +7,30 @@
 
 namespace espalier {
 
-/// What of an image is a leaf, as it fills its card: petiole at the middle of the lower edge, no empty
-/// margin; at most @p size pixels along an edge, Format_RGBA8888. Alpha is coverage; where the image has
-/// none, its plain background is taken out, from the edges inward. The colour goes on beyond the leaf's edge.
-/// Nothing if there is neither alpha nor a plain background, or nothing would be left.
+/// Cuts the leaf out of an image so that it fills its card: petiole at the middle of the lower edge, no empty
+/// margin; at most @p size pixels along an edge, Format_RGBA8888. Alpha is coverage; in an image without
+/// alpha, the plain background is removed from the edges inward. The colour continues beyond the leaf's edge.
+/// Returns nothing if the image has neither alpha nor a plain background, or if no leaf is left.
 std::optional<QImage> cutLeaf(const ImageAsset& image, int size);
-/// Width / length of that leaf, within the limits of LeafParameters::aspect.
+/// Width / length of the leaf that cutLeaf() finds, within the limits of LeafParameters::aspect.
 std::optional<double> ownLeafAspect(const ImageAsset& image);
-/// A sentence for a person about an image that cutLeaf() finds no leaf in.
+/// A sentence for the user about an image in which cutLeaf() finds no leaf.
 QString noLeafIn(const ImageAsset& image);
 
-/// Leaves that look as the image does: with its aspect and its own colours.
+/// Sets the parameters so that leaves look like the image: with its aspect and its own colours.
 void adoptImage(LeafParameters& leaves, const ImageAsset& image, double aspect);
 
-/// The textures that the parameters name, drawn (see Textures.h) or of the person's own images, of @p size
-/// pixels or fewer. Of an image of one's own, what it does not say follows from its light and dark: what is
-/// dark lies deep, and is duller. Where an image is broken, the drawn one takes its place. Bark is square and
-/// repeats; an image that does not fit its own opposite edge is faded into it.
+/// The textures for the bark parameters, drawn (see Textures.h) or made from the user's images, of @p size
+/// pixels or fewer. If there is only a colour image, normals and roughness follow from its brightness: dark
+/// pixels lie deep and are rougher. The drawn texture replaces a broken image. Bark is square and repeats; if
+/// opposite edges of an image do not match, one is faded into the other.
 SurfaceTextures barkTextures(const BarkParameters& bark, int size);
-/// In the colours of the texture, whatever the parameters say of hue, saturation and brightness.
+/// The textures for the leaf parameters, in the texture's own colours: hue, saturation and brightness of the
+/// parameters are not applied.
 SurfaceTextures leafTextures(const LeafParameters& leaves, int size);
 
-/// What the linear colour of a texture is to be multiplied by so that its hue turns by @p angle (rad), as the
-/// viewport does: exact for kLeafTextureHue, and for other colours of that kind.
+/// The factors for the linear colour of a texture that turn its hue by @p angle (rad), as the viewport does:
+/// exact for kLeafTextureHue, approximate for similar colours.
 std::array<double, 3> hueFactors(double angle);
 
 } // namespace espalier

@@ -55,15 +55,15 @@ struct HeightMap {
     int height = 0;
 };
 
-/// The normal map of a relief in which a height of 1 stands @p relief pixels above 0 (Format_RGB888).
-/// @p repeats: the image continues at its opposite edge, else the edge's own height goes on.
+/// The normal map of a relief in which a height of 1 stands @p relief pixels above 0 (Format_RGB888). @p
+/// repeats: the image continues at its opposite edge, otherwise the edge's own height continues.
 QImage normalMap(const HeightMap& heights, float relief, bool repeats);
 
 /// Rows that one task paints.
 inline constexpr std::size_t kRowsPerTask = 32;
 
-/// An image whose pixels @p paint(u, v, out) writes, each by advancing out by its bytes; u and v are those of
-/// its middle, v rises from the bottom row.
+/// An image whose pixels @p paint(u, v, out) writes, each by advancing out by its bytes; u and v are the
+/// coordinates of the pixel's middle, v rises from the bottom row.
 template <class Paint>
 QImage paintPixels(int size, QImage::Format format, const Paint& paint)
 {
@@ -97,9 +97,9 @@ QImage paintAlbedo(int size, const Texture& texture)
                        [&](float u, float v, uchar*& out) { writeColour(texture(u, v).colour, out); });
 }
 
-/// All that there is to @p texture(u, v), which is asked once for each pixel: colours, with alpha if its
-/// points have one, normals where a height of 1 stands @p relief of the image's edge above 0, and roughness.
-/// @p repeats: the image continues at its opposite edge, else the edge's own height goes on.
+/// All textures of @p texture(u, v), which is called once for each pixel: colours, with alpha if its points
+/// have one, normals where a height of 1 stands @p relief of the image's edge above 0, and roughness. @p
+/// repeats: the image continues at its opposite edge, otherwise the edge's own height continues.
 template <class Texture>
 SurfaceTextures paintSurface(int size, const Texture& texture, float relief, bool repeats)
 {

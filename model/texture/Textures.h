@@ -7,11 +7,11 @@
 
 namespace espalier {
 
-/// Hue of the leaf textures, rad on the colour wheel: a green from which LeafInstance::hueShift leads to a
-/// leaf's own.
+/// Hue of the leaf textures, rad on the colour wheel: a green. LeafInstance::hueShift is the difference
+/// between a leaf's own hue and this one.
 inline constexpr double kLeafTextureHue = radians(98);
 
-/// How a material looks: images of one size.
+/// The images of a material, all of one size.
 struct SurfaceTextures {
     QImage colour; ///< sRGB; Format_RGB888, or Format_RGBA8888 (not premultiplied) where alpha is coverage
     /// Tangent space: red along u, green up in the image, blue out of the surface (OpenGL's convention);
@@ -20,21 +20,21 @@ struct SurfaceTextures {
     QImage roughness; ///< 0 a mirror, 255 chalk (as in glTF); Format_Grayscale8
 };
 
-/// Bark, made by noise: square, of @p size pixels (a power of two, 16...8192), repeating in both directions
-/// without a seam. The tree stands upright in the image. Without alpha. The same bytes each time; made anew
-/// on each call, so keep what you get.
+/// Bark, made from noise: square, of @p size pixels (a power of two, 16...8192), repeating in both directions
+/// without a seam. The tree stands upright in the image. Without alpha. The same arguments give the same
+/// bytes; each call makes the images again, so keep the result.
 SurfaceTextures barkTextures(BarkKind kind, int size);
-/// Its colour alone, in about half the time.
+/// The colour image of that bark, in about half the time.
 QImage barkAlbedo(BarkKind kind, int size);
 
 /// A leaf that fills the card of its shape (see LeafCard.h): petiole at the middle of the lower edge, tip at
-/// the upper one; for needles a twig full of them. Alpha is coverage; the colour goes on beyond the edge, so
-/// that scaling it down draws no dark seam. Normal and roughness are those of the upper face. @p hue, rad, is
-/// that of the green.
+/// the upper one; for needles a twig full of them. Alpha is coverage; the colour continues beyond the edge,
+/// so that scaling the image down gives no dark seam. Normal and roughness are those of the upper face. @p
+/// hue, rad, is the hue of the green.
 SurfaceTextures leafTextures(LeafShape shape, int size, double hue = kLeafTextureHue);
-/// Its colour alone.
+/// The colour image of that leaf.
 QImage leafAlbedo(LeafShape shape, int size, double hue = kLeafTextureHue);
-/// Multiplies the saturation (as in HSV) of such a leaf's colours, a @p factor of 0 or more; alpha stays.
+/// Multiplies the saturation (as in HSV) of a leaf's colours by @p factor, 0 or more; alpha stays.
 void saturateLeaf(QImage& albedo, double factor);
 
 } // namespace espalier

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kOctaves = 5;
 constexpr int kCoarsest = 4;
-/// Makes the sum fill about −1...1.
+/// Scales the sum to about −1...1.
 constexpr double kStrength = 1.1;
 
 float fade(float t)
@@ -20,8 +20,8 @@ float fade(float t)
     return t * t * t * (t * (t * 6.0F - 15.0F) + 10.0F);
 }
 
-/// Adds gradient noise of @p waves × @p waves lattice cells to @p values, rows of @p stride of which @p size
-/// count.
+/// Adds gradient noise of @p waves × @p waves lattice cells to @p values, whose rows have @p stride elements,
+/// of which @p size are used.
 void addOctave(std::vector<float>& values, std::uint32_t size, std::uint32_t stride, std::uint32_t waves,
                float strength)
 {

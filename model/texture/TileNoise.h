@@ -6,14 +6,14 @@
 
 namespace espalier {
 
-/// Gradient noise in five octaves (Perlin 2002) on the unit square, repeating without a seam; baked once into
-/// a table, from which textures take all their noises at different scales and places.
+/// Gradient noise in five octaves (Perlin 2002) on the unit square, repeating without a seam. It is computed
+/// once into a table; textures read it at different scales and places.
 class TileNoise {
 public:
     static const TileNoise& shared();
 
     /// About −1...1, mean 0; the coarsest octave has four waves in the unit square. Any u, v ≥ −8; period 1
-    /// in both: multiplied by whole numbers, finer noise that still repeats.
+    /// in both: u and v multiplied by whole numbers give finer noise that still repeats.
     float operator()(float u, float v) const
     {
         const float x = (u + kShift) * kSize;
@@ -31,7 +31,7 @@ public:
 
 private:
     static constexpr std::uint32_t kSize = 512;
-    /// A row and a column more, so that the neighbours of the last are there.
+    /// One row and one column more, so that the last cells have neighbours.
     static constexpr std::uint32_t kStride = kSize + 1;
     static constexpr float kShift = 8.0F;
 
@@ -44,7 +44,7 @@ private:
 /// seam.
 class TileCells {
 public:
-    /// @p jitter 0...1: how far points stray from the cells' middles.
+    /// @p jitter 0...1: how far points lie from the cells' middles.
     TileCells(int columns, int rows, float jitter, std::uint32_t seed);
 
     /// The point of the cell that a place is in, and the place relative to it in units of a cell.

@@ -33,7 +33,7 @@ constexpr int kDiagramSpacing = 10;
 constexpr int kPanelMargin = 14;
 constexpr int kLeastDiagram = 150;
 constexpr int kMostDiagram = 290;
-/// The tree keeps at least the other part of the window's height.
+/// The largest share of the window's height for the panel; the tree keeps the rest.
 constexpr double kMostHeight = 0.2;
 
 QLabel* captionLabel(const QString& text, QWidget* parent)
@@ -198,7 +198,7 @@ void ArchitecturePanel::showMore(bool shown)
     m_moreButton->setText(shown ? tr("‹ Less") : tr("More ›"));
     m_more->setVisible(shown);
     Q_EMIT sizeWanted();
-    // Once everything has its place.
+    // After all widgets have their places.
     if (shown)
         QTimer::singleShot(0, this, [this] { m_sideways->ensureWidgetVisible(m_more, kPanelMargin); });
 }

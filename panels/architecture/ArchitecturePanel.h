@@ -17,21 +17,21 @@ class Sideways;
 class TropismDiagram;
 class ValueField;
 
-/// How trees grow, as drawings whose handles a person drags (TreeSketch §3.4, figure 16): cards side by side,
-/// one with the schematic tree; sliders and switches; and on demand the rest of growth's parameters. What is
-/// too wide for the window scrolls sideways.
+/// The parameters of growth as drawings with handles to drag (TreeSketch §3.4, figure 16): cards side by
+/// side, one with the schematic tree; sliders and switches; and on demand the other parameters of growth.
+/// Contents that are too wide for the window scroll sideways.
 class ArchitecturePanel : public Bar {
     Q_OBJECT
 
 public:
     explicit ArchitecturePanel(TreeDocument& document, QWidget* parent = nullptr);
 
-    /// Takes the size that suits a workspace of @p room px: larger cards where there is more.
+    /// Sets the size for a workspace of @p room px: the cards are larger where there is more room.
     void fit(const QSize& room);
 
     TropismDiagram& schematic() const { return *m_schematic; }
     const std::vector<Diagram*>& diagrams() const { return m_diagrams; }
-    /// The controls of a parameter, or null if it has none of the kind.
+    /// The controls of a parameter, or null if it has none of that kind.
     ParameterRow* row(std::string_view key) const;
     ValueField* field(std::string_view key) const;
 
@@ -39,7 +39,7 @@ public:
     void showMore(bool shown);
 
 Q_SIGNALS:
-    /// It would be wider or narrower now: time to fit() it again.
+    /// The panel's best width has changed: call fit() again.
     void sizeWanted();
 
 private:

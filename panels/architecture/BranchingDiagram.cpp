@@ -62,7 +62,7 @@ void BranchingDiagram::pull(int number, const QPointF& to, TreeParameters& param
     const char* key = number == Lateral ? "growth.branchingAngle" : "growth.deflectionAngle";
     const ParameterScale scale = ParameterScale::of(key);
     double angle = degrees(diagram::angleOf(node(), to)) * (number == Lateral ? 1.0 : -1.0);
-    // Beyond straight down it has gone around.
+    // Beyond straight down the angle continues on the other side.
     if (angle < -90.0)
         angle += 360.0;
     setParameter(parameters, key, scale.rounded(angle));

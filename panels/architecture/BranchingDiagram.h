@@ -5,8 +5,8 @@
 
 namespace espalier {
 
-/// An axis that bears a lateral: the branching angle ψ between the two, and the deflection δ by which the
-/// axis gives way (TreeSketch figure 8A).
+/// An axis with a lateral: the branching angle ψ between the two, and the deflection δ of the axis away from
+/// the lateral (TreeSketch figure 8A).
 class BranchingDiagram : public Diagram {
     Q_OBJECT
 

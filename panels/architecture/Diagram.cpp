@@ -17,7 +17,7 @@ namespace espalier {
 namespace {
 
 constexpr double kHandleRadius = 8.0;
-/// Pixels that a press may tremble before it is a drag.
+/// Movement below which a press is not a drag, px.
 constexpr double kTremble = 3.0;
 
 double length(const QPointF& vector)
@@ -53,7 +53,7 @@ int Diagram::handleAt(const QPointF& point) const
     double least = kReach;
     for (int i = 0; i < handleCount(); ++i) {
         const double distance = length(point - handlePlace(i));
-        // Of those at the same place the one drawn last, on top.
+        // Of handles at the same place, the one drawn last is on top.
         if (distance <= least) {
             least = distance;
             nearest = i;
@@ -76,7 +76,7 @@ void Diagram::follow()
 void Diagram::stride(int number, const QPointF& direction, ParameterScale::Stride stride,
                      TreeParameters& parameters) const
 {
-    // The way that the handle goes when its value grows says which arrows raise it.
+    // The direction in which the handle moves when its value grows decides which arrow keys raise it.
     const ParameterScale& scale = handle(number).scale();
     const char* key = scale.info().key;
     const double value = handle(number).value();
@@ -147,7 +147,7 @@ bool Diagram::event(QEvent* event)
 
 void Diagram::changeEvent(QEvent* event)
 {
-    // Something else begins to change the document.
+    // Another edit of the document begins.
     if (event->type() == QEvent::EnabledChange && !isEnabled() && isDragging())
         drop();
     QWidget::changeEvent(event);
@@ -250,7 +250,7 @@ void Diagram::drawHandle(QPainter& painter, int number) const
     const bool isGrasped = number == m_dragged;
     const bool isHovered = number == m_hovered && !isDragging();
     const bool isFocused = handle(number).hasFocus();
-    // The same while the panel rests during a stroke: it shall not flicker.
+    // The colour does not change while the panel is disabled during a stroke, so that it does not flicker.
     QColor colour = theme::kHandle;
     if (isGrasped || isHovered) {
         QColor halo = colour;
@@ -260,7 +260,7 @@ void Diagram::drawHandle(QPainter& painter, int number) const
         painter.drawEllipse(centre, kHandleRadius + 8.0, kHandleRadius + 8.0);
         colour = colour.lighter(112);
     }
-    // A dark rim keeps it apart from whatever lies below.
+    // A dark rim separates the handle from the drawing.
     const QColor rim(0x1d, 0x20, 0x26, 200);
     painter.setBrush(Qt::NoBrush);
     if (isRing(number)) {
@@ -288,7 +288,7 @@ void Diagram::drawBubble(QPainter& painter, int number) const
     const QSizeF size(painter.fontMetrics().horizontalAdvance(text) + 14.0,
                       painter.fontMetrics().height() + 6.0);
     const QPointF handle = handlePlace(number);
-    // Above the finger; below it at the upper edge.
+    // Above the finger; at the upper edge below it.
     double top = handle.y() - kHandleRadius - 8.0 - size.height();
     if (top < 1.0)
         top = handle.y() + kHandleRadius + 8.0;

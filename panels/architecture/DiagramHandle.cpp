@@ -80,7 +80,7 @@ void DiagramHandle::announce()
 
 bool DiagramHandle::event(QEvent* event)
 {
-    // These keys belong to the handle that has the focus, whatever they mean to the tree.
+    // These keys belong to the handle that has the focus, also if they have a meaning for the tree.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool isEscape = key->key() == Qt::Key_Escape && m_owner.isDragging();

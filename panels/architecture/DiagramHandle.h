@@ -9,49 +9,49 @@
 
 namespace espalier {
 
-/// What the keyboard and assistive tools meet of a diagram's handle: Tab goes from one to the next, arrows
-/// move it the way they point (finely with Shift), + and - change its value, the page keys coarsely, Home and
-/// End lead to the limits, Delete brings the default back. The diagram draws it, and takes the pointer's
-/// events.
+/// The widget for a diagram's handle that gets the keyboard focus and that assistive tools see: Tab goes to
+/// the next handle, arrows move the handle in their direction (finely with Shift), + and - change its value,
+/// the page keys change it coarsely, Home and End go to the limits, Delete restores the default. The diagram
+/// draws the handle, and handles the pointer's events.
 class DiagramHandle : public QWidget {
     Q_OBJECT
 
 public:
-    /// What a handle asks of its diagram.
+    /// The functions of a diagram that its handles call.
     class Owner {
     public:
         virtual ~Owner() = default;
-        /// Of the parameter, in the surface unit.
+        /// Value of a parameter, in the surface unit.
         virtual double valueOf(const char* key) const = 0;
-        /// Sets a parameter by a key of @p handle.
+        /// Sets a parameter after a key press in @p handle.
         virtual void setValueOf(const DiagramHandle& handle, const char* key, double value) = 0;
-        /// Moves the handle as an arrow key that points along @p direction (a unit vector, y down) says.
+        /// Moves the handle for an arrow key that points along @p direction (a unit vector, y down).
         virtual void moveHandle(const DiagramHandle& handle, const QPointF& direction,
                                 ParameterScale::Stride stride) = 0;
-        /// Brings the defaults of the handle's parameters back.
+        /// Restores the defaults of the handle's parameters.
         virtual void resetHandle(const DiagramHandle& handle) = 0;
         /// Whether a pointer drags a handle.
         virtual bool isDragging() const = 0;
-        /// Takes that drag back.
+        /// Cancels that drag.
         virtual void drop() = 0;
     };
 
-    /// @p owner draws it, and outlives it, as does @p parent.
+    /// @p owner draws the handle. @p owner and @p parent must outlive it.
     DiagramHandle(QWidget& parent, Owner& owner, int number, std::vector<const char*> keys,
                   const QString& name);
 
     int number() const { return m_number; }
 
     const std::vector<const char*>& keys() const { return m_keys; }
-    /// Of its first parameter.
+    /// Scale of the handle's first parameter.
     const ParameterScale& scale() const { return m_scales.front(); }
-    /// Of its first parameter, in the surface unit.
+    /// Value of the handle's first parameter, in the surface unit.
     double value() const;
     void setValue(double value);
-    /// All its parameters with names and units, to be read aloud.
+    /// All parameters of the handle with names and units, for a screen reader.
     QString valueText() const;
 
-    /// Tells assistive tools.
+    /// Tells assistive tools that the value has changed.
     void announce();
 
 protected:

@@ -7,13 +7,14 @@
 
 #include <cmath>
 
-/// What the diagrams of architecture look like.
+/// Colours and shapes that all diagrams of architecture use.
 namespace espalier::diagram {
 
 inline constexpr QColor kWood(0xa8, 0x8a, 0x70);
-inline constexpr QColor kFill(0x7f, 0xb0, 0x69, 0x38);  ///< Inside a green outline
-inline constexpr QColor kGuide(0x9a, 0xa2, 0xae, 0x60); ///< Axes, what something would be without the setting
-inline constexpr QColor kRed(0xc9, 0x6a, 0x62);         ///< Gravity; space that is taken
+inline constexpr QColor kFill(0x7f, 0xb0, 0x69, 0x38); ///< Inside a green outline
+/// Axes, and the form that a tree has without the setting.
+inline constexpr QColor kGuide(0x9a, 0xa2, 0xae, 0x60);
+inline constexpr QColor kRed(0xc9, 0x6a, 0x62); ///< Gravity; occupied space
 
 /// A point at @p length px from @p origin, turned by @p angle (rad) from straight up to the right.
 inline QPointF polar(const QPointF& origin, double length, double angle)
@@ -32,8 +33,8 @@ inline double distance(const QPointF& from, const QPointF& to)
     return std::hypot(to.x() - from.x(), to.y() - from.y());
 }
 
-/// What a pull of @p pixels means where the drawing has @p room for it: beyond its edge the pull goes on
-/// faster, for a hand has no room to go far there.
+/// The value of a drag of @p pixels in a direction where the drawing has @p room px: beyond the drawing's
+/// edge the value rises faster, because there is little room to drag.
 inline double stretched(double pixels, double room)
 {
     const double part = std::abs(pixels) / room;
@@ -47,7 +48,7 @@ inline void drawArc(QPainter& painter, const QPointF& centre, double radius, dou
     const auto sixteenths = [](double angle) {
         return static_cast<int>(std::lround(16.0 * angle * 180.0 / 3.14159265358979));
     };
-    // Qt counts from the right, counterclockwise.
+    // Qt's angles count counterclockwise from the right.
     painter.drawArc(box, 90 * 16 - sixteenths(from), -sixteenths(to - from));
 }
 

@@ -23,7 +23,7 @@ Weights weightsOf(const GrowthParameters& growth)
 
 void setWeights(GrowthParameters& growth, Weights weights)
 {
-    // Hundredths that still share a whole.
+    // Hundredths whose sum is still 1.
     const double axis = std::round(weights[0] * kGrain) / kGrain;
     const double tropism = std::min(std::round(weights[1] * kGrain) / kGrain, 1.0 - axis);
     growth.axisWeight = axis;
@@ -113,7 +113,7 @@ void DirectionDiagram::stride(int, const QPointF& direction, ParameterScale::Str
     Weights weights = weightsOf(parameters.growth);
     const double step = (stride == ParameterScale::Stride::Fine ? 1.0 : 4.0) / kGrain;
     if (direction.y() != 0.0) {
-        // Toward H or away from it; the others keep their ratio.
+        // Moves toward H or away from it; the other weights keep their ratio.
         const double axis = std::clamp(weights[0] - step * direction.y(), 0.0, 1.0);
         const double rest = weights[1] + weights[2];
         const double share = rest > 0.0 ? weights[1] / rest : 0.5;
@@ -144,14 +144,14 @@ void DirectionDiagram::draw(QPainter& painter, const GrowthParameters& growth)
     const Weights weights = weightsOf(growth);
     const QColor colours[] = {diagram::kWood, diagram::kRed, theme::kAccent};
     for (std::size_t i = 0; i < 3; ++i) {
-        // The heavier, the thicker; a weight of 0 pulls not at all.
+        // The line's width shows the weight; a weight of 0 has no line.
         if (weights[i] <= 0.0)
             continue;
         painter.setPen(QPen(colours[i], 1.2 + 5.0 * weights[i], Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(point, at[i]);
     }
     diagram::drawLabel(painter, at[0] - QPointF(0.0, 11.0), tr("H straight on"));
-    // Whole words, in any language: what would stand out at a side moves in.
+    // Labels that would reach beyond a side are moved inward, in any language.
     const auto half = [&](const QString& text) {
         return 0.5 * painter.fontMetrics().horizontalAdvance(text) + 2.0;
     };

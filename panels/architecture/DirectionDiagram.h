@@ -7,8 +7,8 @@
 
 namespace espalier {
 
-/// The weights of growth's direction as a point in a triangle: α toward H, the way that the axis has, β
-/// toward T, tropism, γ toward E, free space (TreeSketch figure 11B).
+/// The weights of growth's direction as a point in a triangle: α toward H, the current direction of the axis,
+/// β toward T, tropism, γ toward E, free space (TreeSketch figure 11B).
 class DirectionDiagram : public Diagram {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ protected:
     QString bubbleText(int number) const override;
 };
 
-/// The weights, each at least 0 and in sum 1, of the point of a triangle that is nearest to @p point.
+/// The weights, each at least 0 and with the sum 1, of the point of the triangle that is nearest to @p point.
 std::array<double, 3> barycentricWeights(const std::array<QPointF, 3>& corners, const QPointF& point);
 
 } // namespace espalier

@@ -105,7 +105,7 @@ void GravimorphismDiagram::pull(int number, const QPointF& to, TreeParameters& p
     };
     switch (number) {
     case Vertical: {
-        // Its top follows: s_v + e_v, where e_v stays unless the ellipse becomes too flat for it.
+        // The handle at the top stands for s_v + e_v; e_v stays unless the ellipse becomes too flat for it.
         const double offset = parameters.growth.ellipseOffset;
         const double vertical = up - offset;
         const bool isFlat = std::abs(offset) > kMostEllipseOffset * vertical;
@@ -123,7 +123,7 @@ void GravimorphismDiagram::pull(int number, const QPointF& to, TreeParameters& p
 
 bool GravimorphismDiagram::isRing(int number) const
 {
-    return number == Offset; // which lies on the branch, unless one side is favoured
+    return number == Offset; // this handle lies on the branch, unless one side is favoured
 }
 
 QString GravimorphismDiagram::bubbleText(int number) const
@@ -158,7 +158,7 @@ void GravimorphismDiagram::draw(QPainter& painter, const GrowthParameters& growt
     painter.setBrush(diagram::kFill);
     painter.drawPath(outline);
 
-    // Buds around the branch, as large as they are ready to grow.
+    // Buds around the branch, their size shows their readiness to grow.
     const GravimorphismEllipse ellipse = ellipseOf(growth);
     for (int i = 0; i < 8; ++i) {
         const double chi = std::numbers::pi / 4.0 * i;

@@ -16,7 +16,7 @@ public:
     QString caption() const override;
     /// The point of the drawing where the ray toward the bud at χ (rad, 0 = top) ends, px.
     QPointF rayEnd(double chi) const;
-    /// The branch, px; and px that stand for 1.
+    /// Place of the branch, px; and the length that stands for 1, px.
     QPointF axis() const;
     double unit() const;
 

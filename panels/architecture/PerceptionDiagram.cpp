@@ -70,7 +70,7 @@ QPointF PerceptionDiagram::place(int number, const GrowthParameters& growth) con
     const double r = unit() * growth.occupancyRadius;
     const double reach = unit() * (growth.occupancyRadius + growth.perceptionDepth);
     switch (number) {
-    case Radius: // on the left, where the other two never are
+    case Radius: // on the left, where the other two handles never are
         return bud() - QPointF(r, 0.0);
     case Depth:
         return bud() - QPointF(0.0, reach);
@@ -94,7 +94,7 @@ void PerceptionDiagram::pull(int number, const QPointF& to, TreeParameters& para
         break;
     default: {
         const double half = diagram::angleOf(bud(), to);
-        // To the left of straight up it is closed, to the left of straight down open all around.
+        // To the left of straight up the cone is closed, to the left of straight down it is open all around.
         const double angle = half >= 0.0 ? half : (half > -std::numbers::pi / 2.0 ? 0.0 : std::numbers::pi);
         set("growth.perceptionAngle", degrees(2.0 * angle));
     }

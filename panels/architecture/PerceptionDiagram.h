@@ -14,7 +14,7 @@ public:
     explicit PerceptionDiagram(ParameterEditor& editor, QWidget* parent = nullptr);
 
     QString caption() const override;
-    /// The bud, px; and px that stand for one internode.
+    /// Place of the bud, px; and the length of one internode, px.
     QPointF bud() const;
     double unit() const;
 

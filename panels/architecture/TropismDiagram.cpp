@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTropismMargin = 8.0; ///< px
 
-// Of the drawing's height: twigs stay visible, trunks slim.
+// Shares of the drawing's height: twigs stay visible, trunks slim.
 constexpr double kTwig = 0.0065;
 constexpr double kTrunk = 0.05;
 constexpr double kLeafRadius = 0.0138;
@@ -64,7 +64,7 @@ QPointF TropismDiagram::place(int, const GrowthParameters& growth) const
 void TropismDiagram::pull(int, const QPointF& to, TreeParameters& parameters) const
 {
     const ParameterScale scale = ParameterScale::of("growth.setPointAngle");
-    // The angle has no side: a pull to the left of the tree is one to the right.
+    // The angle has no side: a drag to the left of the tree means the same as one to the right.
     const double theta = std::abs(diagram::angleOf(pivot(), to));
     setParameter(parameters, "growth.setPointAngle", scale.rounded(degrees(theta)));
 }

@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// The schematic tree that all of growth's parameters show in, and over it the arrow of tropism: the
-/// set-point angle θ from straight up (TreeSketch §3.4, figure 16).
+/// The schematic tree that shows the effect of all parameters of growth, and over it the arrow of tropism:
+/// the set-point angle θ from straight up (TreeSketch §3.4, figure 16).
 class TropismDiagram : public Diagram {
     Q_OBJECT
 
@@ -15,7 +15,8 @@ public:
     explicit TropismDiagram(ParameterEditor& editor, QWidget* parent = nullptr);
 
     QString caption() const override;
-    /// Grown with what is shown now; once a frame while a handle moves, since it is asked for when painted.
+    /// The schematic tree for the shown parameters. It is grown when it is painted, so at most once a frame
+    /// while a handle moves.
     const Schematic& schematic();
 
 protected:
@@ -31,7 +32,7 @@ private:
     Schematic m_schematic;
 };
 
-/// Draws a schematic tree into @p box, as large as fits, its base in the middle of the lower edge.
+/// Draws a schematic tree into @p box, as large as possible, its base in the middle of the lower edge.
 void drawSchematic(QPainter& painter, const Schematic& schematic, const QRectF& box);
 
 } // namespace espalier

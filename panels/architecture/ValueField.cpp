@@ -50,7 +50,7 @@ ValueField::ValueField(ParameterEditor& editor, const char* key, QWidget* parent
 void ValueField::mousePressEvent(QMouseEvent* event)
 {
     m_editor.begin();
-    // Sign and number are one target.
+    // A tap on the symbol edits the number too.
     m_number->setFocus(Qt::MouseFocusReason);
     event->accept();
 }

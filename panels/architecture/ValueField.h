@@ -8,8 +8,8 @@ namespace espalier {
 class ParameterEditor;
 class ParameterNumber;
 
-/// A parameter's sign and number below a diagram: a tap on the number lets a person type, a double click on
-/// the sign brings the default back.
+/// A parameter's symbol and number below a diagram: the user can tap the number to type another, and
+/// double-click the symbol to restore the default.
 class ValueField : public QWidget {
     Q_OBJECT
 

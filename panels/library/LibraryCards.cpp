@@ -42,7 +42,7 @@ void LibraryCards::setEntries(std::vector<LibraryEntry> entries)
         return;
     beginResetModel();
     m_entries = std::move(entries);
-    // What is being read comes anyway; pictures of files that are gone are not kept.
+    // Pictures that are being read will arrive; pictures of files that are gone are dropped.
     QHash<QString, Picture> kept;
     for (const LibraryEntry& entry : m_entries) {
         if (const auto known = m_pictures.constFind(keyOf(entry)); known != m_pictures.cend())
@@ -112,7 +112,7 @@ const LibraryCards::Picture& LibraryCards::picture(const LibraryEntry& entry) co
     const QString key = keyOf(entry);
     if (const auto known = m_pictures.constFind(key); known != m_pictures.cend())
         return *known;
-    // Reading begins with the first look, which is const; what it comes to is told like any other change.
+    // The first call starts the reading. data() is const, but the result is a change of this object.
     auto* self = const_cast<LibraryCards*>(this);
     m_readers.start(
         [guard = QPointer<LibraryCards>(self), key, fileName = entry.fileName, readPicture = m_readPicture] {

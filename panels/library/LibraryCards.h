@@ -12,8 +12,8 @@
 
 namespace espalier {
 
-/// Entries of the library as cards with pictures. A picture is read on a worker thread when it is asked for
-/// the first time; whoever shows the cards is told when it is there.
+/// Entries of the library as cards with pictures. A worker thread reads a picture when it is requested for
+/// the first time; dataChanged() follows when it is there.
 class LibraryCards : public QAbstractListModel {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
     enum Role {
         LineRole = Qt::UserRole, ///< A description or a date
         FileRole,                ///< LibraryEntry::fileName
-        SearchRole,              ///< All that a search looks at
+        SearchRole,              ///< All text that a search reads
     };
 
     /// @p mayRename: whether names can be edited. An edit emits renameAsked() and changes nothing here.
@@ -30,7 +30,7 @@ public:
     ~LibraryCards() override;
 
     void setEntries(std::vector<LibraryEntry> entries);
-    /// -1 if it is not among them.
+    /// Row of a card; -1 if there is none.
     int rowOf(const QString& fileName) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -45,7 +45,7 @@ Q_SIGNALS:
 private:
     struct Picture {
         QImage image;
-        QString problem; ///< Why there is none; empty if nothing is wrong
+        QString problem; ///< Why there is no picture; empty if nothing is wrong
     };
 
     const Picture& picture(const LibraryEntry& entry) const;
@@ -54,12 +54,12 @@ private:
     std::vector<LibraryEntry> m_entries;
     bool m_mayRename;
     PictureReader m_readPicture;
-    /// By file and time of change; those that are being read are there, empty.
+    /// Pictures by file and time of change; empty while they are being read.
     mutable QHash<QString, Picture> m_pictures;
     mutable QThreadPool m_readers;
 };
 
-/// The cards in which all words of a search occur, whatever their case.
+/// The cards that contain all words of a search, in upper or lower case.
 class LibrarySearch : public QSortFilterProxyModel {
     Q_OBJECT
 

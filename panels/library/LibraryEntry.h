@@ -11,12 +11,12 @@
 
 namespace espalier {
 
-/// Something in the library that a person can open or start from.
+/// An entry of the library that the user can open or start from.
 struct LibraryEntry {
-    QString fileName;  ///< A project, or a recipe of the program
-    QString name;      ///< For a person
+    QString fileName;  ///< File of a project, or of a recipe of the program
+    QString name;      ///< Name that the user sees
     QString line;      ///< A recipe's description; empty for a project
-    QDateTime changed; ///< Of a project
+    QDateTime changed; ///< Time of a project's last change
 
     bool operator==(const LibraryEntry&) const = default;
 };

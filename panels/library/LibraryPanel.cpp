@@ -270,7 +270,7 @@ void LibraryPanel::fillMenu(QMenu& menu, const QString& fileName)
 
 bool LibraryPanel::event(QEvent* event)
 {
-    // While the library is open, the keys are its own, not those of the tools under it.
+    // While the library is open, these keys belong to it and not to the tools.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const bool isPlain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
@@ -305,7 +305,7 @@ void LibraryPanel::keyPressEvent(QKeyEvent* event)
 
 void LibraryPanel::showEvent(QShowEvent* event)
 {
-    // Whoever comes back wants to see all there is.
+    // When the library opens again, it shows all cards.
     m_search->clear();
     Bar::showEvent(event);
 }

@@ -15,8 +15,8 @@ namespace espalier {
 
 class CardView;
 
-/// The library as a sheet over the tree: species and a person's own trees, each section a grid of cards, with
-/// a search. It asks for what a person wants; somebody else does it.
+/// The library as a sheet over the tree: species and the user's own trees, each section a grid of cards, with
+/// a search. The panel only emits signals; LibraryController performs the work.
 class LibraryPanel : public Bar {
     Q_OBJECT
 
@@ -29,15 +29,15 @@ public:
     void setEntries(Section section, std::vector<LibraryEntry> entries);
     void showSection(Section section);
     Section section() const { return m_section; }
-    /// Shows a card, as the one in hand.
+    /// Shows a card and selects it.
     void choose(const QString& fileName);
-    /// Lets the person type another name for the tree in hand.
+    /// Begins to edit the name of the selected tree.
     void editName();
-    /// The file of the card in hand; empty for none.
+    /// The file of the selected card; empty for none.
     QString chosen() const;
-    /// Whether the tree that is open can be saved now.
+    /// Sets whether the open tree can be saved now.
     void setMayKeep(bool may);
-    /// Gives the keyboard to the cards.
+    /// Moves the keyboard focus to the cards.
     void takeFocus();
 
 Q_SIGNALS:
@@ -72,7 +72,7 @@ private:
     CardView* m_view;
     QLineEdit* m_search;
     QPushButton* m_keep;
-    QLabel* m_empty; ///< In place of the cards
+    QLabel* m_empty; ///< Shows in place of the cards
     QLabel* m_name;
     QLabel* m_line;
     QPushButton* m_start;

@@ -25,9 +25,9 @@ constexpr int kLeastColumn = 212; ///< px
 constexpr int kCardMargin = 7;    ///< px around a card
 constexpr int kInset = 9;         ///< px between a card's edge and what is on it
 constexpr int kLines = 2;
-constexpr int kOverlap = 6;     ///< px by which the lines reach into the finger's room around the name
+constexpr int kOverlap = 6;     ///< px by which the lines overlap the touch area of the name
 constexpr int kLongPress = 550; ///< ms
-/// Height of a picture by its width: that of the recipes' pictures.
+/// Height of a picture by its width, as in the recipes' pictures.
 constexpr double kPictureAspect = 0.875;
 
 QFont nameFont(QFont font)
@@ -77,7 +77,7 @@ void drawLines(QPainter& painter, const QRect& place, const QString& text)
     layout.endLayout();
 }
 
-/// In place of a picture: a seedling.
+/// Draws a seedling in place of a picture.
 void drawNoPicture(QPainter& painter, const QRectF& place)
 {
     painter.fillRect(place, theme::kSunken);
@@ -181,7 +181,7 @@ QWidget* CardPainter::createEditor(QWidget* parent, const QStyleOptionViewItem&,
 
 void CardPainter::setEditorData(QWidget* editor, const QModelIndex& index) const
 {
-    // A picture that arrives meanwhile must not undo what has been typed.
+    // A picture that arrives during editing must not reset the typed text.
     auto* line = qobject_cast<QLineEdit*>(editor);
     if (line && line->text().isEmpty() && !line->isModified())
         line->setText(index.data(Qt::EditRole).toString());
@@ -228,7 +228,7 @@ bool CardView::isOnDots(const QPoint& place) const
 void CardView::resizeEvent(QResizeEvent* event)
 {
     const int columns = std::max(1, viewport()->width() / kLeastColumn);
-    // A pixel is left over, or the last column would not be believed to fit.
+    // One pixel is left over, because otherwise the view does not place the last column.
     const int width = (viewport()->width() - 1) / columns;
     const int height = CardPainter::heightFor(width, font());
     setGridSize({width, height});
@@ -249,7 +249,7 @@ void CardView::mouseMoveEvent(QMouseEvent* event)
     const QPoint way = event->position().toPoint() - m_pressedAt;
     if (way.manhattanLength() > QGuiApplication::styleHints()->startDragDistance())
         m_longPress.stop();
-    // A drag over the cards chooses none of them.
+    // A drag over the cards selects none of them.
     if (event->buttons() == Qt::NoButton)
         QListView::mouseMoveEvent(event);
 }
@@ -267,7 +267,7 @@ void CardView::mouseReleaseEvent(QMouseEvent* event)
 void CardView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     m_longPress.stop();
-    // The dots are a button, however quickly one tap follows another.
+    // Two fast taps on the dots are two clicks, not a double click.
     if (isOnDots(event->position().toPoint()))
         mousePressEvent(event);
     else

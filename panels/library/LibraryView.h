@@ -7,7 +7,7 @@
 
 namespace espalier {
 
-/// Paints a card: a picture, a name, a line or two, and three dots that open its menu.
+/// Paints a card: a picture, a name, one or two lines of text, and three dots that open its menu.
 class CardPainter : public QStyledItemDelegate {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
     /// Where the dots are in a card, px.
     static QRect menuPlace(const QRect& card);
 
-    /// All of a cell of the view's grid.
+    /// Size of a whole cell of the view's grid.
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
@@ -30,8 +30,8 @@ public:
                               const QModelIndex& index) const override;
 };
 
-/// Cards in as many columns as there is room for. Enter or a double click activates one; the dots, a long
-/// press, the right button and the menu key ask for its menu.
+/// Cards in as many columns as there is room for. Enter or a double click activates a card; the dots, a long
+/// press, the right button and the menu key open its menu.
 class CardView : public QListView {
     Q_OBJECT
 
@@ -39,10 +39,10 @@ public:
     explicit CardView(QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    /// @p place: on the screen.
+    /// @p place: position on the screen, px.
     void menuAsked(const QModelIndex& index, const QPoint& place);
     void deleteAsked(const QModelIndex& index);
-    /// Letters were typed that no card has use for.
+    /// The user has typed letters that the cards do not use.
     void typed(const QString& text);
 
 protected:

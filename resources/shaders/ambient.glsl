@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light from all around, for vertices: it changes little over a leaf or a ring of bark.
+// Ambient light, computed for vertices: it changes little over a leaf or a ring of bark.
 
 uniform sampler3D lightVolume;
 
@@ -12,7 +12,7 @@ float ambientShare(vec3 position)
     return mix(frame.lightScale.w, 1.0, pow(light, frame.crown.w));
 }
 
-// What a crown hides from places far within it; L knows only of what is above.
+// The share of light that a crown hides from places far within it; L only contains shadow from above.
 float crownDepth(vec3 position)
 {
     vec3 inside = (position - frame.crown.xyz) / frame.crownRadii.xyz;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands behind the tree, as shown (sRGB).
+// The backdrop behind the tree, in displayed colours (sRGB).
 
 float dithering()
 {

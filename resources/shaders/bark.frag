@@ -39,7 +39,7 @@ void main()
     float sun = sunSeen(probe) * max(dot(normal, frame.sunDirection.xyz), 0.0) * smoothstep(-0.2, 0.1, facing);
 
     vec3 ambient = barkAmbient(worldPosition, normal, max(relief.z, 0.0), share);
-    // Soil splashes the foot.
+    // The foot of the trunk has the colour of splashed soil.
     albedo *= mix(vec3(0.62, 0.58, 0.5), vec3(1.0), smoothstep(-0.5, 4.0, worldPosition.y / frame.foot.x));
     vec3 light = albedo * (ambient + frame.sunColour.rgb * sun);
     light += frame.sunColour.rgb * gloss(normal, toEye, skin.a) * sun;

@@ -30,7 +30,7 @@ void main()
     barkUv = uv;
     gl_Position = frame.viewProjection * vec4(place, 1.0);
 #ifdef PLAIN
-    // As the relief is on the average.
+    // The mean of the relief.
     received = barkAmbient(place, normal, 0.8, ambient)
              + frame.sunColour.rgb * max(dot(normal, frame.sunDirection.xyz), 0.0) * plainSun(ambient);
 #else

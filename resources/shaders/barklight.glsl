@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reaches bark from all around.
+// The ambient light on bark.
 
 vec3 ambientLight(vec3 normal)
 {
@@ -16,7 +16,7 @@ vec3 barkAmbient(vec3 position, vec3 normal, float relief, float share)
 }
 
 #ifdef PLAIN
-// While shadows are not drawn, where the sky is hidden the sun is, too.
+// While shadows are not drawn, the sun counts as hidden where the sky is.
 float plainSun(float share)
 {
     return smoothstep(0.1, 0.9, share);

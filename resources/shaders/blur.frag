@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One direction of a Gaussian blur.
 uniform sampler2D image;
-uniform vec2 direction; // one sample's way
+uniform vec2 direction; // offset of one sample
 uniform float sigma;    // samples
 uniform int reach;      // samples
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all programs of one picture share; FrameUniforms.h has the same fields in the same order.
+// The uniforms of all programs of one picture; FrameUniforms.h has the same fields in the same order.
 layout(std140) uniform Frame {
     mat4 viewProjection;
     mat4 inverseViewProjection;
@@ -9,7 +9,7 @@ layout(std140) uniform Frame {
     vec4 sunColour;
     vec4 skyColour;         // ambient light from above
     vec4 groundColour;      // ambient light from below
-    vec4 rimColour;         // cool light from behind that parts the tree from a dark background
+    vec4 rimColour;         // cool light from behind that separates the tree from a dark background
     vec4 lightOrigin;       // corner of the light volume; w: edge of a shadow map's texel, m
     vec4 lightScale;        // 1 / its size; w: least share of ambient light, a_min
     vec4 crown;             // centre; w: exponent of the light, gamma

@@ -18,7 +18,7 @@ void main()
     vec2 pixel = fwidth(cell);
     vec2 line = 1.0 - smoothstep(0.5, 1.5, abs(fract(cell + 0.5) - 0.5) / pixel);
     float fade = 1.0 - smoothstep(0.2, 1.0, length(place) / extent);
-    // Below ground the plane is no place to draw in.
+    // The user does not draw below ground.
     float above = worldPosition.y < 0.0 ? 0.3 : 1.0;
     float opacity = tint.w * max(line.x, line.y) * fade * above * nearness(gl_FragCoord.z);
     colour = vec4(tint.rgb * opacity, opacity);

@@ -1,7 +1,7 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A disc that fades into the background. Textures hold the tree's shadow as near casters (red) and far ones (green) throw
-// it, each blurred as the sun's disc does, and how much of the sky the crown hides (blue).
+// A disc that fades into the background. Textures hold the tree's shadow from near parts (red) and far parts
+// (green), each blurred as by the sun's disc, and how much of the sky the crown hides (blue).
 #include "frame.glsl"
 #include "lighting.glsl"
 #include "background.glsl"
@@ -33,7 +33,7 @@ float gridLines(vec2 world)
     vec2 pixel = fwidth(world);
     vec2 fine = 1.0 - smoothstep(0.2, 1.0, abs(fract(world + 0.5) - 0.5) / pixel);
     vec2 coarse = 1.0 - smoothstep(0.3, 1.2, 10.0 * abs(fract(0.1 * world + 0.5) - 0.5) / pixel);
-    // Far away they would be nothing but noise.
+    // Far away, lines would look like noise.
     vec2 apart = 1.0 - smoothstep(0.15, 0.5, pixel);
     return max(0.28 * max(fine.x * apart.x, fine.y * apart.y), 0.5 * max(coarse.x, coarse.y));
 }
@@ -44,11 +44,11 @@ void main()
     if (radius >= 1.0)
         discard;
     vec2 at = 0.5 + 0.5 * groundPlace;
-    // Some of the sun's light is handed on by all that stands around.
+    // Surroundings reflect some of the sun's light into the shadow.
     float shade = 0.88 * frame.sunDirection.w * (1.0 - (1.0 - texture(sharpShadow, at).r) * (1.0 - texture(softShadow, at).g));
     vec2 world = groundPlace * frame.ground.w;
 
-    // What stands on the ground darkens it around its foot.
+    // The tree darkens the ground around its foot.
     float foot = max(length(world) - frame.foot.x, 0.0) / frame.foot.x;
     float contact = 0.75 * exp(-1.1 * foot) + 0.25 * exp(-0.3 * foot);
     float sky = (1.0 - 0.5 * texture(skyShadow, at).b) * (1.0 - 0.8 * contact);
@@ -58,13 +58,14 @@ void main()
     float opacity = fade * smoothstep(-0.02, 0.1, frame.eye.y / max(length(frame.eye.xyz), 1e-3));
     vec4 ground = vec4(0.0);
     if (frame.backgroundInner.w > 1.5) {
-        // Before a background of one's own, or on a light studio's paper, only the shadow is seen of the ground: how much darker it would be.
+        // Before a background that the user has chosen, or on the paper of the light studio, only the shadow
+        // on the ground shows: how much darker the ground would be.
         vec3 open = frame.sunColour.rgb * frame.sunDirection.y + frame.skyColour.rgb;
         vec3 left = frame.sunColour.rgb * sun + frame.skyColour.rgb * sky;
         float dark = 1.0 - pow(dot(left, vec3(1.0)) / dot(open, vec3(1.0)), 1.0 / 2.2);
         ground = vec4(vec3(0.0), dark * opacity);
     } else {
-        // Like a pool of light on a studio's floor.
+        // Like a pool of light on the floor of a studio.
         float texture = 0.96 + 0.08 * smoothGrain(world * 5.0);
         vec3 light = frame.ground.rgb * texture * (frame.sunColour.rgb * sun + frame.skyColour.rgb * sky);
         ground = vec4((developed(light) + dithering()) * opacity, opacity);

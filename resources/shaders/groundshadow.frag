@@ -1,7 +1,7 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the sun is hidden from the ground by what is near it (red) or farther up (green), and where something stands right
-// above it (blue).
+// The places of the ground where near (red) or far (green) parts of the tree hide the sun, and where a part
+// of the tree stands directly above (blue).
 uniform sampler2D shadowMap;
 uniform sampler2D coverage;
 uniform mat4 shadowFromWorld;

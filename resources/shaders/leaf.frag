@@ -25,7 +25,7 @@ out vec4 colour;
 void main()
 {
     vec4 texel = texture(leafColour, leafUv, frame.pass.z);
-    // Passes share out the lots among themselves; where there is but one, pixels do.
+    // With several passes, each pass has other random numbers; with one, each pixel does.
     float lot = fract(leafLot + (frame.pass.w < 0.0 ? pixelLot(gl_FragCoord.xy) : frame.pass.w));
     if (isGap(leafUv, texel.a, lot))
         discard;
@@ -44,11 +44,11 @@ void main()
 
     vec3 albedo = texel.rgb * leafTint;
     vec3 light = albedo * kThrough * received.through;
-    // The lower face is paler and duller.
+    // The lower face is paler and rougher.
     albedo = side > 0.0 ? albedo : mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.22) * 1.2;
     light += albedo * received.reflected;
     light += frame.sunColour.rgb * (seen * gloss(normal, toEye, surface.a) * (side > 0.0 ? 0.8 : 0.15) * step(0.0, dot(normal, sun)));
-    // The sky on waxy faces, most at a glance.
+    // The reflection of the sky on waxy faces, strongest at grazing angles.
     float glance = 1.0 - abs(dot(normal, toEye));
     glance *= glance;
     float up = 0.5 + 0.5 * reflect(-toEye, normal).y;

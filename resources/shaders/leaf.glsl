@@ -15,7 +15,7 @@ vec3 turned(vec3 v)
     return v + leafRotation.w * twice + cross(leafRotation.xyz, twice);
 }
 
-// 0...1, another for each leaf.
+// A random number, 0...1, for each leaf.
 float lotOfLeaf()
 {
     return fract(sin(dot(leafPlace.xyz + leafRotation.xyz, vec3(157.3, 241.9, 87.1))) * 43758.5453);

@@ -21,8 +21,8 @@ out float share;  // of ambient light
 flat out vec3 leafTint;
 #endif
 
-// What the hue of the texture must be multiplied by to turn it by an angle, rad. Hue is meant as people pick it, on the
-// wheel of displayed colours; a square root is near enough to the transfer function for that.
+// The factors for the texture's colour that turn its hue by an angle, rad. Hue means the hue on the wheel of
+// displayed colours; a square root approximates the transfer function well enough for that.
 vec3 hueFactor(float angle)
 {
     const vec3 shown = vec3(0.305, 0.5, 0.19); // the textures' green
@@ -33,7 +33,7 @@ vec3 hueFactor(float angle)
     return factor * factor;
 }
 
-// No two leaves are the same green: some are younger and yellower, some older and bluer.
+// The leaves have slightly different greens: some are younger and yellower, some older and bluer.
 vec3 leafVariety()
 {
     vec3 lot = fract(sin(leafPlace.xyz * mat3(127.1, 311.7, 74.7, 269.5, 183.3, 246.1, 113.5, 271.9, 124.6)) * 43758.5453);

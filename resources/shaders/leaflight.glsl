@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reaches a leaf.
+// The light on a leaf.
 
-// What shines through a blade is yellower and richer than what it reflects.
+// Light that passes through a blade is yellower and more saturated than reflected light.
 const vec3 kThrough = vec3(1.5, 1.3, 0.35);
 
 struct LeafLight {
-    vec3 reflected; // to be multiplied by the leaf's colour
-    vec3 through;   // by that and kThrough
+    vec3 reflected; // multiplied by the leaf's colour
+    vec3 through;   // multiplied by the leaf's colour and kThrough
 };
 
-// @normal: of the face that is seen; @outward: from the crown's middle; @side: 1 for the upper face, -1 for the lower;
-// @share: of ambient light; @seen: of the sun.
+// @normal: of the visible face; @outward: from the crown's middle; @side: 1 for the upper face, -1 for the
+// lower; @share: of ambient light; @seen: share of the sun that is visible.
 LeafLight leafLight(vec3 position, vec3 normal, vec3 outward, float side, float share, float seen)
 {
     vec3 toEye = normalize(frame.eye.xyz - position);
@@ -27,7 +27,7 @@ LeafLight leafLight(vec3 position, vec3 normal, vec3 outward, float side, float 
     light.reflected = mix(frame.groundColour.rgb, frame.skyColour.rgb, 0.5 + 0.5 * shaped.y) * share
                     + frame.sunColour.rgb * (seen * front);
     light.through = frame.sunColour.rgb * (seen * behind * (0.55 + 1.1 * against * against))
-    // Light that leaves hand on to each other keeps the inside green rather than grey.
+    // Light that leaves reflect onto each other keeps the inside green instead of grey.
                   + frame.sunColour.rgb * (0.11 * share + 0.018);
     return light;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Light and colour, shared by what is lit.
+// Functions of light and colour for all lit surfaces.
 
 uniform sampler2DShadow shadowMap;
 
-// A filmic curve: a toe that keeps the dark deep, a straight middle and a shoulder that bright light climbs softly; after
-// Narkowicz's fit of ACES. Then the transfer function of sRGB.
+// A filmic curve: a toe that keeps dark colours dark, a straight middle and a shoulder for bright light;
+// after Narkowicz's fit of ACES. Then the transfer function of sRGB.
 vec3 developed(vec3 light)
 {
     vec3 x = light * frame.crownRadii.w;
@@ -15,14 +15,15 @@ vec3 developed(vec3 light)
     return max(0.585122381 * root + 0.783140355 * fourth - 0.368262736 * sqrt(fourth), 0.0);
 }
 
-// Where a position is in the shadow map; what lies beyond the tree, seen from the sun, is as deep as the map goes.
+// The place of a position in the shadow map; positions beyond the tree, seen from the sun, get the greatest
+// depth.
 vec3 shadowPlace(vec3 position)
 {
     vec3 place = (frame.shadowFromWorld * vec4(position, 1.0)).xyz;
     return vec3(place.xy, min(place.z, 0.9999));
 }
 
-// Whether the sun is seen: 1 in light, 0 in shadow; for what is too small to show a shadow's edge.
+// Whether the sun is visible: 1 in light, 0 in shadow; for things too small to show a shadow's edge.
 float sunSeenRoughly(vec3 position)
 {
     return mix(1.0, texture(shadowMap, shadowPlace(position)), frame.sunDirection.w);
@@ -36,8 +37,8 @@ float sunSeen(vec3 position)
     return mix(1.0, texture(shadowMap, place), frame.sunDirection.w);
 }
 
-// Normalised Blinn-Phong, its power as Schlick's fraction, with his Fresnel term for a surface that reflects 4 % at a
-// right angle. The power is that of a surface whose facets are spread as GGX's roughness says.
+// Normalised Blinn-Phong, its power as Schlick's fraction, with Schlick's Fresnel term for a surface that
+// reflects 4 % at a right angle. The power suits a surface with GGX's roughness.
 float gloss(vec3 normal, vec3 toEye, float roughness)
 {
     float spread = max(roughness * roughness, 0.03);

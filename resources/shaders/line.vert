@@ -17,7 +17,7 @@ void main()
 {
     vec4 a = frame.viewProjection * vec4(from, 1.0);
     vec4 b = frame.viewProjection * vec4(to, 1.0);
-    // What lies behind the camera has no place on the screen: the segment begins in front of it.
+    // Points behind the camera have no place on the screen: the segment begins in front of it.
     const float nearest = 1e-3;
     if (a.w < nearest && b.w < nearest) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);

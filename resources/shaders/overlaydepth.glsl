@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an overlay knows of the scene that it is drawn over.
+// The scene behind an overlay.
 
 uniform sampler2D sceneDepth;
 uniform vec2 overlaySize; // px

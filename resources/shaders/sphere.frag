@@ -31,7 +31,7 @@ void main()
     float halfway = sqrt(max(radius * radius - miss * miss, 0.0));
     vec3 front = frame.eye.xyz + (ahead - halfway) * view;
     vec3 back = frame.eye.xyz + (ahead + halfway) * view;
-    // What of the scene is inside the ball is tinted more than what is in front of it.
+    // Parts of the scene inside the ball are tinted more than those in front of it.
     float depth = texture(sceneDepth, gl_FragCoord.xy / overlaySize).r;
     float reached = depth < depthOf(front) ? 0.3 : 1.0;
     float within = depth >= depthOf(front) && depth < depthOf(back) ? 1.5 : 1.0;

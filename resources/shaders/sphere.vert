@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A square that covers a ball as it is seen in perspective.
+// A square that covers the perspective picture of a ball.
 #include "frame.glsl"
 
 uniform vec3 centre;
@@ -16,7 +16,8 @@ void main()
     vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
     vec3 offset = frame.eye.xyz - centre;
     float away = length(offset);
-    // Tangents from the eye touch the ball nearer than its middle, and widen its outline; and the outline is two pixels wide.
+    // Tangents from the eye touch the ball nearer than its middle, and widen its outline; and the outline is
+    // two pixels wide.
     float near = min(radius / away, 0.98);
     float extent = radius / sqrt(1.0 - near * near) + 4.0 * pixelSize * away;
     worldPosition = centre + extent * 1.03 * (corner.x * right + corner.y * up);

@@ -1,6 +1,6 @@
 #version 330 core
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A translucent skin: clear where one looks straight through it, denser where it curves away.
+// A translucent surface: clear where it faces the camera, denser where it is seen edge-on.
 #include "frame.glsl"
 #include "overlaydepth.glsl"
 

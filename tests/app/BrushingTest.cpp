@@ -10,7 +10,7 @@
 
 using namespace espalier;
 
-/// A person at the real window with brush, bend and width in hand.
+/// The user at the real window with the tools Brush, Bend and Width.
 class BrushingTest : public test::WindowFixture {
     Q_OBJECT
 
@@ -168,7 +168,7 @@ void BrushingTest::bendAndWidth_areAtHand()
     stretching->setValue(stretching->maximum());
     QCOMPARE(m_window->viewSettings().values().stretchingWeight, kMostBendWeight);
 
-    // A pin, which Escape takes away before anything else.
+    // A pin, which Escape removes before anything else.
     const InternodeId low = document.index().mainChild(0);
     QTest::mouseClick(handle(), Qt::LeftButton, {}, seen(low));
     action(ActionId::Architecture)->trigger();

@@ -36,7 +36,8 @@
 using namespace espalier;
 using test::Way;
 
-/// Every widget of the window, worked with by mouse, finger and keys. What a test does not know fails it.
+/// Works with every widget of the window by mouse, finger and keys. A widget of an unknown kind fails the
+/// test.
 class EveryWidgetTest : public QObject {
     Q_OBJECT
 
@@ -49,7 +50,7 @@ private Q_SLOTS:
 
 private:
     using Pane = test::WindowPanes::Pane;
-    /// All that a widget may change.
+    /// Everything that a widget can change.
     struct State {
         TreeParameters parameters;
         int undoIndex;
@@ -64,14 +65,14 @@ private:
     QAction* action(ActionId id) { return m_window->actions()[id]; }
     /// A tree with a history: one step can be undone, one be redone.
     void prepareDocument();
-    /// So that what @p widget does changes something.
+    /// Prepares a state in which using @p widget changes something.
     void prepare(QWidget& widget);
     void reveal(QWidget& widget);
     void settle();
     State state(QWidget& pane);
     QWidget* find(const Pane& pane, const QString& name, int number);
     void drive(const Pane& pane, const QString& name, int number, Way way);
-    /// By Tab, from the first.
+    /// The widgets that Tab reaches from the first one.
     std::set<const QWidget*> reachedByTab(QWidget& pane);
 
     QTemporaryDir m_folder;
@@ -83,8 +84,8 @@ private:
 
 namespace {
 
-/// Growth that the schematic tree, which is flat, regular, as large as fits and without a brush, does not
-/// show.
+/// Parameters of growth without effect on the schematic tree, which is flat, regular, scaled to fit and grown
+/// without a brush.
 const QStringList kNotInSchematic{
     QStringLiteral("growth.ellipseParallel"),   QStringLiteral("growth.lateralsPerNode"),
     QStringLiteral("growth.markerDensity"),     QStringLiteral("growth.markerAge"),
@@ -110,7 +111,7 @@ bool changesTheView(const QWidget& widget)
            qobject_cast<const BendPopOut*>(widget.parentWidget());
 }
 
-/// Stable while a pane is closed and opened again.
+/// A name of the widget that does not change when its pane is closed and opened again.
 QString nameOf(const QWidget& widget)
 {
     QString name = widget.objectName();
@@ -136,7 +137,7 @@ const char* const kWays[] = {"the mouse", "a finger", "keys"};
 void EveryWidgetTest::initTestCase()
 {
     theme::apply(*qApp);
-    // Taps of the same place follow each other quickly here.
+    // The tests tap the same place quickly several times.
     QGuiApplication::styleHints()->setMouseDoubleClickInterval(5);
     QSettings().clear();
     Preferences preferences;
@@ -151,7 +152,7 @@ void EveryWidgetTest::initTestCase()
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     m_panes = std::make_unique<test::WindowPanes>(*m_window);
     m_hand = std::make_unique<test::WindowHand>();
-    // What is painted is no matter here, and takes the processor most of its time.
+    // Painting does not matter here and would take most of the time.
     m_window->setUpdatesEnabled(false);
 }
 
@@ -194,7 +195,7 @@ void EveryWidgetTest::prepare(QWidget& widget)
 {
     prepareDocument();
     workspace().viewport().setCamera(workspace().viewport().camera().turnedTo(NamedView::Front));
-    // Colours and places can be set where they are seen.
+    // Colours and places can only be set while they are shown.
     ViewValues view;
     view.shadowsShown = false;
     view.backdrop = Backdrop::Gradient;
@@ -204,7 +205,7 @@ void EveryWidgetTest::prepare(QWidget& widget)
     workspace().library().findChild<QLineEdit*>()->clear();
     auto* button = qobject_cast<QToolButton*>(&widget);
     QAction* own = button ? button->defaultAction() : nullptr;
-    // What is in hand or open already is put away first.
+    // A tool or pane that is active already is deactivated first.
     if (own && own->isChecked() && own->actionGroup()) {
         const QList<QAction*> all = own->actionGroup()->actions();
         if (own->actionGroup()->exclusionPolicy() == QActionGroup::ExclusionPolicy::Exclusive)
@@ -292,11 +293,11 @@ std::set<const QWidget*> EveryWidgetTest::reachedByTab(QWidget& pane)
     for (QWidget* first : test::widgetsToWorkWith(pane)) {
         if (!first->isEnabled() || !(first->focusPolicy() & Qt::TabFocus) || reached.contains(first))
             continue;
-        // Tab goes around; whoever is not reached from the first is looked for no further.
+        // Tab goes around: the search ends at the first widget again.
         if (!reached.empty())
             break;
         first->setFocus(Qt::ShortcutFocusReason);
-        // A page of the help keeps it for a while, for its links.
+        // A page of the help takes several presses of Tab, for its links.
         for (int i = 0; i < kMostTabs && (reached.size() < 2 || QApplication::focusWidget() != first); ++i) {
             reached.insert(QApplication::focusWidget());
             test::WindowHand::key(pane, Qt::Key_Tab);
@@ -332,7 +333,7 @@ void EveryWidgetTest::drive(const Pane& pane, const QString& name, int number, W
     const bool isStop = widget->objectName() == QLatin1String("lassoStop");
     const QSignalSpy stopped(&workspace().lassoPopOut(), &LassoPopOut::stopAsked);
     test::kindOf(*widget)->drive(*m_hand, *widget, way);
-    // What flies or opens takes a moment; a film ends where it began.
+    // Flights and opening panes take a moment; a played history ends in the state where it began.
     const bool isOther = QTest::qWaitFor([&] { return isStop || !root || !(state(*root) == before); }, 600);
     settle();
     const State after = root ? state(*root) : before;
@@ -403,7 +404,7 @@ void EveryWidgetTest::widgets_answerToMouseFingerAndKeys()
             drive(one, names[i], number, way);
             if (QTest::currentTestFailed())
                 return;
-            // A button may have opened something that lies over the rest.
+            // A button can have opened a pane that covers the others.
             if (!one.open()->isVisible() || action(ActionId::HideInterface)->isChecked() ||
                 root == &workspace().topBar())
                 m_panes->shutAll();

@@ -9,7 +9,7 @@
 
 using namespace espalier;
 
-/// Opening and saving beside other programs, on bad disks, and while something is under way.
+/// Opening and saving beside other programs, on bad disks, and while growth is under way.
 class FileControllerTest : public test::FilesFixture {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ private Q_SLOTS:
     void savingThatFailsAfterUndo_makesASafetyCopyAnew();
 
 private:
-    /// Two windows show the same file, and the first one has saved something since.
+    /// Two windows show the same file, and the first one has saved it since.
     void disagree(test::FilesWindow& first, test::FilesWindow& second);
 };
 
@@ -108,7 +108,7 @@ void FileControllerTest::secondWindowsSave_asksBeforeItReplacesTheFirst()
     QVERIFY(second.files->file().isModified());
     QCOMPARE(second.files->file().fileName(), path("oak.espalier"));
 
-    // The first one goes on saving without a question.
+    // The first window saves without a question.
     first.grow(1);
     save(first, path("oak.espalier"));
     QCOMPARE(questions(), 1);
@@ -160,7 +160,7 @@ void FileControllerTest::fileChangedElsewhere_isNoticedOnce()
     QVERIFY(!changed.wait(500));
     QCOMPARE(changed.count(), 1);
 
-    // The one who has written it knows.
+    // The window that wrote the file knows its content.
     QSignalSpy own(&first.files->file(), &DocumentFile::changedOnDisk);
     first.files->lookAtDisk();
     QVERIFY(!own.wait(500));
@@ -338,7 +338,7 @@ void FileControllerTest::undoneBackToClean_leavesNoSafetyCopy()
     QVERIFY(written.wait(30'000));
     QCOMPARE(copies().size(), 1);
 
-    // Undone while a copy is being written
+    // Undo while a copy is being written.
     window.grow();
     QTest::qWait(1000);
     window.document.undoStack().undo();

@@ -10,7 +10,7 @@
 
 using namespace espalier;
 
-/// A person who saves, opens and exports, and a crash.
+/// The user saves, opens and exports, and the program crashes.
 class FilesTest : public test::WindowFixture {
     Q_OBJECT
 
@@ -128,7 +128,7 @@ void FilesTest::closingInMidGrowth_asksAndKeepsWhatHasGrown()
     const Step step = m_window->document().tree().step();
     QTRY_VERIFY_WITH_TIMEOUT(m_window->document().tree().step() > step, 30'000);
 
-    // Another tree in its place is asked about as well.
+    // Replacing the tree asks about unsaved changes too.
     answer(QMessageBox::Cancel);
     m_window->files().openFile(name);
     QTRY_VERIFY_WITH_TIMEOUT(!QApplication::activeModalWidget(), 30'000);
@@ -252,7 +252,7 @@ void FilesTest::crash_losesNothingThatWasFinished()
     QVERIFY(Autosave::leftovers().empty());
     const Tree grown = m_window->document().tree();
 
-    // A crash leaves the files, and no program that holds their lock.
+    // After a crash the files are there, but no program holds their lock.
     const QDir place(Autosave::folder());
     const QStringList projects = place.entryList({QStringLiteral("*.espalier")}, QDir::Files);
     QCOMPARE(projects.size(), 1);

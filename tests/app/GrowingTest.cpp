@@ -12,7 +12,7 @@
 
 using namespace espalier;
 
-/// A person who lets the tree grow, and goes back in time.
+/// The user lets the tree grow, and goes back in time.
 class GrowingTest : public test::WindowFixture {
     Q_OBJECT
 

@@ -31,7 +31,7 @@ TreeParameters drooping(TreeParameters parameters)
 
 } // namespace
 
-/// Growth that is worked out on another thread.
+/// Growth that another thread computes.
 class GrowthRunnerTest : public QObject {
     Q_OBJECT
 
@@ -63,7 +63,7 @@ void GrowthRunnerTest::growth_isWhatTheGestureMakes()
     QVERIFY(document.tree() == expected.tree());
     QCOMPARE(document.undoStack().count(), 1);
 
-    // Of a tree with a past, which a copy must know as well.
+    // Growth continues after an undo and a redo; the copy of the tree must contain its history.
     document.undoStack().undo();
     document.undoStack().redo();
     runner.run(3);
@@ -127,7 +127,7 @@ void GrowthRunnerTest::end_keepsWhatIsShown()
     QTRY_VERIFY_WITH_TIMEOUT(document.tree().step() >= 5, kPatience);
     runner.end();
     const Tree shown = document.tree();
-    // What was on its way comes to nothing.
+    // A step that was being computed is dropped.
     QTest::qWait(100);
     QVERIFY(document.tree() == shown);
     QCOMPARE(document.undoStack().count(), 1);
@@ -147,7 +147,7 @@ void GrowthRunnerTest::cancel_leavesNoTrace()
     QCOMPARE(document.tree().step(), Step{0});
     QCOMPARE(document.undoStack().count(), 0);
     QVERIFY(document.journal().empty());
-    // And growth can begin anew on what is left.
+    // Growth can begin again on the present tree.
     runner.run(2);
     QTRY_COMPARE_WITH_TIMEOUT(document.tree().step(), Step{2}, kPatience);
 }
@@ -222,13 +222,13 @@ void GrowthRunnerTest::parametersHeld_growthWaits()
         QTest::qWait(60);
         QCOMPARE(document.tree().step(), held);
     }
-    // The whole drag is one step, on top of what had grown.
+    // The whole drag is one step, after the growth before it.
     QCOMPARE(document.undoStack().count(), 2);
     editor.finish(QStringLiteral("Set-point angle"));
     QTRY_VERIFY_WITH_TIMEOUT(document.tree().step() > held, kPatience);
     QCOMPARE(document.parameters().growth.setPointAngle, radians(100.0));
 
-    // A drag that is taken back lets growth go on, too.
+    // After a cancelled drag growth continues, too.
     editor.begin();
     editor.show("growth.setPointAngle", 20.0);
     editor.putInForce(QStringLiteral("Set-point angle"));

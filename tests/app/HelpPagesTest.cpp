@@ -37,7 +37,7 @@ QString read(const QString& fileName)
 
 } // namespace
 
-/// The pages of the help: whole, true and found.
+/// The pages of the help: complete, correct and found by the program.
 class HelpPagesTest : public QObject {
     Q_OBJECT
 
@@ -214,8 +214,7 @@ void HelpPagesTest::search_findsTitlesFirst()
     QCOMPARE(book.find(QStringLiteral("PRUNE")).value(0), QStringLiteral("prune"));
     QVERIFY(book.find(QStringLiteral("prune")).contains(QStringLiteral("keys")));
     QCOMPARE(book.find(QStringLiteral("apical  domin")).value(0), QStringLiteral("architecture"));
-    QVERIFY(
-        !book.find(QStringLiteral("rush")).contains(QStringLiteral("brush"))); // Beginnings of words alone
+    QVERIFY(!book.find(QStringLiteral("rush")).contains(QStringLiteral("brush"))); // Only beginnings of words
     QVERIFY(book.find(QStringLiteral("zeppelin")).isEmpty());
 }
 

@@ -15,7 +15,7 @@
 
 using namespace espalier;
 
-/// A person who reads the help at the real window, and is shown around.
+/// The user reads the help at the real window, and follows the tour.
 class HelpTest : public test::WindowFixture {
     Q_OBJECT
 
@@ -94,7 +94,7 @@ void HelpTest::f1_opensThePageOfTheToolInHand()
     QTest::keyClick(handle(), Qt::Key_F1);
     QTRY_VERIFY(help().isVisible());
     QCOMPARE(help().page(), inHand->objectName());
-    // Another tool, another page; the same once more closes.
+    // Another tool opens another page; a second press closes the help.
     action(ActionId::Brush)->trigger();
     QTest::keyClick(handle(), Qt::Key_F1);
     if (static_cast<ActionId>(tool) != ActionId::Brush) {
@@ -124,7 +124,7 @@ void HelpTest::button_opensAndEscapeCloses()
     }
     click(button);
     QVERIFY(help().isVisible());
-    // Whole trees are framed in what the help leaves.
+    // Whole trees are framed in the part that the help leaves free.
     QVERIFY(help().geometry().left() > workspace().width() / 3);
     QVERIFY(help().geometry().right() < workspace().width());
     QTest::keyClick(handle(), Qt::Key_Escape);
@@ -151,7 +151,7 @@ void HelpTest::links_leadToPagesAndBack()
     QCOMPARE(help().page(), QStringLiteral("prune"));
     click(part<BarButton>("helpBack"));
     QCOMPARE(help().page(), QStringLiteral("lasso"));
-    // The page that comes back is as well dressed.
+    // The page has its style again after going back.
     QTRY_VERIFY(shown->document()->size().width() <= shown->viewport()->width());
     QCOMPARE(shown->document()->begin().begin().fragment().charFormat().fontWeight(), int{QFont::Normal});
     click(part<BarButton>("helpBack"));
@@ -165,7 +165,7 @@ void HelpTest::searchField_opensWhatItFinds()
     auto* search = part<QLineEdit>("helpSearch");
     click(search);
     QTest::keyClicks(search, QStringLiteral("bonsai"));
-    QVERIFY(m_window->document().index().livingCount() == 1); // No letter was a key of the tree's
+    QVERIFY(m_window->document().index().livingCount() == 1); // No letter was used as a key of the tree
     auto* list = part<QListWidget>("helpList");
     QCOMPARE(list->item(0)->text(), QStringLiteral("Bend"));
     QTest::keyClick(search, Qt::Key_Return);
@@ -206,7 +206,7 @@ void HelpTest::narrowWindow_hasTheContentsInPlaceOfThePage()
     action(ActionId::Help)->trigger();
     auto* list = part<QListWidget>("helpList");
     QTRY_VERIFY(!list->isVisible() && part<HelpPage>("helpPage")->isVisible());
-    QTest::qWait(50); // Until all has its place
+    QTest::qWait(50); // Until the layout is complete
     click(part<BarButton>("helpContentsButton"));
     QTRY_VERIFY(list->isVisible() && !part<HelpPage>("helpPage")->isVisible());
     const QListWidgetItem* item = list->findItems(QStringLiteral("Width"), Qt::MatchExactly).value(0);
@@ -235,7 +235,7 @@ void HelpTest::playing_asksAboutUnsavedWorkAndLeavesNone()
     QVERIFY(help().isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->recipeRunner().isRunning(), 60000);
     QCOMPARE(m_window->document().undoStack().count(), 5);
-    // The program's own tree is nobody's work, until a hand has touched it.
+    // The program's own tree is not an unsaved change until the user edits it.
     QVERIFY(!m_window->isWindowModified());
     QCOMPARE(m_window->document().undoStack().undoText(), QStringLiteral("Prune"));
     QVERIFY(action(ActionId::Prune)->isChecked());
@@ -280,7 +280,7 @@ void HelpTest::tour_goesOnByDoing()
 void HelpTest::tour_isSkippedAndNeverComesBack()
 {
     Tour& tour = m_window->help().tour();
-    QVERIFY(!tour.isRunning()); // A window alone begins none.
+    QVERIFY(!tour.isRunning()); // A window does not start the tour by itself
     m_window->help().startFirstTour();
     QVERIFY(tour.isRunning() && tourButton("tourSkip")->isVisible());
     click(tourButton("tourSkip"));
@@ -288,7 +288,7 @@ void HelpTest::tour_isSkippedAndNeverComesBack()
     m_window->help().startFirstTour();
     QVERIFY(!tour.isRunning());
 
-    // Who asks for it gets it again.
+    // The action starts the tour again.
     action(ActionId::Help)->trigger();
     help().showPage(HelpBook::kIndex);
     click(part<QPushButton>("helpPlay"));

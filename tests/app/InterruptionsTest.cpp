@@ -12,8 +12,8 @@
 
 using namespace espalier;
 
-/// What happens to a gesture whose pointer is not lifted yet, when something else comes between: it ends as
-/// it stands, as one undo step. Only Escape takes it back.
+/// A gesture that is interrupted before its pointer is lifted ends and is one undo step. Only Escape cancels
+/// it.
 class InterruptionsTest : public test::WindowFixture {
     Q_OBJECT
 
@@ -33,16 +33,16 @@ private Q_SLOTS:
     void sunUnderTheHand_staysWhereItIs();
 
 private:
-    /// A straight stem with branches, the only undo step there is.
+    /// Makes a straight stem with branches as the only undo step.
     void plant();
-    /// Takes a tool and begins a gesture with it that has changed something.
+    /// Selects a tool and begins a gesture that changes something.
     void begin(ActionId tool);
     void release() { QTest::mouseRelease(handle(), Qt::LeftButton, {}, m_hand); }
     void moveTo(const QPoint& place);
     /// Answers the next modal dialog with its Cancel.
     void rejectDialog();
 
-    QPoint m_hand; ///< Of the mouse that is pressed
+    QPoint m_hand; ///< Place of the pressed mouse
 };
 
 void InterruptionsTest::plant()
@@ -160,7 +160,7 @@ void InterruptionsTest::interruption_endsTheGestureAsOneUndoStep()
         const QKeyCombination keys = QKeySequence(what)[0];
         QTest::keyClick(handle(), keys.key(), keys.keyboardModifiers());
     }
-    // A lasso begins to fill when its stroke ends, unless its tool is put away.
+    // A lasso begins to fill when its stroke ends, unless its tool is deselected.
     QTRY_VERIFY(!viewport().isGestureActive());
     if (tool == ActionId::Lasso && m_window->isHandBusy())
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->isHandBusy(), 20000);
@@ -174,7 +174,7 @@ void InterruptionsTest::interruption_endsTheGestureAsOneUndoStep()
     action(ActionId::Library)->setChecked(false);
     viewport().show();
 
-    // The hand that is lifted then adds nothing.
+    // The release of the pointer adds nothing.
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     moveTo(m_hand + QPoint(30, 10));
@@ -319,7 +319,7 @@ void InterruptionsTest::penOutOfReach_endsTheStroke()
     QVERIFY(!viewport().isGestureActive());
     QCOMPARE(m_window->document().undoStack().count(), 1);
     QVERIFY(m_window->document().index().livingCount() > 5);
-    // Back again it draws another.
+    // A pen that comes back draws again.
     send(qApp, QEvent::TabletEnterProximity, from, Qt::NoButton);
     send(&viewport(), QEvent::TabletPress, from, Qt::LeftButton);
     QVERIFY(viewport().isGestureActive());
@@ -338,7 +338,7 @@ void InterruptionsTest::touchThatTheSystemTakes_endsTheStroke()
         QTest::qWait(20);
     }
     QVERIFY(viewport().isGestureActive());
-    // As Qt tells it: without points.
+    // In Qt's form: without points.
     QTouchEvent event(QEvent::TouchCancel, m_screen);
     QCoreApplication::sendEvent(&viewport(), &event);
     QVERIFY(!viewport().isGestureActive());

@@ -18,7 +18,7 @@
 
 namespace espalier {
 
-/// The window in each language that there is.
+/// The window in each of its languages.
 class LanguagesTest : public QObject {
     Q_OBJECT
 
@@ -45,7 +45,7 @@ QStringList languages()
     return found;
 }
 
-/// What of @p window's texts is cut off, one line each.
+/// The texts of @p window that are cut off, one line each.
 QStringList cutOff(const QWidget& window)
 {
     QStringList found;
@@ -70,7 +70,7 @@ QStringList cutOff(const QWidget& window)
     return found;
 }
 
-/// All that a person can read in @p window or hear of it; of the history alone the frame.
+/// All texts in @p window, also those for screen readers; of the history only the frame.
 QStringList textsOf(const QWidget& window)
 {
     QStringList texts{window.windowTitle()};
@@ -162,7 +162,7 @@ void LanguagesTest::language_changesAtOnceAndKeepsAll()
         QVERIFY(window.workspace().isHelpShown());
         QCOMPARE(window.workspace().help().page(), page);
         QVERIFY(window.workspace().viewport().camera() == camera);
-        // The same tree, and the way back.
+        // The tree is the same, and so is its undo stack.
         QCOMPARE(stack.count(), steps);
         QCOMPARE(window.document().tree().size(), size);
         window.actions()[ActionId::Undo]->trigger();
@@ -170,7 +170,7 @@ void LanguagesTest::language_changesAtOnceAndKeepsAll()
         window.actions()[ActionId::Redo]->trigger();
         QCOMPARE(stack.index(), steps);
     }
-    // Nothing of the interfaces before is left.
+    // Nothing is left of the interfaces before.
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     QCOMPARE(window.findChildren<QObject*>().size(), objects);
     QVERIFY(qApp->findChildren<QTranslator*>().size() <= 2);
@@ -192,7 +192,7 @@ void LanguagesTest::language_changesWhileASamplePlays()
     box->setCurrentIndex(box->findData(QStringLiteral("fr")));
     QTRY_COMPARE(window.actions()[ActionId::Prune]->text(), QCoreApplication::translate("Actions", "Prune"));
     QVERIFY(window.actions()[ActionId::Prune]->text() != QLatin1String("Prune"));
-    // It goes on, and is still nobody's work.
+    // The recipe continues, and its tree still does not count as an unsaved change.
     QVERIFY(window.recipeRunner().isRunning());
     QVERIFY(!window.actions()[ActionId::Prune]->isEnabled());
     QTRY_VERIFY(window.document().undoStack().count() > 0 ||

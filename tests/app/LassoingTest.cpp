@@ -10,7 +10,7 @@
 
 using namespace espalier;
 
-/// A person with the lasso.
+/// The user at the real window with the Lasso tool.
 class LassoingTest : public test::WindowFixture {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ private Q_SLOTS:
     void lassoPopOut_regrowsRemovesAndHides();
 
 private:
-    /// Takes the lasso, on a tree of few internodes.
+    /// Selects the Lasso tool, on a tree of few internodes.
     void takeLasso();
     /// Points of a circle in the window, 0.9 m wide, above the seedling, closed.
     std::vector<QPoint> lassoPlaces();

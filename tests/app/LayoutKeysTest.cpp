@@ -8,8 +8,8 @@
 
 using namespace espalier;
 
-/// A person whose keyboard has no Latin letters: events as X11 gives them with only a Cyrillic, Greek or
-/// Hebrew layout, which name the letter of that layout and the code of the key.
+/// Keyboards without Latin letters: events as X11 gives them with only a Cyrillic, Greek or Hebrew layout,
+/// with the letter of that layout and the code of the key.
 class LayoutKeysTest : public test::WindowFixture {
     Q_OBJECT
 
@@ -106,7 +106,7 @@ void LayoutKeysTest::toolKeys_takeTheirTools()
     QFETCH(Qt::KeyboardModifiers, modifiers);
     click(letter, code, modifiers);
     QVERIFY(action(tool)->isChecked());
-    // Back by the place of B.
+    // The key at the place of B selects the brush again.
     click(u'И', 56);
     QVERIFY(action(ActionId::Brush)->isChecked());
 }
@@ -124,11 +124,11 @@ void LayoutKeysTest::save_saves()
 
 void LayoutKeysTest::signAtTheLettersPlace_isTheLetter()
 {
-    // Hebrew has an apostrophe at the place of W. A letter says which layout it is.
+    // Hebrew has an apostrophe at the place of W. Only a letter shows the layout.
     click(u'נ', 56);
     click(u'\'', 25);
     QVERIFY(action(ActionId::Width)->isChecked());
-    // On a Latin layout a sign is a sign.
+    // On a Latin layout a sign keeps its meaning.
     QTest::keyClick(handle(), Qt::Key_B);
     click(u'\'', 25);
     QVERIFY(action(ActionId::Brush)->isChecked());
@@ -186,7 +186,7 @@ void LayoutKeysTest::textField_knowsItsShortcuts()
     QCOMPARE(field.text(), QString());
     click(u'М', 55, Qt::ControlModifier);
     QCOMPARE(field.text(), QStringLiteral("п"));
-    // Ctrl+Z is the field's, not the tree's.
+    // Ctrl+Z undoes in the text field, not in the tree.
     click(u'Я', 52, Qt::ControlModifier);
     QCOMPARE(field.text(), QString());
     QCOMPARE(m_window->document().index().livingCount(), grown);

@@ -16,7 +16,7 @@
 using namespace espalier;
 using test::project;
 
-/// A person in the library, at the real window.
+/// The user in the library, at the real window.
 class LibraryPanelTest : public QObject {
     Q_OBJECT
 
@@ -54,7 +54,7 @@ private:
     }
     void answer(QMessageBox::StandardButton button);
     void trigger(const QString& text);
-    /// Plain letters, to whatever has the keys.
+    /// Types plain letters; the widget with the keyboard focus gets them.
     void type(const QString& text)
     {
         for (const QChar letter : text)
@@ -72,7 +72,7 @@ void LibraryPanelTest::init()
     Preferences preferences;
     preferences.libraryFolder = m_folder.path();
     Settings().setPreferences(preferences);
-    // A window takes its time to come up where the processor draws it, so that the tests share one.
+    // The tests share one window, because it takes long to appear where the processor draws it.
     if (!m_window)
         m_window = std::make_unique<MainWindow>();
     m_window->resize(1024, 700);
@@ -84,7 +84,7 @@ void LibraryPanelTest::init()
 
 void LibraryPanelTest::cleanup()
 {
-    // Nobody is there to answer a question.
+    // A question about unsaved changes would wait for an answer for ever.
     m_window->document().undoStack().setClean();
     m_window->workspace().notice().finish();
     m_window->actions()[ActionId::New]->trigger();
@@ -144,7 +144,7 @@ void LibraryPanelTest::search_filtersBothSections()
     QVERIFY(saveProject(project(1.0), file(QStringLiteral("Elm"))));
     open(LibraryPanel::Section::Species);
     const int all = view().model()->rowCount();
-    // Letters go to the search, wherever the keys are, and not to the tools.
+    // Letters go to the search, not to the tools, wherever the focus is.
     type(QStringLiteral("w"));
     QTRY_VERIFY(qobject_cast<QLineEdit*>(QApplication::focusWidget()));
     type(QStringLiteral("illow WEEP"));
@@ -233,7 +233,7 @@ void LibraryPanelTest::doubleClick_growsASpecies()
     QVERIFY(m_window->document().index().livingCount() > 100);
     QVERIFY(m_window->isWindowModified());
     QVERIFY(!m_window->workspace().notice().isVisible());
-    // The folder that files are looked for in stays the person's.
+    // The folder of the file dialogs does not become one of the program's resources.
     QVERIFY(!Settings().folder().startsWith(QLatin1Char(':')));
 }
 
@@ -265,7 +265,7 @@ void LibraryPanelTest::keep_savesTheTreeAndAsksForItsName()
     QVERIFY(!loadProject(file(QStringLiteral("Rowan")))->thumbnail.isNull());
     QTRY_VERIFY(!view().currentIndex().data(Qt::DecorationRole).value<QImage>().isNull());
 
-    // A tree that has its file elsewhere leaves a copy here.
+    // A tree whose file is elsewhere is copied into the library.
     QTemporaryDir elsewhere;
     DocumentFile& own = m_window->files().file();
     QSignalSpy saved(&own, &DocumentFile::saved);
@@ -286,7 +286,7 @@ void LibraryPanelTest::menu_duplicatesRenamesAndTrashes()
     QTRY_COMPARE(panel().chosen(), file(QStringLiteral("Elm 2")));
     QTest::keyClick(handle(), Qt::Key_F2);
     QTRY_VERIFY(view().findChild<QLineEdit*>());
-    // No two trees have one name; it is said, and the file stays.
+    // Two trees cannot have the same name: a notice says so, and the file stays.
     QTest::keyClick(handle(), Qt::Key_A, Qt::ControlModifier);
     type(QStringLiteral("Elm"));
     QTest::keyClick(handle(), Qt::Key_Return);
@@ -341,7 +341,7 @@ void LibraryPanelTest::openTree_followsItsFile()
     Q_EMIT panel().renameAsked(panel().chosen(), QStringLiteral("Ash"));
     QTRY_COMPARE(own.fileName(), file(QStringLiteral("Ash")));
     QVERIFY(!m_window->isWindowModified());
-    // Without its file all of the tree is unsaved, and nobody loses it unasked.
+    // Without its file the whole tree is unsaved, so the program asks before it closes the tree.
     QTest::keyClick(handle(), Qt::Key_Delete);
     QTRY_VERIFY(own.fileName().isEmpty());
     QCOMPARE(own.displayName(), QStringLiteral("Ash"));

@@ -13,7 +13,7 @@ using namespace espalier;
 using test::namesOf;
 using test::project;
 
-/// The folder that a library is, without a window.
+/// The library's folder, without a window.
 class LibraryTest : public QObject {
     Q_OBJECT
 

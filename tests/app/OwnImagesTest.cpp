@@ -10,7 +10,7 @@
 
 using namespace espalier;
 
-/// Images of leaf and bark that a person drops on the window.
+/// Images of leaf and bark that the user drops on the window.
 class OwnImagesTest : public test::WindowFixture {
     Q_OBJECT
 
@@ -50,7 +50,7 @@ void OwnImagesTest::droppedImage_becomesLeafOrBark()
     writeTo(bark, test::pngOf(test::repeatingBark(64, 64)));
     writeTo(m_folder->filePath(QStringLiteral("Oak_NormalGL.png")), test::pngOf(test::repeatingBark(64, 32)));
 
-    // Anywhere on the window: it asks what the image shall be.
+    // On any place of the window: a dialog asks what the image is for.
     dropFile(*m_window, leaf);
     QVERIFY(notice().contains(QStringLiteral("leaf.png")));
     const auto* const yes = m_window->workspace().notice().findChild<QPushButton*>();
@@ -60,7 +60,7 @@ void OwnImagesTest::droppedImage_becomesLeafOrBark()
     QVERIFY(std::abs(document.parameters().leaves.aspect - 0.5) < 0.05);
     QCOMPARE(document.undoStack().count(), 1);
 
-    // On the sheet of branches: it is bark, with what lies beside it.
+    // On the sheet of branches: the image becomes bark, with the images beside it.
     dropFile(m_window->workspace().sheet(3), bark);
     QTRY_VERIFY(!document.parameters().bark.image.isNull());
     QCOMPARE(document.parameters().bark.normalImage.name(), QStringLiteral("Oak_NormalGL.png"));

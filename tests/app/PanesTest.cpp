@@ -15,7 +15,7 @@
 
 using namespace espalier;
 
-/// A person who opens and closes what lies around the tree.
+/// The user opens and closes the panes around the tree.
 class PanesTest : public test::WindowFixture {
     Q_OBJECT
 
@@ -86,7 +86,7 @@ void PanesTest::architecture_isDraggedOverTheLiveTree()
     QCOMPARE(document.undoStack().count(), 2);
     const double theta = document.parameters().growth.setPointAngle;
     QVERIFY(theta > radians(60));
-    // What has grown stays; the arrows are the handle's, and F6 leads back to the tree.
+    // The tree stays; arrow keys go to the handle, and F6 moves the focus back to the tree.
     QCOMPARE(document.index().livingCount(), grown);
     QTest::keyClick(handle(), Qt::Key_Down);
     QVERIFY(document.parameters().growth.setPointAngle > theta);
@@ -95,7 +95,7 @@ void PanesTest::architecture_isDraggedOverTheLiveTree()
     QTest::keyClick(handle(), Qt::Key_F6);
     QTRY_VERIFY(qobject_cast<DiagramHandle*>(QApplication::focusWidget()));
     QVERIFY(QApplication::focusWidget()->isVisible());
-    // The tree is still there to be brushed.
+    // The user can still brush the tree.
     brush(0.5F, 1.2F, 0.5F);
     QVERIFY(document.index().livingCount() > grown);
     action(ActionId::Architecture)->trigger();

@@ -7,7 +7,7 @@
 
 #include <csignal>
 
-/// The built program, as scripts call it.
+/// The built program, called as from a script.
 class ProgramTest : public QObject {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ private Q_SLOTS:
     void diskThatTakesNothing_leavesOldFilesAndFails();
     void fullDisk_isSaidInWords();
     void picture_isDrawnOnADisplay();
-    void demonstration_writesItsFilesWhereNobodyLooks();
+    void demonstration_onAVirtualDisplay_writesItsFiles();
 
 private:
     struct Outcome {
@@ -44,10 +44,10 @@ private:
         QByteArray out;
         QByteArray error;
     };
-    /// @p takesNothing: no file that the program writes may be longer than nothing.
+    /// @p takesNothing: every file that the program writes is limited to a length of 0.
     Outcome run(const QStringList& arguments, const QProcessEnvironment& environment = withoutDisplay(),
                 bool takesNothing = false);
-    /// Runs and fails the test unless all went well without a word.
+    /// Runs the program, and fails the test unless it succeeds without any output.
     void runWell(const QStringList& arguments);
     static QProcessEnvironment withoutDisplay();
     QString path(const QString& name) const { return m_folder->filePath(name); }
@@ -103,7 +103,7 @@ ProgramTest::Outcome ProgramTest::run(const QStringList& arguments, const QProce
         process.setChildProcessModifier([] {
             const rlimit nothing = {0, RLIM_INFINITY};
             ::setrlimit(RLIMIT_FSIZE, &nothing);
-            // Writing then fails, in place of ending the program.
+            // Writing fails then, instead of ending the program.
             std::signal(SIGXFSZ, SIG_IGN);
         });
     }
@@ -465,7 +465,7 @@ void ProgramTest::picture_isDrawnOnADisplay()
     QCOMPARE(outcome.error.count('\n'), 1);
 }
 
-void ProgramTest::demonstration_writesItsFilesWhereNobodyLooks()
+void ProgramTest::demonstration_onAVirtualDisplay_writesItsFiles()
 {
     QVERIFY2(!qEnvironmentVariableIsEmpty("DISPLAY"), "There is no display: run this test with xvfb-run -a.");
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

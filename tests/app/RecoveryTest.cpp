@@ -6,7 +6,7 @@
 
 using namespace espalier;
 
-/// What crashes leave, and what becomes of it.
+/// Safety copies after a crash, and their recovery.
 class RecoveryTest : public test::FilesFixture {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ private Q_SLOTS:
     void originsOfOlderVersions_areRead();
 
 private:
-    /// As a crash leaves it, @p minutes ago: a tree of @p steps steps, opened from @p original.
+    /// Leaves the files of a crash @p minutes ago: a tree of @p steps steps, opened from @p original.
     Tree crash(const char* name, const QString& original, int steps, int minutes);
     static QString copyPath(const char* name)
     {
@@ -160,7 +160,7 @@ void RecoveryTest::damagedCopy_isKeptAsideAndNamedAtTheStart()
     QVERIFY2(window.said().contains(QStringLiteral("oak.espalier")), qPrintable(window.said()));
     QVERIFY(!QFileInfo::exists(copyPath("a")));
 
-    // The others are offered once that was read.
+    // The other copies are offered after that notice was closed.
     window.press(QStringLiteral("Close"));
     QTRY_VERIFY(asks(window, QStringLiteral("never saved")));
     window.press(QStringLiteral("Later"));

@@ -14,7 +14,7 @@
 
 namespace espalier {
 
-/// What a person sets is in force at once, and tomorrow.
+/// Preferences take effect at once, and are kept for the next start.
 class SettingsTest : public QObject {
     Q_OBJECT
 
@@ -130,7 +130,7 @@ void SettingsTest::preferences_areRemembered()
     QCOMPARE(kept.undoSteps, 40);
     QCOMPARE(kept.pressureExponent, 0.5);
     QVERIFY(kept == sheet.preferences());
-    // One sheet is enough.
+    // A second trigger opens no second sheet.
     action(ActionId::Settings)->trigger();
     QCOMPARE(m_window->findChildren<SettingsSheet*>().size(), 1);
 }
@@ -262,7 +262,7 @@ void SettingsTest::curve_showsWhatAPenPresses()
 
 void SettingsTest::pressureExponent_reachesTheBrush()
 {
-    // The same hand, and a radius that its pressure scales: a soft curve grows the wider tree.
+    // With the same pressure, which scales the radius, a soft curve gives the wider tree.
     const auto widthWith = [this](double exponent) {
         viewport().setPressureExponent(exponent);
         const Camera& camera = viewport().camera();

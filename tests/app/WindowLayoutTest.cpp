@@ -17,7 +17,7 @@
 
 using namespace espalier;
 
-/// Where things are in the window: nothing lies over anything else, and a finger hits it all.
+/// Layout of the window: no widget lies over another one, and all are large enough for a finger.
 class WindowLayoutTest : public QObject {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ private Q_SLOTS:
 private:
     QAction* action(ActionId id) { return m_window->actions()[id]; }
     Workspace& workspace() { return m_window->workspace(); }
-    /// Each thing that can be open, and some at the same time; @p look looks at it.
+    /// Opens each pane, and some of them together, and calls @p look each time.
     void visitAll(const std::function<void(const QByteArray& name)>& look);
 
     std::unique_ptr<MainWindow> m_window;
@@ -41,7 +41,8 @@ private:
 
 namespace {
 
-/// Two that lie over each other, or nothing. Cards that a sheet scrolls are looked at where they are in it.
+/// Names two widgets that overlap; empty if none do. Cards in a scrolling sheet are compared at their places
+/// in it.
 QString overlapIn(const QWidget& parent)
 {
     QList<QWidget*> shown;
@@ -63,7 +64,7 @@ QString overlapIn(const QWidget& parent)
     return {};
 }
 
-/// Pieces of the workspace that are there to lie over others.
+/// Whether the widget is meant to lie over others.
 bool liesOver(const QWidget& widget)
 {
     return qobject_cast<const Viewport*>(&widget) || qobject_cast<const LibraryPanel*>(&widget);
@@ -75,7 +76,7 @@ QString overlapOf(const Workspace& workspace)
     for (const QWidget* widget : workspace.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (!widget->isVisible() || widget->isWindow() || liesOver(*widget))
             continue;
-        // The scale turns at its lower edge alone where words stand over it.
+        // Where words stand over the strip, only its lower edge turns the view.
         if (!workspace.rect().contains(widget->geometry()))
             return QLatin1String(widget->metaObject()->className()) +
                    QStringLiteral(" is cut off by the window");
@@ -88,7 +89,7 @@ QString overlapOf(const Workspace& workspace)
                        QLatin1String(panes[j]->metaObject()->className());
         }
     }
-    // Within panes: whatever has a layout, down to rows.
+    // Every layout within panes, down to rows.
     for (const QWidget* pane : panes) {
         for (const QWidget* holder : pane->findChildren<QWidget*>()) {
             if (!holder->isVisible() || !holder->layout())
@@ -110,7 +111,7 @@ void WindowLayoutTest::initTestCase()
     m_window->resize(1024, 700);
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    // Places are looked at, no pictures.
+    // Only places matter, not pictures.
     m_window->setUpdatesEnabled(false);
 }
 
@@ -217,7 +218,7 @@ void WindowLayoutTest::title_isLegibleInASmallWindow()
 
 void WindowLayoutTest::icons_areCrispAtAnyScale()
 {
-    // Three pixels to one: drawn anew, not magnified.
+    // At three pixels to one the icon is drawn again, not magnified.
     const QPixmap pixmap = action(ActionId::Prune)->icon().pixmap(QSize(24, 24), 3.0);
     QCOMPARE(pixmap.size(), QSize(72, 72));
     const QImage magnified =

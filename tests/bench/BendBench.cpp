@@ -33,8 +33,8 @@ ChainPose branch(std::size_t count)
     return pose;
 }
 
-/// The tip goes around in a wide loop once in 4 s at 60 calls a second, with or without a second hand that
-/// holds the middle.
+/// The tip goes around in a wide loop once in 4 s at 60 calls a second, with or without a second handle in
+/// the middle.
 void chainBend_drag(benchmark::State& state)
 {
     const auto count = static_cast<std::uint32_t>(state.range(0));
@@ -81,7 +81,7 @@ void chainBend_worst(benchmark::State& state)
 }
 BENCHMARK(chainBend_worst)->Unit(benchmark::kMillisecond);
 
-/// A move of the hand that bends a branch of a tree of 50,000 internodes: the form, the tree and its indices,
+/// One move of a drag that bends a branch of a tree of 50,000 internodes: the form, the tree and its indices,
 /// and the mesh. The branch carries about one of @p share of the tips.
 void bendGesture_move50k(benchmark::State& state)
 {

@@ -12,10 +12,10 @@ double cpuTime();
 double median(std::vector<double> samples);
 double worst(const std::vector<double>& samples);
 
-/// Grows without a hand until there are so many living internodes.
+/// Grows without a brush until the tree has @p internodes living internodes.
 void growTo(TreeDocument& document, std::uint32_t internodes);
-/// A well-shaped crown of so many internodes, grown without a hand by the default parameters; made once, so
-/// leave it as it was.
+/// A well-shaped crown of so many internodes, grown without a brush by the default parameters. It is made
+/// once and shared, so restore it after changes.
 TreeDocument& crown(std::uint32_t internodes);
 
 } // namespace espalier::test

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// The crown's edge as seen from the middle of the crown in the direction that a hand would add to it.
+/// The edge of the crown as seen from its middle in the direction in which the stroke adds to it.
 Vec3 edgeOf(const TreeDocument& document, const Vec3& direction)
 {
     Box3 box;

@@ -25,7 +25,7 @@ public:
             step();
     }
 
-    /// Goes on until something grows, and returns that.
+    /// Continues until a step grows something, and returns that step.
     TreeDelta& step()
     {
         for (;;) {

@@ -18,7 +18,7 @@ constexpr std::array kDeviceNames{"finger", "pen", "mouse"};
 constexpr double kPixelsPerMillimetre = 96.0 / 25.4;
 constexpr QSizeF kView(1600.0, 1000.0);
 
-/// How near the camera is.
+/// Distance of the camera.
 enum View { WholeTree, Twigs };
 constexpr std::array kViewNames{"whole tree", "twigs"};
 
@@ -47,7 +47,7 @@ void pointAll(benchmark::State& state, Pick&& pick)
 {
     const TreeDocument& document = crown(static_cast<std::uint32_t>(state.range(0)));
     const Widths widths(document.tree(), document.index());
-    // The view has them from its mesh.
+    // The viewport takes the radii from its mesh.
     std::vector<float> radii;
     for (InternodeId id = 0; id < document.tree().size(); ++id)
         radii.push_back(document.tree().isAlive(id) ? widths.radius(document.index(), id) : 0.0F);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a frame costs beside a bare draw of the same triangles, which knows nothing but their positions: all
-// measured in turn, in one run. "espalier_render_bench [PROJECT]"; without a project, a tree of 50,000
-// internodes with leaves.
+// Measures the cost of a frame relative to a bare draw of the same triangles, which uses only their
+// positions: both are measured in turn, in one run. "espalier_render_bench [PROJECT]"; without a project, a
+// tree of 50,000 internodes with leaves.
 #include "commands/DocumentProject.h"
 #include "commands/GrowGesture.h"
 #include "model/io/project/ProjectFile.h"
@@ -25,12 +25,12 @@ namespace espalier {
 
 namespace {
 
-constexpr QSize kSize(1280, 800); ///< As a window has at first
+constexpr QSize kSize(1280, 800); ///< The window's first size
 constexpr std::uint32_t kInternodes = 50'000;
 constexpr int kRounds = 5;
-constexpr int kFramesUntilPaced = 16; ///< By then the pacer has found out what this machine can do
+constexpr int kFramesUntilPaced = 16; ///< Frames after which the pacer has found this machine's speed
 
-/// The triangles as a program would draw them that knows no light.
+/// Draws the triangles without light.
 class BareDraw {
 public:
     BareDraw(Gl& gl, const MeshPool& mesh) : m_gl(gl), m_array(gl), m_positions(gl), m_indices(gl)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long an event waits for the window, at worst, while it works: "xvfb-run -s '-screen 0 1600x1000x24'
-// build/release/bin/espalier_responsiveness_bench [INTERNODES]". OpenGL's time aside, which is the
-// graphics card's: its functions that draw, and send what is drawn, do nothing here.
+// Measures how long an event waits for the window at most, while the window works: "xvfb-run -s '-screen 0
+// 1600x1000x24' build/release/bin/espalier_responsiveness_bench [INTERNODES]". OpenGL's time belongs to the
+// graphics card and does not count: the functions that draw and send data do nothing here.
 #include "app/MainWindow.h"
 #include "panels/Theme.h"
 #include "tests/bench/Crowns.h"
@@ -32,7 +32,7 @@ void doNothing() {}
 
 } // namespace
 
-/// Stands before the one of the OpenGL library, which Qt asks for every function.
+/// Replaces the function of the OpenGL library, which Qt calls for every OpenGL function.
 extern "C" __attribute__((visibility("default"))) void (*glXGetProcAddress(const GLubyte* name))()
 {
     using Resolve = void (*(*)(const GLubyte*))();
@@ -56,7 +56,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBeat(3);
 
-/// Lets the window live for a while.
+/// Lets the window process events for a while.
 void live(int milliseconds)
 {
     QEventLoop loop;
@@ -64,7 +64,7 @@ void live(int milliseconds)
     loop.exec();
 }
 
-/// Posts an event every few milliseconds, as a pen does, and notes how long each waits.
+/// Posts an event every few milliseconds, as a pen does, and records how long each waits.
 class Heart : public QObject {
 public:
     Heart()
@@ -224,7 +224,7 @@ public:
     }
 
 private:
-    /// With the mouse, for a second and a half.
+    /// Moves the mouse for a second and a half.
     template <class Path>
     static void drag(QWidget& widget, Path&& path)
     {

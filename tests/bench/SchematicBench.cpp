@@ -11,8 +11,8 @@ namespace espalier {
 
 namespace {
 
-/// What a moving handle of the panel of architecture asks for in each frame: the schematic tree grown anew
-/// and drawn, on one core, at twice the usual number of pixels. By the degrees of θ.
+/// One frame while a handle of the panel of architecture moves: the schematic tree is grown and drawn, on one
+/// core, at twice the usual number of pixels. By the degrees of θ.
 void schematicFrame(benchmark::State& state)
 {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
@@ -34,7 +34,7 @@ void schematicFrame(benchmark::State& state)
     state.counters["internodes"] = internodes;
 }
 
-/// The most laborious parameters: buds that see far and wide, many markers, deep shadows.
+/// The slowest parameters: buds that see far and wide, many markers, deep shadows.
 void schematicFrame_laborious(benchmark::State& state)
 {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);

@@ -42,8 +42,8 @@ TreeDocument& brushed()
     return document;
 }
 
-/// What the hand on the slider of time makes the program do, up to what goes to the graphics card: to each of
-/// @p places in turn, and a picture there.
+/// The work of a drag of the time slider, up to the data for the graphics card: to each of @p places in turn,
+/// and a picture there.
 template <class Place>
 void slide(benchmark::State& state, int count, Place&& place)
 {
@@ -99,7 +99,7 @@ void timeSlider_byOne(benchmark::State& state)
 }
 BENCHMARK(timeSlider_byOne)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
 
-/// A quick hand: so many deltas between two pictures.
+/// A fast drag: so many deltas between two pictures.
 void timeSlider_byJumps(benchmark::State& state)
 {
     const auto stride = static_cast<int>(state.range(0));

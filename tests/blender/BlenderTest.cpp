@@ -53,14 +53,14 @@ QJsonObject describe(const Camera& camera)
             {QStringLiteral("size"), QJsonArray{kPicture.width(), kPicture.height()}}};
 }
 
-/// What can be counted in a picture of a tree on nothing.
+/// Counts of pixels in a picture of a tree without background.
 struct Seen {
-    int covered = 0; ///< Pixels that are more tree than not
-    int both = 0;    ///< Pixels that the other picture covers, too
+    int covered = 0; ///< Pixels that are more than half tree
+    int both = 0;    ///< Pixels that the other picture covers too
     int either = 0;
     int green = 0;
     int brown = 0;
-    int holes = 0; ///< Pixels of nothing with tree to the left, to the right, above and below
+    int holes = 0; ///< Empty pixels with tree to the left, to the right, above and below
 };
 
 Seen look(const QImage& picture, const QImage& other)
@@ -107,8 +107,7 @@ Seen look(const QImage& picture, const QImage& other)
 
 } // namespace
 
-/// What another program makes of the exports is what counts: a reader of our own would only repeat our own
-/// faults.
+/// Another program reads the exports, because a reader of our own would repeat our own faults.
 class BlenderTest : public QObject {
     Q_OBJECT
 
@@ -130,7 +129,7 @@ void BlenderTest::initTestCase()
 
 void BlenderTest::blender_readsAndRendersEveryFormat_data()
 {
-    // A loose crown of leaves that leave much of their cards empty.
+    // A loose crown of leaves with much empty space on their cards.
     TreeParameters parameters = readRecipe(kRecipe)->parameters;
     parameters.bark.kind = BarkKind::Plated;
     parameters.leaves.shape = LeafShape::Palmate;
@@ -163,7 +162,7 @@ void BlenderTest::blender_readsAndRendersEveryFormat()
         QVERIFY2(exported, exported ? "" : qPrintable(exported.error().message));
     }
 
-    // Larger, and then made smaller, for edges as fine as those of many samples.
+    // Drawn larger and scaled down, for edges as fine as those of many samples.
     PictureRequest request;
     request.size = 4 * kPicture;
     request.options.background = QColor(Qt::transparent);
@@ -203,7 +202,7 @@ void BlenderTest::blender_readsAndRendersEveryFormat()
     for (const char* suffix : {"fbx", "glb"}) {
         const QImage picture(folder.filePath(QLatin1String(suffix) + QStringLiteral(".png")));
         QCOMPARE(picture.size(), kPicture);
-        // So that they can be looked at.
+        // For a person to look at.
         picture.save(
             QStringLiteral("%1_%2.png").arg(QLatin1String(QTest::currentDataTag()), QLatin1String(suffix)));
         const Seen there = look(picture, ours);
@@ -221,8 +220,8 @@ void BlenderTest::blender_readsAndRendersEveryFormat()
                 .arg(there.brown)
                 .toUtf8();
         qInfo("%s", what.constData());
-        // The same tree at the same place, and sky where its leaves' alpha leaves some: whole cards would
-        // cover a sixth more, those of the drawn leaves even a third.
+        // The same tree at the same place, with sky where the alpha of its leaves is 0: whole cards would
+        // cover a sixth more, with drawn leaves even a third.
         QVERIFY2(std::abs(there.covered - here.covered) < 0.1 * here.covered, what);
         QVERIFY2(there.both > 0.9 * there.covered, what);
         QVERIFY2(std::abs(there.holes - here.holes) < 0.2 * here.holes, what);

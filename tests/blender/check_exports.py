@@ -67,7 +67,7 @@ def check_bounds(where, mesh_object, wanted):
 def check_closed(where, mesh_object):
     surface = bmesh.new()
     surface.from_mesh(mesh_object.data)
-    # Below the resolution of its numbers Blender does not even find vertices that are in the same place.
+    # With a smaller distance Blender does not even find vertices at the same place.
     bmesh.ops.remove_doubles(surface, verts=surface.verts, dist=1e-6)
     wrong = sum(1 for edge in surface.edges if len(edge.link_faces) != 2)
     inward = 0.0
@@ -178,7 +178,7 @@ def check_material(where, mesh_object, suffix):
         check(alpha.is_linked and alpha.links[0].from_socket.name in ("Alpha", "Value", "Result"),
               f"{where}: alpha comes from {alpha.links[0].from_socket.name if alpha.is_linked else 'nowhere'}")
         mask = image_behind(alpha)
-        # Of an FBX, Blender takes the alpha of the colour where that has one, whatever TransparentColor names.
+        # In an FBX, Blender uses the alpha of the colour image if it has one, and ignores TransparentColor.
         if suffix == "obj" and mask is not None:
             pixels = numpy.empty(len(mask.pixels), dtype=numpy.float32)
             mask.pixels.foreach_get(pixels)
@@ -194,7 +194,7 @@ def check_material(where, mesh_object, suffix):
 
 
 def render(suffix):
-    """The view of the camera, in Cycles, for the others want a graphics card."""
+    """The view of the camera, in Cycles, because the other renderers need a graphics card."""
     wanted = expected["camera"]
     position, right, up = (Vector(to_z_up(wanted[name])) for name in ("position", "right", "up"))
     scene = bpy.context.scene

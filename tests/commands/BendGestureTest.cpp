@@ -128,7 +128,7 @@ void BendGestureTest::wayThereAndBack_restoresTheBranch()
     const InternodeId middle = specimen.path[specimen.path.size() / 2];
     BendGesture gesture(document, specimen.base, {{middle, 0.5}, {specimen.end, 1.0}});
     const std::vector<Vec3> start = gesture.gripPoints();
-    // Both hands go around in loops; the directions from the base stay well within a quarter turn.
+    // Both handles go around in loops; the directions from the base stay well within a quarter turn.
     const float reach = 0.3F * specimen.length();
     for (int i = 0; i <= 120; ++i) {
         const float angle = static_cast<float>(radians(3.0 * i));
@@ -197,7 +197,7 @@ void BendGestureTest::otherHands_goOnFromTheFormThatStands()
     gesture.settleAt(std::span(&first, 1));
     const Tree bent = document.tree();
 
-    // A second hand holds the branch lower down: nothing springs.
+    // A second handle holds the branch lower down: the form does not jump.
     const InternodeId middle = specimen.path[specimen.path.size() / 2];
     const Vec3 held = document.index().nodePosition(middle);
     gesture.regrip(middle, {{specimen.end}, {middle}});
@@ -296,7 +296,7 @@ void BendGestureTest::handlesThatAreNowhere_holdNothing()
     QVERIFY(!bend(kNoInternode, {{kNoInternode}}));
     QVERIFY(!bend(0, {{kNoInternode}, {0, 0.5}}));
     QVERIFY(!bend(specimen.end, {{specimen.end}, {specimen.base}}));
-    // One that is somewhere bends the branch, whatever the others are.
+    // A valid handle bends the branch, also if the others are not valid.
     QVERIFY(bend(0, {{beyond}, {specimen.end, std::nan("")}, {0, -3.0}}));
     QVERIFY(isSound(document));
     QCOMPARE(indexFault(document), QString());
@@ -307,7 +307,7 @@ void BendGestureTest::bendingForEver_staysWithinWhatATreeMayHold()
     Specimen specimen;
     TreeDocument& document = specimen.document;
     const DocumentState before(document);
-    // Each bend starts from what the one before has stretched, or pressed together.
+    // Each bend starts from the lengths that the one before has stretched or compressed.
     for (const float factor : {10.0F, 0.0F}) {
         for (int i = 0; i < 40; ++i) {
             BendGesture gesture(document, specimen.base, {{specimen.end}},

@@ -155,7 +155,7 @@ void BrushGestureTest::cancelledStroke_leavesNoTrace()
     gesture.cancel();
     QCOMPARE(differenceFrom(before, document), QString());
     QCOMPARE(document.undoStack().count(), 0);
-    gesture.finish(); // of no effect any more
+    gesture.finish(); // it has no effect any more
     QCOMPARE(document.undoStack().count(), 0);
 }
 
@@ -332,7 +332,7 @@ void BrushGestureTest::drawnStroke_isOneAxisOnTheLine()
             line.push_back(line.back() + 0.05F * heading);
         }
         const std::uint32_t size = document.tree().size();
-        // The same polyline, whatever the pace of the samples: one sample a corner.
+        // The same polyline at another pace of samples: one sample a corner.
         std::vector<BrushSample> samples;
         for (std::size_t i = 0; i < line.size(); ++i)
             samples.push_back({static_cast<double>(i) / kBrushStepsPerSecond, line[i], 0.0F});
@@ -639,7 +639,7 @@ void BrushGestureTest::parametersChangedBetweenStrokes_leaveWhatStood()
         QCOMPARE(after.length[id], before.length[id]);
         QVERIFY(after.rotation[id].coeffs() == before.rotation[id].coeffs());
         QCOMPARE(document.index().nodePosition(id), indexBefore.nodePosition(id));
-        // Buds may only have been used.
+        // Buds can only have been used up.
         QCOMPARE(after.buds[id].active() & ~before.buds[id].active(), 0);
     }
     for (const InternodeId id : bornSince(document, size)) {

@@ -10,7 +10,7 @@
 
 namespace espalier::test {
 
-/// Whatever a person can set, growth neither crashes nor hangs nor leaves a node nowhere.
+/// For all values that a user can set, growth does not crash or hang, and gives every node a valid place.
 class HostileNumbersTest : public QObject {
     Q_OBJECT
 
@@ -60,7 +60,7 @@ QString keyOf(int which)
     return key;
 }
 
-/// What is wrong with the tree after a stroke and some steps alone, empty if nothing.
+/// A fault of the tree after a stroke and some steps without a brush; empty if there is none.
 QString growAndJudge(const TreeParameters& parameters, std::uint64_t seed)
 {
     TreeDocument document;

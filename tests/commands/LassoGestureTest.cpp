@@ -142,7 +142,7 @@ void LassoGestureTest::seedlingBelow_reachesTheEnvelope()
     QVERIFY(fill(document, strokeOf(circle(1.0), 2.0F, 6.0F)) > 0);
     QVERIFY(document.index().tipCount(0) > 20);
     for (InternodeId id = 1; id < document.tree().size(); ++id) {
-        // The way there is bare.
+        // There are no branches on the way to the envelope.
         if (document.index().nodePosition(id).y() < 5.0F)
             QVERIFY(document.tree().continuesAxis(id));
     }
@@ -190,7 +190,7 @@ void LassoGestureTest::secondLasso_joinsTheFirst()
     document.reset(1, coarse());
     QVERIFY(fill(document, strokeOf(circle(1.0), 2.0F, 1.0F)) > 0);
     const std::uint32_t first = document.index().livingCount();
-    // A ball of its own on top, half a metre of air between.
+    // A separate ball on top, with half a metre of air between.
     QVERIFY(fill(document, strokeOf(circle(1.0), 1.5F, 3.5F)) > 0);
     QCOMPARE(document.tree().lassoIndicesInForce().size(), 2U);
     QVERIFY(document.index().livingCount() > first + 20);

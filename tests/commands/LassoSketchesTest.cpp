@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Trees grown in lassos as untrained hands draw them. Six drawings that imitate such hands; with a folder of
-// people's drawings in the environment variable ESPALIER_SKETCHES, all of those too.
+// Trees grown in lassos drawn by untrained people. Six drawings that imitate such people; with a folder of
+// real drawings in the environment variable ESPALIER_SKETCHES, all of those too.
 #include "commands/EnvelopeGrowth.h"
 #include "commands/LassoGesture.h"
 #include "model/envelope/LassoLoop.h"

@@ -86,7 +86,7 @@ void SampleRecipesTest::nothing_liesBelowTheGround()
     RecipePlayer(document, *recipe).playAll();
     const Tree& tree = document.tree();
     const TreeIndex& index = document.index();
-    // Of what grew, no more than a hand's breadth of a bent branch; of what is drawn, nothing.
+    // Bent branches may reach at most a hand's breadth below the ground; the drawn mesh not at all.
     float deepest = 0.0F;
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (tree.isAlive(id))
@@ -98,7 +98,7 @@ void SampleRecipesTest::nothing_liesBelowTheGround()
     const MeshBuffer<LeafInstance> leaves = placeLeaves(tree, index);
     for (const MeshVertex& vertex : expandLeaves(leaves).vertices)
         QVERIFY2(vertex.position[1] > -1e-5F, qPrintable(QString::number(vertex.position[1])));
-    // Few leaves are lost to it.
+    // Few leaves are hidden because of that.
     const auto hidden = std::ranges::count_if(leaves, [](const LeafInstance& l) { return l.length <= 0.0F; });
     QVERIFY2(50 * hidden <= static_cast<std::ptrdiff_t>(leaves.size()), qPrintable(QString::number(hidden)));
 }

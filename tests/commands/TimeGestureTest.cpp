@@ -99,7 +99,7 @@ void TimeGestureTest::travels_areOneUndoStep()
     QVERIFY(DocumentState(*m_document) == before);
     m_document->undoStack().redo();
     QCOMPARE(position(), end - 5);
-    // Back at the present there is nothing to undo.
+    // Back at the present, there is nothing to undo.
     travel(end);
     QCOMPARE(m_document->undoStack().index(), before.undoIndex);
     QVERIFY(DocumentState(*m_document) == before);
@@ -194,7 +194,7 @@ void TimeGestureTest::projectFile_keepsTheFuture()
     QCOMPARE(opened.index().livingCount(), 1U);
     gesture.moveTo(end - 1);
     gesture.finish();
-    // What is done at an earlier moment of an opened file starts another future as well.
+    // An edit at an earlier moment of an opened file starts another future as well.
     opened.undoStack().undo();
     const DocumentState before(opened);
     grow(opened, 1);

@@ -44,7 +44,7 @@ QByteArray packed(const TreeDocument& document)
     return *bytes;
 }
 
-/// A document to which random edits, undos and cancelled gestures happen, and the list of those that count.
+/// A document with random edits, undos and cancelled gestures, and the list of the edits that count.
 class Undecided {
 public:
     explicit Undecided(std::uint64_t seed) : m_random(seed, 0, 0, Purpose::ShootLength), m_seed(seed)
@@ -88,7 +88,7 @@ public:
         return m_document;
     }
 
-    /// Lives through what counts alone.
+    /// Performs only the edits that count.
     void replay(TreeDocument& document) const
     {
         document.reset(m_seed, m_parameters);

@@ -85,7 +85,7 @@ void WidthGestureTest::branch_hasTheWidthThatWasSet()
     const double baseBefore = diameterAt(document, 0);
     setWidth(document, id, 3.0 * before);
     QVERIFY(std::abs(diameterAt(document, id) - 3.0 * before) < 1e-6);
-    // What carries it is thicker, too.
+    // The branches below it become thicker, too.
     QVERIFY(diameterAt(document, 0) > baseBefore);
     setWidth(document, 0, 5.0 * before);
     QVERIFY(std::abs(diameterAt(document, 0) - 5.0 * before) < 1e-6);

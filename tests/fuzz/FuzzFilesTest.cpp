@@ -23,8 +23,7 @@ extern "C" const char* __asan_default_options()
     return "max_allocation_size_mb=1024:allocator_may_return_null=0";
 }
 
-/// Damaged files: each must give an error or a document that can be trusted, never a crash, a hang or a flood
-/// of memory.
+/// Damaged files: each must give an error or a valid document, never a crash, a hang or unlimited memory.
 class FuzzFilesTest : public QObject {
     Q_OBJECT
 
@@ -36,7 +35,7 @@ private Q_SLOTS:
     void damagedImages();
 
 private:
-    /// Whether the bytes were taken for a project; then it was used as one.
+    /// Opens the bytes as a project and uses it. Returns whether they could be opened.
     bool tryProject(const QByteArray& content);
 
     std::vector<QByteArray> m_projects;
@@ -89,10 +88,10 @@ bool FuzzFilesTest::tryProject(const QByteArray& content)
             qFatal("an error without a word");
         return false;
     }
-    // A look at it asks for its images.
+    // Reading the parameter sets loads their images.
     for (const TreeParameters& set : project->tree.parameterSets())
         (void)leafTextures(set.leaves, 16);
-    // All that a person can do to its history, through the document and all its indices.
+    // All that a user can do with the history, through the document and all its indices.
     TreeDocument document;
     document.reset(project->tree, project->journal);
     Edit edit(document);
@@ -113,7 +112,7 @@ bool FuzzFilesTest::tryProject(const QByteArray& content)
     return true;
 }
 
-/// How many of @p usual mutations to try: all, or of ESPALIER_FUZZ_DIVISOR one.
+/// Number of mutations to try: @p usual, divided by ESPALIER_FUZZ_DIVISOR if that is set.
 static int mutations(int usual)
 {
     return usual / std::max(1, qEnvironmentVariableIntValue("ESPALIER_FUZZ_DIVISOR"));
@@ -159,7 +158,7 @@ void FuzzFilesTest::damagedArchives()
         const QByteArray& donor = m_projects[mutator.below(m_projects.size())];
         good += tryProject(mutator.mutated(original, donor)) ? 1 : 0;
     }
-    // Checksums leave little else than names, padding and the thumbnail.
+    // Because of checksums, hardly anything but names, padding and the thumbnail can change.
     qInfo("%d of %d could be opened", good, mutations(3000));
     QVERIFY(good < mutations(1500));
 }
@@ -190,7 +189,7 @@ void FuzzFilesTest::damagedEntries()
         good += tryProject(packEntries(entries)) ? 1 : 0;
     }
     qInfo("%d of %d could be opened", good, mutations(4000));
-    // Both ways out were taken often.
+    // Both results were frequent.
     QVERIFY(good > mutations(200));
     QVERIFY(good < mutations(3000));
 }

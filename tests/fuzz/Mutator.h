@@ -10,7 +10,7 @@
 
 namespace espalier::test {
 
-/// Damages bytes in all the ways that disks, networks and malice do; the same for the same seed.
+/// Damages bytes in the ways that disks, networks and attackers do; the same seed gives the same damage.
 class Mutator {
 public:
     explicit Mutator(std::uint64_t seed) : m_random(seed) {}
@@ -26,7 +26,7 @@ public:
         return bytes;
     }
 
-    /// Puts another number, word or bracket where a number stands in a JSON text, or swaps two numbers.
+    /// Replaces a number in a JSON text by another number, word or bracket, or swaps two numbers.
     QByteArray mutatedJson(QByteArray text)
     {
         static constexpr std::array kWords{"0",          "-1",       "1",       "2",          "7",
@@ -43,7 +43,8 @@ public:
         return text.replace(from, length, text.sliced(otherFrom, otherLength));
     }
 
-    /// Changes one element of a column of numbers: to that of another row, to one nearby, or to an extreme.
+    /// Changes one element of a column of numbers: to the value of another row, to a nearby value, or to an
+    /// extreme.
     void mutateColumn(QByteArray& column, qsizetype elementSize)
     {
         const qsizetype rows = column.size() / elementSize;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes pictures of the real window with each of its panels, to be looked at; scripts/gallery.sh calls it,
-// once for each size, theme, language and scale.
+// Takes pictures of the real window with each of its panels, for a person to look at; scripts/gallery.sh runs
+// it once for each size, theme, language and scale.
 #include "app/HelpController.h"
 #include "app/MainWindow.h"
 #include "app/Tour.h"
@@ -52,7 +52,7 @@ public:
             action(id)->trigger();
             shoot(action(id)->objectName());
         }
-        // What is seldom seen together.
+        // Panels that are seldom open together.
         action(ActionId::Architecture)->trigger();
         action(ActionId::History)->trigger();
         shoot(QStringLiteral("architecture-history"));
@@ -99,14 +99,14 @@ public:
 private:
     QAction* action(ActionId id) { return m_window->actions()[id]; }
 
-    /// What tools show over the tree.
+    /// The overlays of the tools.
     void shootAtWork()
     {
         const QPoint middle = m_window->rect().center();
         const int reach = m_window->height() / 5;
         QWindow* handle = m_window->windowHandle();
         action(ActionId::Brush)->trigger();
-        m_window->viewSettings().set(&ViewValues::brushRadius, 0.06); // For a tree as small as this
+        m_window->viewSettings().set(&ViewValues::brushRadius, 0.06); // Suits this small tree
         QTest::mousePress(handle, Qt::LeftButton, {}, middle + QPoint(reach, 0));
         for (int i = 0; i < 12; ++i)
             QTest::mouseMove(handle, middle + QPoint(reach + 5 * i, -4 * i), 20);
@@ -154,7 +154,7 @@ private:
         menu->hide();
     }
 
-    /// All of the screen: dialogs and menus are windows of their own.
+    /// Takes the whole screen, because dialogs and menus are separate windows.
     void shoot(const QString& name)
     {
         QTest::qWait(250);

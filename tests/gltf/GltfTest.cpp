@@ -109,8 +109,8 @@ void GltfTest::imagesOfOnesOwn_areValid()
     const QTemporaryDir folder;
     const QString fileName = folder.filePath(QStringLiteral("tree.glb"));
     QVERIFY(exportTree(document.tree(), document.index(), QStringLiteral("Bäume"), fileName, kSmall));
-    // An image of the user's own keeps its size, which need not be a power of two; the validator mentions
-    // that, and nothing else.
+    // The user's own image keeps its size, which need not be a power of two; the validator mentions that, and
+    // nothing else.
     for (const QByteArray& line : validate(fileName).trimmed().split('\n'))
         QVERIFY2(line == kValid.trimmed() || line.contains("information IMAGE_NPOT_DIMENSIONS"), line);
 }

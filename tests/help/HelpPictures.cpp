@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the pictures of the help: trees before and after, from the recipes of the pages, and parts of the
-// real window with a tool at work, by real events. scripts/pictures.sh calls it.
+// real window with a tool at work, by real events. scripts/pictures.sh runs it.
 #include "app/MainWindow.h"
 #include "model/io/FileWriter.h"
 #include "model/mesh/TreeCounts.h"
@@ -84,7 +84,7 @@ void drawStages(const char* name, std::initializer_list<int> counts)
     keep(sheet, page);
 }
 
-/// A person at the window, whose pictures show the pointer as well.
+/// Works with the window; its pictures show the pointer as well.
 class Photographer {
 public:
     Photographer()
@@ -106,13 +106,13 @@ public:
         m_window.actions()[tool]->trigger();
         look(Box3(Vec3(-0.9F, 0.0F, -0.3F), Vec3(0.9F, 2.3F, 0.3F)));
     }
-    /// From the front.
+    /// Looks at the box from the front.
     void look(const Box3& box)
     {
         viewport().setCamera(viewport().camera().turnedTo(NamedView::Front).framing(box));
         rest();
     }
-    /// m over the ground and to the right of the trunk's base.
+    /// The place at @p up m above the ground and @p right m to the right of the trunk's base.
     QPoint at(double right, double up)
     {
         const Camera& camera = viewport().camera();
@@ -158,7 +158,7 @@ public:
         if (!QTest::qWaitFor([this] { return viewport().isAtRest(); }, 20000))
             qWarning("the picture does not come to rest");
     }
-    /// A part of the window as it is now; @p part has the proportions of the picture.
+    /// Takes a part of the window; @p part has the proportions of the picture.
     void shoot(const char* name, const QRect& part, bool showsPointer = true)
     {
         QTest::qWait(400);
@@ -187,7 +187,7 @@ private:
 
 void drawTrees()
 {
-    // By operations of the recipe of the page.
+    // Numbers of operations of the page's recipe.
     drawStages("brush", {1, 5});
     drawStages("lasso", {1});
     drawStages("grow", {2, 11});

@@ -13,7 +13,7 @@ class QPointingDevice;
 
 namespace espalier::test {
 
-/// The panel of architecture in a window of its own, with a new document for each test.
+/// The panel of architecture in its own window, with a new document for each test.
 class ArchitectureFixture : public QObject {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ protected:
         DiagramHandle& handle() const { return diagram->handle(number); }
         QPoint point() const { return diagram->handlePlace(number).toPoint(); }
     };
-    /// The one of the row of data.
+    /// The handle of the current row of data.
     Place fetched() const;
     const TreeParameters& parameters() const { return m_document->parameters(); }
     int steps() const { return m_document->undoStack().count(); }

@@ -35,7 +35,7 @@ ParameterSheet sheetOf(std::string_view key)
 
 } // namespace
 
-/// The panel of architecture: what it has, and what its drawings say.
+/// The panel of architecture: its controls, and what its drawings show.
 class ArchitecturePanelTest : public test::ArchitectureFixture {
     Q_OBJECT
 
@@ -130,7 +130,7 @@ void ArchitecturePanelTest::tab_goesFromHandleToHandle()
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         if (qobject_cast<DiagramHandle*>(QApplication::focusWidget()))
             reached.push_back(QApplication::focusWidget());
-        // What has the focus is scrolled into sight.
+        // The widget with the focus is scrolled into view.
         QVERIFY(!QApplication::focusWidget()->visibleRegion().isEmpty());
     }
     QCOMPARE(reached, expected);
@@ -198,7 +198,7 @@ void ArchitecturePanelTest::barycentricWeights_areAWholeEverywhere()
                 point += weights[i] * corners[i];
             }
             QVERIFY(std::abs(sum - 1.0) < 1e-12);
-            // Inside, the very point; outside, no corner is nearer.
+            // Inside, the point itself; outside, no corner is nearer.
             const auto away = [&](const QPointF& to) { return std::hypot(to.x() - x, to.y() - y); };
             if (y >= 0 && y <= 80 && std::abs(x - 50) <= 50.0 * y / 80.0)
                 QVERIFY(away(point) < 1e-9);
@@ -236,7 +236,7 @@ void ArchitecturePanelTest::ellipse_isDrawnByTheModelsRays()
         QVERIFY(std::abs(std::hypot(ray.x(), ray.y()) / ellipse->unit() - ellipseDistance(model, chi)) <
                 1e-9);
     }
-    // The top handle is where the ray to the bud above ends, whatever the handles were pulled to.
+    // The top handle is at the end of the ray to the bud above, after any drag of the handles.
     QVERIFY((ellipse->handlePlace(0) - ellipse->rayEnd(0.0)).manhattanLength() < 1e-6);
 }
 

@@ -23,7 +23,7 @@
 
 using namespace espalier;
 
-/// A person at the handles of the drawings: mouse, finger, keys, typed numbers, and a screen reader.
+/// The user at the handles of the drawings: by mouse, finger, keys, typed numbers, and a screen reader.
 class DiagramHandleTest : public test::ArchitectureFixture {
     Q_OBJECT
 
@@ -70,10 +70,10 @@ void DiagramHandleTest::finger_dragsAHandleItTouchesBeside()
 {
     const Place place = fetched();
     const QPoint by = away(place);
-    // Touches are told by where they are on the screen, and that of the tests is small.
+    // Touches are identified by their place on the screen, and the screen of the tests is small.
     m_panel->fit({780, 1000});
     m_panel->findChild<QScrollArea*>()->ensureWidgetVisible(place.diagram);
-    // Fingers are thick: beside the handle, on the side where no other is.
+    // Fingers are imprecise: the touch is beside the handle, on the side without another handle.
     const QPoint from = place.point() + QPoint(by.x() < 0 ? 13 : 0, by.x() < 0 ? 0 : -13);
     QTest::touchEvent(place.diagram, m_screen).press(1, from, place.diagram);
     for (int i = 1; i <= 5; ++i)
@@ -81,7 +81,7 @@ void DiagramHandleTest::finger_dragsAHandleItTouchesBeside()
     QCOMPARE(steps(), 0);
     QTest::touchEvent(place.diagram, m_screen).release(1, from + by, place.diagram);
     QCOMPARE(steps(), 1);
-    // As far as the mouse would have dragged it, for the handle does not jump to the finger.
+    // The same result as with the mouse, because the handle does not jump to the finger.
     const TreeParameters touched = parameters();
     m_document->undoStack().undo();
     drag(place, by);
@@ -98,7 +98,7 @@ void DiagramHandleTest::escape_takesADragBack()
     QTest::keyClick(&place.handle(), Qt::Key_Escape);
     QCOMPARE(place.handle().value(), before);
     QCOMPARE(QPointF(place.point()), was);
-    // What the hand does until it lets go counts for nothing.
+    // After Escape, moves until the release have no effect.
     QTest::mouseMove(place.diagram, place.point() + QPoint(30, 30));
     QTest::mouseRelease(place.diagram, Qt::LeftButton, {}, place.point() + QPoint(30, 30));
     QCOMPARE(parameters(), TreeParameters());
@@ -138,7 +138,7 @@ void DiagramHandleTest::arrows_moveAHandleAsTheyPoint()
             if (ways[isFine] == 0.0)
                 continue;
             ++moves;
-            // The drawing of the cone fits itself to what it shows, so that its handles need not move.
+            // The drawing of the cone scales to its parameters, so its handles need not move.
             if (!qobject_cast<PerceptionDiagram*>(place.diagram)) {
                 const QPointF way = place.diagram->handlePlace(place.number) - before;
                 QVERIFY(QPointF::dotProduct(way, direction) > 0.0);
@@ -265,7 +265,7 @@ void DiagramHandleTest::growth_isPutInForceWhenTheDragEnds()
 
 void DiagramHandleTest::disabled_dropsTheDrag()
 {
-    // A stroke with another hand begins.
+    // A stroke with another pointer begins.
     const Place place{m_panel->diagrams().front(), 0};
     const double before = place.handle().value();
     drag(place, {-20, 30}, false);

@@ -162,7 +162,7 @@ void ParameterPanelTest::doubleClick_bringsTheDefaultBackAsOneStep()
     auto* slider = panel.row("leaves.droop")->findChild<QSlider*>();
     drag(*slider, 0.3, 0.9);
     QCOMPARE(document.undoStack().count(), 1);
-    // Somewhere on the slider: what the first click does to the value is gone with the second.
+    // A place on the slider: the second click also restores the value that the first click changed.
     const QPoint place(20, slider->height() / 2);
     QTest::mouseClick(slider, Qt::LeftButton, {}, place);
     QTest::mouseDClick(slider, Qt::LeftButton, {}, place);
@@ -227,7 +227,7 @@ void ParameterPanelTest::looks_areListedWithSwatchesAndAWayToChooseAnImage()
         }
         QVERIFY(!look.accessibleName().isEmpty());
         QVERIFY(look.itemText(drawn).contains(QChar(0x2026)));
-        // By keys alone: to the last, which asks for a file and changes nothing.
+        // With the keyboard alone: to the last entry, which asks for a file and changes nothing.
         const QSignalSpy asked(&panel, &ParameterPanel::imageAsked);
         look.setFocus();
         QTest::keyClick(&look, Qt::Key_End);
@@ -330,7 +330,7 @@ void ParameterPanelTest::typedLength_isTakenInAnyUnit()
         QVERIFY2(std::abs(document.parameters().leaves.length - metres) < 1e-9,
                  qPrintable(QString::number(document.parameters().leaves.length)));
         QCOMPARE(number->text(), shown);
-        // What is not touched again stays as it was meant.
+        // A number that is not edited keeps its exact value.
         QTest::keyClick(number, Qt::Key_Return);
         QVERIFY(std::abs(document.parameters().leaves.length - metres) < 1e-9);
     }
@@ -359,7 +359,7 @@ void ParameterPanelTest::feetAndInches_areShownAndStepped()
     QCOMPARE(numberOf(branches, "widths.tipDiameter")->text(), QStringLiteral("0.118 in"));
     QCOMPARE(numberOf(branches, "widths.baseDiameter")->text(), QStringLiteral("automatic"));
     QCOMPARE(numberOf(branches, "bark.scale")->text(), QStringLiteral("19.7 in"));
-    // No parameter has changed by being shown, and a step is a round number of what is shown.
+    // Showing a parameter does not change it, and a step is a round number in the shown unit.
     QCOMPARE(document.parameters(), TreeParameters());
     numberOf(leaves, "leaves.length")->stepUp();
     const double inches = document.parameters().leaves.length / kInch;

@@ -34,7 +34,7 @@ public:
 
     void operator()(const SetParametersOperation& operation)
     {
-        // A slider's step stays by itself; that of a recipe joins the travel before it.
+        // A slider's step stays a separate step; a recipe's step joins the travel before it.
         if (!m_document.future().empty() || operation.parameters == m_document.parameters()) {
             setParameters(m_document, operation.parameters);
             return;
@@ -144,7 +144,7 @@ public:
 
     void operator()(const RemoveLassoOperation&) { removeEnvelopes(m_document); }
 
-    /// Does the operation if it is of this kind.
+    /// Performs the operation if it is of this kind.
     template <class Data>
     bool does(const RecipeOperation& operation)
     {

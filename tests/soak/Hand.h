@@ -7,8 +7,8 @@
 
 namespace espalier::test {
 
-/// Does @p operation by the gestures that the program's tools use, as a hand does: in pieces, and by way of
-/// what it did not want. What comes of it is what a recipe's player makes of the operation at one go.
+/// Performs @p operation by the gestures of the program's tools, in pieces and with detours. The result is
+/// the one that a recipe's player gets in a single call.
 void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOperations& random);
 
 } // namespace espalier::test

@@ -52,7 +52,7 @@ InternodeId RandomOperations::living(const TreeDocument& document)
         const auto id = static_cast<InternodeId>(m_random.bits() % tree.size());
         if (tree.isAlive(id))
             return id;
-        if (!onceIn(64)) // most rows may be of the dead
+        if (!onceIn(64)) // most rows may be dead internodes
             continue;
         const TreeIndex& index = document.index();
         InternodeId at = 0;
@@ -62,7 +62,7 @@ InternodeId RandomOperations::living(const TreeDocument& document)
     }
 }
 
-/// Alive for the most part, dead, undone or not there at all otherwise.
+/// Usually a living internode, otherwise a dead, undone or nonexistent one.
 InternodeId RandomOperations::any(const TreeDocument& document)
 {
     if (onceIn(100))
@@ -72,7 +72,7 @@ InternodeId RandomOperations::any(const TreeDocument& document)
     return living(document);
 }
 
-/// One that carries about a third of the tree or less.
+/// An internode that carries about a third of the tree or less.
 InternodeId RandomOperations::large(const TreeDocument& document)
 {
     const TreeIndex& index = document.index();
@@ -102,7 +102,7 @@ BudReference RandomOperations::only(const TreeDocument& document)
         return slot == kMaxLaterals ? kTerminalSlot : slot;
     };
     int slot = anySlot();
-    while (buds != 0 && (buds & budBit(slot)) == 0 && !onceIn(100)) // a bud that is not there, too
+    while (buds != 0 && (buds & budBit(slot)) == 0 && !onceIn(100)) // also a bud that does not exist
         slot = anySlot();
     return {node, slot};
 }
@@ -116,7 +116,7 @@ SetParametersOperation RandomOperations::make(const TreeDocument& document, int)
     if (onceIn(6))
         return {sets[below(static_cast<int>(sets.size()))]};
     TreeParameters parameters = this->parameters();
-    if (!onceIn(4)) // a slider moves one thing alone
+    if (!onceIn(4)) // a slider changes one parameter only
         parameters.growth = document.parameters().growth;
     if (onceIn(2))
         parameters.growth.apicalDominance = m_random.uniform();
@@ -129,7 +129,7 @@ BrushStrokeOperation RandomOperations::make(const TreeDocument& document, int)
     const float l = internode(document);
     BrushStrokeOperation operation;
     operation.samples = randomStroke(m_random, document.parameters().growth, onceIn(6) ? 1.2 : 0.5);
-    // Where there is something to brush at.
+    // A place near the living tree.
     const Vec3 there = document.index().nodePosition(living(document)) + 3.0F * l * m_random.inBall() -
                        operation.samples.front().position;
     const int every = onceIn(3) ? 1 + below(20) : 1;
@@ -138,7 +138,7 @@ BrushStrokeOperation RandomOperations::make(const TreeDocument& document, int)
     for (std::size_t i = 0; i < operation.samples.size(); i += static_cast<std::size_t>(every)) {
         BrushSample sample = operation.samples[i];
         sample.position += there;
-        // A pen's pressure changes on the way.
+        // The pressure of a pen changes on the way.
         sample.radius *= i % 2 == 0 ? 1.0F : turn;
         sample.position = sample.position.cwiseMax(-1000.0F).cwiseMin(1000.0F);
         kept.push_back(sample);
@@ -176,7 +176,7 @@ TravelOperation RandomOperations::make(const TreeDocument& document, int)
         return {onceIn(2) ? TravelOperation::kFarthest : -TravelOperation::kFarthest};
     const int far = onceIn(10) ? 200 : 12;
     const int by = 1 + below(far);
-    // What lies ahead calls to come back.
+    // If there is a future, the slider often moves toward it.
     const bool isForward = document.future().empty() ? onceIn(10) : !onceIn(3);
     return {isForward ? by : -by};
 }
@@ -263,7 +263,7 @@ SetWidthOperation RandomOperations::make(const TreeDocument& document, int)
     return operation;
 }
 
-/// A closed stroke about the plane's origin; or one that no person would draw.
+/// A closed stroke around the plane's origin, or a degenerate one.
 std::vector<Vec2> RandomOperations::loop(float radius)
 {
     std::vector<Vec2> points;
@@ -356,7 +356,7 @@ RecipeOperation RandomOperations::next(const TreeDocument& document, int undoabl
     std::vector<int> weights;
     for (const Kind& kind : kinds()) {
         int weight = isCrowded ? kind.cuttingBack : kind.growing;
-        // Lassos cost more than all the rest.
+        // Lassos cost more than all other operations.
         if (kind.name == RemoveLassoOperation::kName && document.tree().lassoIndicesInForce().size() > 1)
             weight *= 10;
         if (kind.name == UndoOperation::kName && undoable <= 0)

@@ -7,14 +7,14 @@
 
 namespace espalier::test {
 
-/// Thinks of what a person might do next with a tree: something sensible for the most part, absurd now and
-/// then, all within the limits of a recipe. The same seed and the same documents give the same operations.
+/// Chooses random operations that a user could perform next on a tree: usually sensible, sometimes absurd,
+/// all within the limits of a recipe. The same seed and the same documents give the same operations.
 class RandomOperations {
 public:
     /// Trees of more than @p most living internodes are cut back rather than grown.
     RandomOperations(std::uint64_t seed, std::uint32_t most);
 
-    /// What a document begins with.
+    /// Parameters for the start of a document.
     TreeParameters parameters();
     /// @param undoable how many commands may be undone at most; 0 brings no undo
     RecipeOperation next(const TreeDocument& document, int undoable);
@@ -24,7 +24,8 @@ public:
     bool onceIn(int count) { return below(count) == 0; }
 
 private:
-    /// A kind of operation: how often it is done to a tree that may grow, and to one that has to be cut back.
+    /// A kind of operation: how often it is chosen for a tree that may grow, and for one that must be cut
+    /// back.
     struct Kind {
         QLatin1StringView name;
         int growing;

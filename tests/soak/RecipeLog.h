@@ -7,8 +7,8 @@
 
 namespace espalier::test {
 
-/// A recipe in a file, to which operations are added as they come. The file is a whole recipe at any moment,
-/// so that what led to a crash can be played.
+/// A recipe in a file, to which operations are added one by one. The file is a complete recipe at any moment,
+/// so that the operations before a crash can be played.
 class RecipeLog {
 public:
     /// Replaces the file.
@@ -26,7 +26,7 @@ private:
     QFile m_file;
     RecipeWriting m_writing;
     QByteArray m_rest; ///< What follows the operations
-    qint64 m_end = 0;  ///< Of the operations
+    qint64 m_end = 0;  ///< End of the operations
     bool m_isFirst = true;
     bool m_isGood = false;
 };

@@ -27,7 +27,7 @@ Result<QByteArray> packed(const TreeDocument& document)
     return packProject(project);
 }
 
-/// In what the documents differ, or nothing.
+/// The difference between the documents, or nothing.
 QString difference(const TreeDocument& a, const TreeDocument& b)
 {
     if (a.journal().size() != b.journal().size() || a.future().size() != b.future().size())
@@ -41,7 +41,7 @@ QString difference(const TreeDocument& a, const TreeDocument& b)
     return *bytes == *others ? QString() : QStringLiteral("the histories differ");
 }
 
-/// A file with such a tree could not be read.
+/// A fault that would make a file of the tree unreadable; empty if there is none.
 QString lifeFault(const Tree& tree)
 {
     for (InternodeId id = 1; id < tree.size(); ++id) {
@@ -86,10 +86,10 @@ int Soak::undoable() const
 QString Soak::run()
 {
     while (operationsDone() < m_options.operations) {
-        // More than there is may be asked for, as long as that is the same in a document that was never read.
+        // Sometimes more steps than there are, if a document that was never read would do the same.
         const int most = m_reloads == 0 && m_random.onceIn(20) ? 1000 : undoable();
         RecipeOperation operation = m_random.next(m_document, most);
-        // After reading, the same.
+        // After reading, the same holds for redo.
         if (operation.as<RedoOperation>() && m_document.undoStack().count() == 0)
             continue;
         if (!m_log.add(operation))
@@ -202,7 +202,7 @@ QString Soak::replay()
         return QStringLiteral("the replay does not end in the same document: ") + fault;
     if (const QString fault = indexFault(replayed); !fault.isEmpty())
         return QStringLiteral("the indices of the replay: ") + fault;
-    // And the way back is the same.
+    // The way back is the same, too.
     for (int left = undoable(); left > 0; --left) {
         m_document.undoStack().undo();
         replayed.undoStack().undo();

@@ -17,24 +17,24 @@ struct SoakOptions {
     int checkEvery = 100;           ///< Operations, on average
 };
 
-/// A document that lives through random operations of all kinds, is saved, and goes on from what is read
-/// back. What was done is kept as a recipe; played in a new document, which no file ever came near, it must
-/// lead to an equal one.
+/// A document to which random operations of all kinds are applied, and which is saved and read back now and
+/// then. The operations are kept as a recipe; played in a new document, without files, the recipe must lead
+/// to an equal document.
 ///
-/// Reading a file loses the undo stack. So that the recipe, which is played without files, leads the same
-/// way, nothing is undone beyond the last reading, nor the command that would have joined a travel before it.
+/// Reading a file loses the undo stack. The recipe is played without files, so nothing is undone beyond the
+/// last reading, nor the command that would have joined a travel before it.
 class Soak {
 public:
     /// @param recipeFile where the recipe is written
     Soak(const SoakOptions& options, const QString& recipeFile);
 
-    /// Does all of it; what went wrong, or nothing.
+    /// Performs all operations; returns what went wrong, or nothing.
     QString run();
 
     int operationsDone() const { return static_cast<int>(m_milestones.size()); }
     const RecipeLog& log() const { return m_log; }
     RecipeLog& log() { return m_log; }
-    /// For a person: what was done, and what came of it.
+    /// A text for the user: the operations, and the resulting tree.
     QString figures() const;
 
 private:

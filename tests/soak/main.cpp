@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstdio>
 
-/// Without options the short soak that is one of the tests.
+/// Without options, the short soak that is one of the tests.
 int main(int argc, char** argv)
 {
     using namespace espalier::test;
@@ -32,7 +32,7 @@ int main(int argc, char** argv)
     if (!isCount || !isSeed || options.operations < 1)
         parser.showHelp(2);
 
-    // Both cost what the tree's history has become.
+    // Saving and checking cost more the longer the history is.
     options.saveEvery = std::max(options.saveEvery, options.operations / 120);
     options.checkEvery = std::max(options.checkEvery, options.operations / 60);
 

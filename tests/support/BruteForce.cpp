@@ -13,7 +13,7 @@ namespace {
 
 using Vec3d = Eigen::Vector3d;
 
-/// What a float may be wrong by, in m or as a cosine, and then some.
+/// More than the error of a float, in m or as a cosine.
 constexpr double kLeast = 2e-5;
 
 bool hasBuds(const GrowingTree& tree, InternodeId id)
@@ -174,7 +174,7 @@ MarkerSet clearCut(const GrowingTree& tree, const Perception& perception, const 
                 if ((tree.buds(id) & budBit(slot)) == 0)
                     continue;
                 const double alignment = directionOf(tree, {id, slot}).dot(toMarker) / distance;
-                // With a full sphere of perception there is no border that a marker could lie on.
+                // With a full sphere of perception there is no border.
                 if (perception.cosHalfAngle > -1.0F && std::abs(alignment - perception.cosHalfAngle) < kLeast)
                     return false;
                 alignments.push_back(alignment);
@@ -238,7 +238,7 @@ double BruteVigour::gather(const Tree& tree, const TreeIndex& index, InternodeId
 void BruteVigour::distribute(const Tree& tree, InternodeId id)
 {
     const double lambda = tree.parameters().growth.apicalDominance;
-    // All that is above the node, each with its Q: main first, then what is lateral.
+    // All branches above the node, each with its Q: main first, then the laterals.
     double main = 0.0;
     double lateral = 0.0;
     const auto isMain = [&](InternodeId child) { return tree.columns().slot[child] == kTerminalSlot; };

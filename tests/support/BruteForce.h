@@ -7,9 +7,9 @@
 #include <map>
 #include <vector>
 
-/// The same answers as model/growth gives, by the shortest way from the papers' formulas to a number: all
-/// pairs of markers and buds, all pairs of casters and buds, plain recursion. In double precision where that
-/// does not change what is meant.
+/// The same results as from model/growth, computed directly from the papers' formulas: all pairs of markers
+/// and buds, all pairs of casters and buds, plain recursion. In double precision where that does not change
+/// the meaning.
 namespace espalier::test {
 
 /// One round of competition for space.
@@ -20,8 +20,8 @@ struct BruteCompetition {
 BruteCompetition bruteCompetition(const GrowingTree& tree, const Perception& perception,
                                   const Competitors& competitors, const MarkerSet& markers);
 
-/// @p markers without those whose fate hangs on the last bits of a float: on the border of a bud's zone or as
-/// near to one bud as to another.
+/// @p markers without those for which the last bits of a float decide: on the border of a bud's zone, or
+/// equally near to two buds.
 MarkerSet clearCut(const GrowingTree& tree, const Perception& perception, const MarkerSet& markers);
 
 /// Shadow of the voxel that @p position lies in, summed over all living internodes, in units of 1 /

@@ -15,8 +15,8 @@ struct CrownSilhouette {
     double outside = 0.0; ///< Share of the crown's silhouette that is not in the envelope's
 };
 
-/// The crown is what bears leaves: each node that carries few enough tips, as a disc of the length of a leaf,
-/// which is as far as its leaves reach.
+/// The crown is the set of nodes with leaves: each node that carries few enough tips counts as a disc with
+/// the length of a leaf as radius, which is as far as its leaves reach.
 inline CrownSilhouette crownSilhouette(const TreeDocument& document, const Envelope& envelope)
 {
     constexpr int kCells = 400;

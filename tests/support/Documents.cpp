@@ -85,8 +85,7 @@ QString indexFault(const TreeDocument& document)
     const VoxelSpace& space = growth.space();
     if (space.edge() != fresh.space().edge() || !(space.pyramid() == fresh.space().pyramid()))
         return QStringLiteral("settings of the voxel space");
-    // The space that was followed may have voxels left over from what is gone: they must be as empty and
-    // light as any.
+    // The updated space may have voxels left over from removed nodes: they must be as empty and light as any.
     const VoxelSpace::Bounds bounds = space.bounds();
     for (int x = bounds.lower.x; x <= bounds.upper.x; ++x) {
         for (int y = bounds.lower.y; y <= bounds.upper.y; ++y) {

@@ -13,10 +13,10 @@ const GrowthIndex& growthIndexOf(const TreeDocument& document);
 /// nothing.
 QString indexFault(const TreeDocument& document);
 
-/// All of a document that undo and redo bring back.
+/// The state of a document that undo and redo restore.
 struct DocumentState {
     explicit DocumentState(const TreeDocument& document);
-    /// Exactly this, to the last bit.
+    /// Equal to the last bit.
     bool operator==(const DocumentState& other) const = default;
 
     Tree tree;
@@ -25,12 +25,13 @@ struct DocumentState {
     int undoIndex;
 };
 
-/// In what @p document differs from @p before, or its indices from freshly made ones; empty if in nothing.
+/// The difference between @p document and @p before, or between its indices and new ones; empty if there is
+/// none.
 QString differenceFrom(const DocumentState& before, const TreeDocument& document);
 
 /// Applies @p delta as an undo step.
 void apply(TreeDocument& document, TreeDelta delta);
-/// Goes to where @p position deltas have been applied, as an undo step.
+/// Travels to the moment after the first @p position deltas, as an undo step.
 void travel(TreeDocument& document, std::size_t position);
 
 } // namespace espalier::test

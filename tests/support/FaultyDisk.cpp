@@ -37,7 +37,7 @@ bool isAtRisk(int descriptor)
     return length > 0 && isAtRisk(QByteArray(path, static_cast<qsizetype>(length)));
 }
 
-/// Counts a call; whether it fails.
+/// Counts a call. Returns whether the call must fail.
 bool fails(bool givesName)
 {
     const int call = callCount++;

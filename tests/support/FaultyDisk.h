@@ -5,9 +5,9 @@
 
 namespace espalier::test {
 
-/// A disk that goes bad: while this object lives, the calls that change files below a folder (write, fsync,
-/// rename, link) are counted, and all but the first ones fail. It stands in for the system's functions in the
-/// whole test program, so that what Qt writes fails as well. One at a time.
+/// A disk that becomes faulty: while this object lives, the calls that change files below a folder (write,
+/// fsync, rename, link) are counted, and all but the first ones fail. It replaces the system's functions in
+/// the whole test program, so that Qt's writes fail as well. Only one object can exist at a time.
 class FaultyDisk {
 public:
     static constexpr int kNever = -1;

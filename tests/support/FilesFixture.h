@@ -15,7 +15,7 @@ class QAbstractButton;
 
 namespace espalier::test {
 
-/// A document and all that leads its files, without the rest of a window.
+/// A document and the objects that handle its files, without the rest of a window.
 struct FilesWindow {
     FilesWindow();
     ~FilesWindow();
@@ -33,7 +33,7 @@ struct FilesWindow {
     std::unique_ptr<FileController> files;
 };
 
-/// Safety copies are in no other test's way, and autosave is quick.
+/// Safety copies are separate for each test, and autosave is quick.
 class FilesFixture : public QObject {
     Q_OBJECT
 
@@ -47,7 +47,7 @@ protected:
     void answer(QMessageBox::StandardButton button);
     void answer(const QString& objectName);
     int questions() const { return m_questions; }
-    /// Safety copies, of whichever program.
+    /// Safety copies of all programs.
     static QStringList copies();
     void save(FilesWindow& window, const QString& fileName);
     void open(FilesWindow& window, const QString& fileName);

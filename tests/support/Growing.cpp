@@ -81,7 +81,7 @@ std::vector<BrushSample> randomStroke(Random& random, const GrowthParameters& gr
         point += 4.0F * l * random.direction();
         point.y() = std::abs(point.y());
     }
-    // Some strokes draw, some are thin, most are brushes.
+    // Some strokes draw a single axis, some are thin, most are wide.
     const int kind = whole(random, 0, 5);
     const double inInternodes = kind == 0   ? 0.0
                                 : kind == 1 ? random.uniform(0.5, 2.0)

@@ -11,7 +11,7 @@
 
 namespace espalier::test {
 
-/// Parameters of growth drawn at random from what an artist might set: shapes of all kinds that stay small.
+/// Random parameters of growth that an artist might set: shapes of all kinds that stay small.
 TreeParameters randomParameters(Random& random);
 
 /// A stroke along @p points, evenly timed over @p seconds, sixty samples a second.
@@ -21,7 +21,7 @@ std::vector<BrushSample> randomStroke(Random& random, const GrowthParameters& gr
 
 /// Makes a whole stroke, one undo step if anything grew.
 void brush(TreeDocument& document, std::span<const BrushSample> samples, Competitors competitors = {});
-/// Grows @p steps steps without a hand, one undo step if anything grew; returns how many of them grew
+/// Grows @p steps steps without a brush, as one undo step if anything grew; returns how many of them grew
 /// something.
 int grow(TreeDocument& document, int steps, Competitors competitors = {});
 
@@ -30,7 +30,7 @@ int grow(TreeDocument& document, int steps, Competitors competitors = {});
 void growAtRandom(TreeDocument& document, std::uint64_t seed, std::uint32_t least = 60,
                   std::uint32_t most = 500);
 
-/// How thick @p widths makes an internode, m.
+/// The diameter of an internode by @p widths, m.
 double diameterOf(const Widths& widths, const TreeIndex& index, InternodeId id);
 
 } // namespace espalier::test

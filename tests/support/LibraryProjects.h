@@ -6,7 +6,7 @@
 
 namespace espalier::test {
 
-/// What a person calls them.
+/// The names that the user sees.
 inline QStringList namesOf(const std::vector<LibraryEntry>& entries)
 {
     QStringList names;
@@ -15,7 +15,7 @@ inline QStringList namesOf(const std::vector<LibraryEntry>& entries)
     return names;
 }
 
-/// A project whose tree grows as no other does.
+/// A project whose tree differs from those with another angle.
 inline Project project(double branchingAngle)
 {
     TreeParameters parameters;

@@ -12,12 +12,13 @@
 
 namespace espalier::test {
 
-/// What a triangle mesh is once vertices at the same place (to the bit) are one.
+/// The topology of a triangle mesh after vertices at the same place (to the bit) are merged.
 struct MeshTopology {
     int eulerCharacteristic = 0; ///< V − E + F; 2 for a sphere, 0 for a torus
-    int openEdges = 0;           ///< Of one triangle alone
-    int nonManifoldEdges = 0;    ///< Of three triangles or more, or of two that disagree on which side is out
-    int degenerateTriangles = 0; ///< With two corners in one place, or without area
+    int openEdges = 0;           ///< With only one triangle
+    /// With three triangles or more, or with two that disagree on which side is out.
+    int nonManifoldEdges = 0;
+    int degenerateTriangles = 0; ///< With two corners at one place, or without area
 
     bool isClosedManifold() const
     {

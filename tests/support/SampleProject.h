@@ -17,7 +17,7 @@ inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
     parameters.growth.branchingAngle = radians(33.3);
     parameters.leaves.shape = LeafShape::Needles;
     builder.apply(parameterChange(builder.tree, parameters));
-    // The first lateral branch that is not the whole tree is shed.
+    // The first lateral branch that is not the whole tree is removed.
     for (InternodeId id = 1; id < builder.tree.size(); ++id) {
         if (builder.tree.isAlive(id) && !builder.tree.continuesAxis(id)) {
             builder.apply(death(builder.tree, builder.index, id));
@@ -37,7 +37,7 @@ inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
     stroke.points.push_back({-0.3F, 1.5F});
     builder.apply(newLasso(builder.tree, stroke));
     builder.apply(lassoChange(builder.tree, 0, false));
-    // What is taken back leaves no trace.
+    // An undone step leaves no trace.
     builder.apply(randomGrowth(builder.tree, 5, seed));
     builder.revert();
 
@@ -56,7 +56,7 @@ inline bool sameJournal(const Journal& a, const Journal& b)
     return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return *x == *y; });
 }
 
-/// Reverts the whole journal and applies it again; whether that led back to the same tree.
+/// Reverts the whole journal and applies it again; returns whether that leads back to the same tree.
 inline bool survivesItsHistory(const Project& project)
 {
     Tree tree = project.tree;

@@ -16,14 +16,14 @@
 
 namespace espalier::test {
 
-/// One stroke of a crown as an untrained hand draws it: 0…255, y down, whole numbers.
+/// One stroke of a crown as an untrained person draws it: 0…255, y down, whole numbers.
 struct Sketch {
     QString name;
     std::vector<Vec2> points;
 };
 
 /// A crown of @p lobes bumps around the centre of the paper, drawn in @p points. It ends @p overshoot turns
-/// beyond its start (negative: before it); @p phase and @p wobble (in radii) say how the hand errs.
+/// beyond its start (negative: before it); @p phase and @p wobble (in radii) are the errors of the drawing.
 inline Sketch drawnCrown(const QString& name, int lobes, int points, double overshoot, double phase,
                          double wobble)
 {
@@ -57,7 +57,8 @@ inline std::vector<Sketch> drawnCrowns()
 }
 
 /// The largest stroke of each sketch in @p kind.ndjson (Quick, Draw! format) of the folder that the
-/// environment variable ESPALIER_SKETCHES names; none without it. Ends the test if the file cannot be read.
+/// environment variable ESPALIER_SKETCHES names; none if it is not set. Ends the test if the file cannot be
+/// read.
 inline std::vector<Sketch> givenSketches(const QString& kind)
 {
     const QString folder = qEnvironmentVariable("ESPALIER_SKETCHES");

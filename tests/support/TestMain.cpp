@@ -11,8 +11,8 @@ using Application = QApplication;
 using Application = QCoreApplication;
 #endif
 
-/// Runs every test class; with the name of one as the first argument that one alone, and what follows goes to
-/// it.
+/// Runs every test class. If the first argument is the name of a class, runs only that class, with the other
+/// arguments.
 int main(int argc, char** argv)
 {
     const Application application(argc, argv);

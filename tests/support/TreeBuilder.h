@@ -29,7 +29,7 @@ inline Rotation branching(double angle, int slot = 0, int laterals = 1, double r
     return continuing(angle, 2.0 * std::numbers::pi * slot / laterals, roll);
 }
 
-/// An internode to be born.
+/// Data of a new internode.
 struct NewInternode {
     InternodeId parent = 0;
     int slot = kTerminalSlot;
@@ -38,8 +38,9 @@ struct NewInternode {
     float vigour = 1.0F;
 };
 
-/// One step that bears @p internodes (ids from tree.size() on, so that they may hang on each other) and takes
-/// the buds that they grew from. Each gets a terminal bud and the laterals of the parameters in force.
+/// A step in which @p internodes are born (ids from tree.size() on, so that one can be the parent of
+/// another), and the buds that they grew from disappear. Each gets a terminal bud and the laterals of the
+/// parameters in force.
 inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internodes)
 {
     TreeDelta delta = deltaStartingAt(tree);
@@ -81,8 +82,7 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
     return delta;
 }
 
-/// One step in which the branch that begins with @p root dies. Precondition: it lives and is not the
-/// seedling.
+/// A step in which the branch that begins with @p root dies. Precondition: it is alive and not the seedling.
 inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId root)
 {
     TreeDelta delta = deltaStartingAt(tree);
@@ -197,7 +197,7 @@ struct TreeBuilder {
         return journal.back();
     }
 
-    /// Takes the last step back and returns it.
+    /// Reverts the last step and returns it.
     TreeDelta revert()
     {
         TreeDelta delta = std::move(journal.back());
@@ -207,14 +207,14 @@ struct TreeBuilder {
         return delta;
     }
 
-    /// Bears one internode in a step of its own.
+    /// Adds one internode in a separate step.
     InternodeId grow(const NewInternode& internode)
     {
         apply(births(tree, std::span(&internode, 1)));
         return tree.size() - 1;
     }
 
-    /// Bears @p count internodes in a row on @p parent, the first from @p slot with @p first as its rotation;
+    /// Adds an axis of @p count internodes to @p parent, the first from @p slot with the rotation @p first;
     /// returns the last.
     InternodeId growAxis(InternodeId parent, int slot, const Rotation& first, std::uint32_t count,
                          const Rotation& next = continuing(), float length = 0.1F)
@@ -247,8 +247,7 @@ inline TreeBuilder randomTree(std::uint32_t count, std::uint64_t seed = 1,
     return builder;
 }
 
-/// The same, standing so high that nothing of it comes near the ground, which bark and leaves do not go
-/// below.
+/// The same tree at such a height that no part comes near the ground, which limits bark and leaves.
 inline TreeBuilder raisedTree(std::uint32_t count, std::uint64_t seed = 1,
                               const TreeParameters& parameters = {})
 {

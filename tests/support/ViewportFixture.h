@@ -11,7 +11,7 @@
 
 namespace espalier::test {
 
-/// A parameter set that grows little, so that a stroke in a test is quick.
+/// Parameters of a tree that grows little, so that a stroke in a test is quick.
 inline TreeParameters smallTree()
 {
     TreeParameters parameters;
@@ -19,7 +19,7 @@ inline TreeParameters smallTree()
     return parameters;
 }
 
-/// A viewport on a screen, and the devices that work on it.
+/// A viewport on a screen, and the input devices of the tests.
 class ViewportFixture : public QObject {
     Q_OBJECT
 

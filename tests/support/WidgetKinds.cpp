@@ -36,7 +36,7 @@ void driveButton(WindowHand& hand, QWidget& widget, Way way)
         hand.tap(way, widget);
 }
 
-/// A press on the track, far from where it stands.
+/// Presses the track, far from the handle.
 void driveSlider(WindowHand& hand, QWidget& widget, Way way)
 {
     auto& slider = static_cast<QAbstractSlider&>(widget);
@@ -63,7 +63,7 @@ QString textOf(const QDoubleSpinBox& box, double value)
     return box.locale().toString(value, 'f', box.decimals());
 }
 
-/// Types another number, or goes to the next one.
+/// Types another number, or steps to the next one.
 void driveNumber(WindowHand& hand, QWidget& widget, Way way)
 {
     const auto typeOver = [&](const QString& text) {
@@ -87,7 +87,7 @@ void driveNumber(WindowHand& hand, QWidget& widget, Way way)
         drive(static_cast<QDoubleSpinBox&>(widget));
 }
 
-/// The next entry of the list that drops down.
+/// Selects the next entry of the drop-down list.
 void driveChoice(WindowHand& hand, QWidget& widget, Way way)
 {
     auto& box = static_cast<QComboBox&>(widget);
@@ -99,7 +99,7 @@ void driveChoice(WindowHand& hand, QWidget& widget, Way way)
     hand.tap(way, widget);
     if (!QTest::qWaitFor([&] { return box.view()->isVisible(); }, 1000))
         return;
-    // For a moment a list takes a release for that of the press which opened it.
+    // For a moment a list mistakes a release for that of the press which opened it.
     QTest::qWait(30);
     const QRect entry = box.view()->visualRect(box.model()->index(next, 0));
     hand.tap(way, *box.view()->viewport(), entry.center());
@@ -121,7 +121,7 @@ void driveHandle(WindowHand& hand, QWidget& widget, Way way)
                         handle.value() < 0.5 * (info.minimum + info.maximum) ? Qt::Key_Plus : Qt::Key_Minus);
         return;
     }
-    // Toward the middle of the drawing, or away from it.
+    // Drags toward the middle of the drawing, or away from it.
     const QWidget& diagram = *widget.parentWidget();
     const QPoint from = widget.geometry().center();
     const QPointF way_ = diagram.rect().center() - from;
@@ -178,7 +178,7 @@ void drivePage(WindowHand& hand, QWidget& widget, Way way)
     }
 }
 
-/// The strip shows only; who drags there drags the view below.
+/// The strip only shows the scale; a drag there turns the view below.
 void driveStrip(WindowHand& hand, QWidget& widget, Way way)
 {
     if (way == Way::Keys) {
@@ -190,7 +190,7 @@ void driveStrip(WindowHand& hand, QWidget& widget, Way way)
     }
 }
 
-// From the particular to the general.
+// From the special class to the general one.
 constexpr std::array kKinds{
     WidgetKind{"handle", isA<DiagramHandle>, driveHandle},
     WidgetKind{"pressure curve", isA<PressureCurve>, driveCurve},
@@ -206,7 +206,7 @@ constexpr std::array kKinds{
     WidgetKind{"list", isA<QListView>, driveList},
 };
 
-/// Whether it belongs to a widget that is driven as a whole.
+/// Whether the widget is a part of one that is driven as a whole.
 bool isPart(const QWidget& widget)
 {
     const QWidget* parent = widget.parentWidget();
@@ -229,7 +229,7 @@ bool isPassive(const QWidget& widget)
         return true;
     if (widget.focusPolicy() & Qt::TabFocus)
         return false;
-    // A label's words can be selected; nothing comes of it.
+    // The words of a label can be selected, without effect.
     static const QStringList kHolders{
         QStringLiteral("espalier::Sideways"), QStringLiteral("espalier::BrushRadius"),
         QStringLiteral("espalier::ParameterRow"), QStringLiteral("espalier::ViewRow"),

@@ -5,25 +5,25 @@
 
 namespace espalier::test {
 
-/// A kind of widget that a person works with, and how it is worked.
+/// A kind of widget that the user works with, and how a test works with it.
 struct WidgetKind {
     const char* name;
     bool (*isOne)(const QWidget& widget);
-    /// Does to it, in that way, what changes something.
+    /// Works with the widget in that way, so that something changes.
     void (*drive)(WindowHand& hand, QWidget& widget, Way way);
 };
 
 /// The kind of @p widget, or null if it is none: the table of all kinds is in the .cpp.
 const WidgetKind* kindOf(const QWidget& widget);
 
-/// What a person works with in @p pane, and can be seen or scrolled to, in the order of the tree of widgets;
-/// parts of other widgets (the field of a spin box, scroll bars) are no widgets of their own.
+/// The widgets in @p pane that the user works with and that can be seen or scrolled to, in the order of the
+/// tree of widgets. Parts of other widgets (the field of a spin box, scroll bars) are not listed.
 QList<QWidget*> widgetsToWorkWith(QWidget& pane);
 
-/// Whether @p widget does nothing by itself but hold or show others.
+/// Whether @p widget only holds or shows others.
 bool isPassive(const QWidget& widget);
 
-/// The room in which a finger hits @p widget: its own, or its row's.
+/// The size of the area in which a finger hits @p widget: the widget's, or that of its row.
 QSize targetOf(const QWidget& widget);
 
 } // namespace espalier::test

@@ -15,7 +15,7 @@ void WindowFixture::initTestCase()
     m_screen = QTest::createTouchDevice();
     theme::apply(*qApp);
     QSettings().clear();
-    // Tables of data may ask it, which come before init().
+    // The window is made here because data tables, which run before init(), may use it.
     m_window = std::make_unique<MainWindow>();
 }
 
@@ -38,7 +38,7 @@ void WindowFixture::init()
 
 void WindowFixture::cleanup()
 {
-    // Nobody is there to answer a question.
+    // A question about unsaved changes would wait for an answer for ever.
     m_window->document().undoStack().setClean();
     m_window->workspace().notice().finish();
     action(ActionId::New)->trigger();

@@ -12,14 +12,14 @@ class QPointingDevice;
 
 namespace espalier::test {
 
-/// A person at the real window: events enter where the system's do. The tests of a class share the window,
-/// which takes its time to come up where the processor draws it; each begins with a seedling and the brush in
-/// hand.
+/// The user at the real window: events enter where the system's events do. The tests of a class share the
+/// window, because it takes long to appear where the processor draws it; each test begins with a seedling and
+/// the Brush tool.
 class WindowFixture : public QObject {
     Q_OBJECT
 
 public:
-    /// Of the window, px.
+    /// @p size of the window, px.
     explicit WindowFixture(const QSize& size = {960, 640}) : m_size(size) {}
 
 protected Q_SLOTS:
@@ -34,9 +34,9 @@ protected:
     Viewport& viewport() { return workspace().viewport(); }
     QWindow* handle() { return m_window->windowHandle(); }
     QAction* action(ActionId id) { return m_window->actions()[id]; }
-    /// A point of the window, given in metres above the tree's base and to the right of it.
+    /// A point of the window, @p up metres above the tree's base and @p right metres to the right of it.
     QPoint at(float right, float up);
-    /// An upright stroke with the mouse.
+    /// Draws an upright stroke with the mouse.
     void brush(float fromUp = 0.0F, float toUp = 1.6F, float right = 0.0F);
     QString notice();
     /// Presses a button of the next message box.

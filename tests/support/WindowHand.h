@@ -12,22 +12,22 @@ namespace espalier::test {
 
 enum class Way { Mouse, Finger, Keys };
 
-/// A person at a window: events enter where the system's do, so that they find whatever lies there.
+/// The user at a window: events enter where the system's events do, so that the topmost widget gets them.
 class WindowHand {
 public:
     WindowHand();
 
-    /// A click or a tap at @p place of @p widget.
+    /// Clicks or taps at @p place of @p widget.
     void tap(Way way, const QWidget& widget, const QPoint& place);
     void tap(Way way, const QWidget& widget) { tap(way, widget, widget.rect().center()); }
-    /// In steps.
+    /// Drags in steps.
     void drag(Way way, const QWidget& widget, const QPoint& from, const QPoint& to);
-    /// A key, to the window of @p widget.
+    /// Presses a key in the window of @p widget.
     static void key(const QWidget& widget, int key, Qt::KeyboardModifiers modifiers = {});
-    /// Plain letters and digits.
+    /// Types plain letters and digits.
     static void type(const QWidget& widget, const QString& text);
 
-    /// Dialogs and menus that have opened so far; each is closed at once.
+    /// Number of dialogs and menus that have opened so far; each is closed at once.
     int closedCount() const { return m_closed; }
 
 private:

@@ -68,7 +68,7 @@ std::vector<WindowPanes::Pane> WindowPanes::all()
         {"library",
          [this]() -> QWidget* {
              have(ActionId::Library);
-             // They are read in the background.
+             // The species are read in the background.
              m_areSpeciesThere =
                  m_areSpeciesThere || QTest::qWaitFor([this] {
                      return m_window.workspace().library().findChild<CardView*>()->model()->rowCount() > 8;

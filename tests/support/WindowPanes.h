@@ -8,20 +8,20 @@
 
 namespace espalier::test {
 
-/// All that can be open in the window, and how it is opened.
+/// All panes of the window, and how each is opened.
 class WindowPanes {
 public:
     struct Pane {
         const char* name;
-        std::function<QWidget*()> open; ///< Nothing happens to one that is open
+        std::function<QWidget*()> open; ///< Does nothing if the pane is open
     };
 
     explicit WindowPanes(MainWindow& window) : m_window(window) {}
 
     std::vector<Pane> all();
-    /// Opens the sheet, or the pop-out of the tool, or whatever the action shows, unless it is open.
+    /// Opens the pane or pop-out of the action, unless it is open.
     void have(ActionId id);
-    /// The brush is in hand, and nothing else is open.
+    /// Selects the Brush tool and closes all panes.
     void shutAll();
 
 private:

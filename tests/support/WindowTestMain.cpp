@@ -7,8 +7,8 @@
 #include <QSurfaceFormat>
 #include <QtTest>
 
-/// Runs every test class in an application that looks like the program and has settings of its own; with the
-/// name of one as the first argument that one alone, and what follows goes to it.
+/// Runs every test class in an application with the program's style and with separate settings. If the first
+/// argument is the name of a class, runs only that class, with the other arguments.
 int main(int argc, char** argv)
 {
     QSurfaceFormat::setDefaultFormat(espalier::surfaceFormat());

@@ -19,7 +19,7 @@ bool isNear(const QPointF& a, const QPointF& b, double tolerance = 1e-2)
     return std::hypot(a.x() - b.x(), a.y() - b.y()) <= tolerance;
 }
 
-/// Where the matrices put a point, px.
+/// The place of a point by the camera's matrices, px.
 QPointF projectedByMatrices(const Camera& camera, const Vec3& point)
 {
     const Eigen::Vector4f clip =

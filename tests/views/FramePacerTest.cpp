@@ -16,7 +16,7 @@ RenderOptions applied(const FramePacer& pacer)
     return options;
 }
 
-/// Enough slow frames for one step of saving more.
+/// Reports enough slow frames for one more step of saving.
 void drag(FramePacer& pacer)
 {
     const FramePacer::Saving before = pacer.saving();

@@ -16,7 +16,7 @@ using namespace espalier;
 
 namespace {
 
-/// A widget whose pointer events become gestures, which are written down.
+/// A widget that turns pointer events into gestures and logs them.
 class Pad : public QWidget, public GestureTarget {
 public:
     Pad()
@@ -216,7 +216,7 @@ void GestureReaderTest::fingersThatLinger_doNothing()
     QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {50, 50});
     QCOMPARE(m_pad->log, QStringList());
     QVERIFY(m_pad->panned.isNull());
-    // The next finger is the tool again.
+    // The next finger works with the tool again.
     QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100});
     QCOMPARE(m_pad->log, (QStringList{"begin"}));
     QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {100, 100});
@@ -233,7 +233,7 @@ void GestureReaderTest::fingersThatTheToolTakes_areItsOwn()
     QCOMPARE(m_pad->samples[2].id, m_pad->samples[0].id);
     QCOMPARE(m_pad->samples[3].id, m_pad->samples[1].id);
     QVERIFY(m_pad->panned.isNull());
-    // The first to be lifted ends all; the other lingers.
+    // The first finger that is lifted ends the gesture; the other one stays down.
     QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).release(1, {190, 100});
     QTest::touchEvent(m_pad.get(), m_device.get()).move(0, {20, 20});
     QCOMPARE(m_pad->log, (QStringList{"begin", "begin", "move", "move", "end"}));
@@ -241,7 +241,7 @@ void GestureReaderTest::fingersThatTheToolTakes_areItsOwn()
     QTest::touchEvent(m_pad.get(), m_device.get()).release(0, {20, 20});
     QVERIFY(!m_pad->gestures.isBusy());
 
-    // One that the tool does not take turns all of them to the camera.
+    // If the tool refuses a finger, all fingers move the camera.
     m_pad->log.clear();
     QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100});
     QTest::touchEvent(m_pad.get(), m_device.get()).stationary(0).press(1, {200, 200});
@@ -279,7 +279,7 @@ void GestureReaderTest::fingersThatComeAtOnce_areTheToolsIfItTakesAll()
 void GestureReaderTest::cancelledTouch_endsTheStroke_data()
 {
     QTest::addColumn<bool>("namesThePoint");
-    // What Qt makes of the system's word has no points.
+    // Qt's event for a touch that the system takes has no points.
     QTest::newRow("without points") << false;
     QTest::newRow("with its point") << true;
 }
@@ -295,7 +295,7 @@ void GestureReaderTest::cancelledTouch_endsTheStroke()
     QCoreApplication::sendEvent(m_pad.get(), &event);
     QCOMPARE(m_pad->log, (QStringList{"begin", "finish"}));
     QVERIFY(!m_pad->gestures.isBusy());
-    // The next finger is the tool again.
+    // The next finger works with the tool again.
     QTest::touchEvent(m_pad.get(), m_device.get()).press(1, {120, 100});
     QTest::touchEvent(m_pad.get(), m_device.get()).release(1, {120, 100});
     QCOMPARE(m_pad->log, (QStringList{"begin", "finish", "begin", "end"}));

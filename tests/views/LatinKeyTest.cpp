@@ -6,7 +6,7 @@
 
 using namespace espalier;
 
-/// Which key of a US keyboard a key is, by its place.
+/// Finds the key of a US keyboard at the place of a key.
 class LatinKeyTest : public QObject {
     Q_OBJECT
 

@@ -37,7 +37,7 @@ private Q_SLOTS:
 
 namespace {
 
-/// What is wrong with the pool's bookkeeping, and with its wood and leaves as of @p tolerance, or nothing.
+/// A fault of the pool's bookkeeping, or of its wood and leaves beyond @p tolerance; empty if there is none.
 QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float tolerance)
 {
     const Tree& tree = builder.tree;
@@ -98,7 +98,7 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
                 return QStringLiteral("tube %1 has leftover triangles").arg(base);
         }
 
-        // Leaves do not depend on widths: they are exact always.
+        // Leaves do not depend on widths, so they are always exact.
         std::vector<LeafInstance> leaves(placer.count(mesher.internodes()));
         placer.place(mesher.internodes(), leaves);
         if (!std::ranges::equal(leaves, pool.leaves().subspan(tube->leaves.first, tube->leafCount)))
@@ -127,7 +127,7 @@ struct Follower {
         pool.rebuild(builder.tree, builder.index);
     }
 
-    /// Notes the change; meshes it too, unless told to wait.
+    /// Notes the change, and meshes it unless told to wait.
     void follow(const TreeDelta& delta)
     {
         pool.follow(builder.tree, builder.index, delta);
@@ -347,7 +347,7 @@ void MeshPoolTest::finishedInParts_itIsTheSame()
                 changed.bark.scale *= step % 120 == 20 ? 1.5 : 1.0;
                 follower.apply(parameterChange(follower.builder.tree, changed));
             }
-            // The tree changes while tubes of what it was wait.
+            // The tree changes while tubes of its previous state wait.
             unfinished += some(follower.random.bits() % 12) ? 0 : 1;
             if (step % 25 == 24) {
                 while (!some(7)) {
@@ -459,7 +459,7 @@ void MeshPoolTest::widthConstraint_meshesWhatItChangesAlone()
     InternodeId branch = 100;
     while (index.tipCount(branch) < 4 || index.tipCount(branch) > 30)
         ++branch;
-    // A constraint below it keeps the change from the trunk.
+    // A constraint below it stops the change from reaching the trunk.
     const InternodeId below = follower.builder.tree.parent(branch);
     const float radius = Widths(follower.builder.tree, index).radius(index, below);
     follower.setWidth(below, 2.0F * radius);
@@ -476,7 +476,7 @@ void MeshPoolTest::widthConstraint_meshesWhatItChangesAlone()
 
 void MeshPoolTest::changes_areAllReported()
 {
-    // A copy that takes over nothing but the reported ranges stays equal.
+    // A copy that takes only the reported ranges stays equal.
     Follower follower(400, 6);
     std::vector<MeshVertex> vertices;
     std::vector<VertexIndex> indices;

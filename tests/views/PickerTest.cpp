@@ -11,7 +11,7 @@
 using namespace espalier;
 using namespace espalier::test;
 
-/// What a pointer picks, compared with a look at every internode and every bud.
+/// The picked branch or bud, compared with a search of every internode and every bud.
 class PickerTest : public QObject {
     Q_OBJECT
 
@@ -30,8 +30,8 @@ namespace {
 
 constexpr double kReach = 9.0; ///< px
 
-/// How far the pointer is from an internode's bark, px, and how far that is away, m; nothing where it is
-/// behind the camera.
+/// The distance of the pointer from an internode's bark, px, and the depth of that place, m; nothing behind
+/// the camera.
 struct Off {
     double pixels;
     double depth;
@@ -101,7 +101,7 @@ void PickerTest::branch_isTheNearestOfAll()
                 best = off;
         }
         const auto picked = pickBranch(scene, screen, kReach);
-        // At the very limit of the reach rounding decides.
+        // At the limit of the reach rounding decides.
         if (best && best->pixels < kReach - 0.01)
             QVERIFY(picked.has_value());
         if (!picked)
@@ -110,7 +110,7 @@ void PickerTest::branch_isTheNearestOfAll()
         ++hits;
         QVERIFY(scene.tree.isAlive(picked->id));
         const auto off = offOf(scene, picked->id, screen);
-        // Of those that are as near within 3 px it may be any.
+        // Of internodes within 3 px any may be picked.
         QVERIFY2(off && off->pixels <= best->pixels + 3.01,
                  qPrintable(QStringLiteral("%1 px, not %2").arg(off->pixels).arg(best->pixels)));
     });

@@ -332,7 +332,7 @@ void RendererTest::foliage_coversAsMuchFromAfar()
     options.background = QColor(Qt::transparent);
     options.view.groundShown = false;
     options.samples = samples;
-    // What share of the picture is covered, at the size that the leaves were painted for and far smaller.
+    // The covered share of the picture, at the size that the leaves were painted for and far smaller.
     const auto covered = [&](int edge) {
         const Camera camera = pictureCamera(NamedView::Front, scene, {edge, edge});
         const QImage image = *m_renderer->render(scene, camera, options);
@@ -356,7 +356,7 @@ void RendererTest::foliage_coversAsMuchFromAfar()
 
 void RendererTest::sun_throwsTheShadowToItsOtherSide()
 {
-    // How far to the right of the seedling the shadow's middle lies, px.
+    // How far to the right of the seedling the middle of the shadow lies, px.
     const auto shadow = [&](double azimuth) {
         RenderOptions options;
         options.background = QColor(Qt::transparent);
@@ -392,7 +392,7 @@ void RendererTest::backdrops_differ()
     horizon.view.backdrop = Backdrop::Horizon;
     const double studio = brightness(draw(*m_scene));
     QVERIFY(brightness(draw(*m_scene, horizon)) > 2.0 * studio);
-    // The studio is as light as the program, unless a person wants the other one.
+    // The studio is as light as the theme, unless the user has chosen the other one.
     RenderOptions options;
     options.view.isThemeLight = true;
     const double light = brightness(draw(*m_scene, options));
@@ -453,7 +453,7 @@ void RendererTest::tracingImage_standsBehindTheTree()
     options.view.tracing.opacity = 1.0;
     const QImage none = draw(*m_scene, options);
     QVERIFY(red.save(options.view.tracing.file));
-    // A file that could not be read is looked at again when it is chosen again.
+    // A file that could not be read is read again when it is chosen again.
     options.view.tracing.file.prepend(QStringLiteral("/"));
     const QImage image = draw(*m_scene, options);
     const Camera camera = pictureCamera(NamedView::Front, *m_scene, kSize);

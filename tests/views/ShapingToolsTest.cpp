@@ -39,7 +39,7 @@ private Q_SLOTS:
     void labels_saySoInCentimetres();
 
 private:
-    static constexpr InternodeId kTop = 12;    ///< Of the trunk
+    static constexpr InternodeId kTop = 12;    ///< Tip of the trunk
     static constexpr InternodeId kBranch = 13; ///< First of a branch of seven
     static constexpr InternodeId kTip = 19;
 
@@ -58,7 +58,7 @@ private:
         return 2.0 * static_cast<double>(
                          Widths(m_document->tree(), m_document->index()).radius(m_document->index(), id));
     }
-    /// Where the right end of the handle on a width is.
+    /// Place of the right end of a width's handle.
     QPoint handleEnd(InternodeId id) const;
     void dragPixels(const QPoint& from, const QPoint& to);
     bool isPositionedLikeBefore(const DocumentState& before, InternodeId id) const
@@ -88,7 +88,7 @@ void ShapingToolsTest::plant()
     m_document->undoStack().clear();
     m_view->setCamera(Camera());
     QVERIFY(std::abs(node(kTip).x()) > 1.0F);
-    // The picture tells how thick the bark is.
+    // Drawing determines the radius of the bark.
     m_view->grabFramebuffer();
 }
 
@@ -172,7 +172,7 @@ void ShapingToolsTest::bendPins_holdBaseAndMiddle()
     QVERIFY((middle(held) - heldAt).norm() < 0.03F);
     QVERIFY(isPositionedLikeBefore(before, base));
     QCOMPARE(m_document->undoStack().count(), 1);
-    // The pin itself is pulled.
+    // The pin itself is dragged.
     const Vec3 pinTarget = middle(held) + Vec3(0.05F, -0.25F, 0.0F);
     stroke(middle(held), pinTarget, 300);
     QVERIFY((middle(held) - pinTarget).norm() < 0.03F);
@@ -247,7 +247,7 @@ void ShapingToolsTest::bendTwoFingers_lowerIsTheBase()
     QVERIFY(m_view->isGestureActive());
     QTest::touchEvent(m_view.get(), m_touch.get()).release(0, to).stationary(1);
     QVERIFY(!m_view->isGestureActive());
-    // The finger that lingers pulls nothing along.
+    // The finger that stays down changes nothing.
     const DocumentState done(*m_document);
     touchMove({{1, lower + QPoint(60, 60)}});
     QTest::touchEvent(m_view.get(), m_touch.get()).release(1, lower + QPoint(60, 60));
@@ -317,7 +317,7 @@ void ShapingToolsTest::bendFingersOffTheBranch_moveTheCamera()
     touchMove({{0, from + QPoint(0, 20)}});
     touchMove({{0, from + QPoint(0, 40)}});
     QVERIFY(!(m_document->tree() == before.tree));
-    // The second comes down beside the tree: the first was the camera's, too.
+    // The second finger is beside the tree: both move the camera.
     const QPoint beside(60, 60);
     QTest::touchEvent(m_view.get(), m_touch.get()).stationary(0).press(1, beside);
     QVERIFY(DocumentState(*m_document) == before);
@@ -356,7 +356,7 @@ void ShapingToolsTest::bendWeights_changeTheForm()
     const auto lengthWith = [&](double stretching) {
         take<BendTool>();
         m_settings->set(&ViewValues::stretchingWeight, stretching);
-        // Toward its base: it gives way to the side, or is pressed together.
+        // A drag toward the branch's base bends it sideways or compresses it.
         stroke(node(kTip), node(kTip) + 0.3F * (node(kBranch) - node(kTip)), 200);
         return lengthOfBranch();
     };
@@ -371,7 +371,7 @@ void ShapingToolsTest::bendIntoTheSeedling_doesNothing()
     const DocumentState before(*m_document);
     stroke(middle(0), middle(0) + Vec3(0.8F, 0.1F, 0.0F), 100);
     QVERIFY(DocumentState(*m_document) == before);
-    // And a pin that has gone is forgotten.
+    // A pin whose internode is gone is removed.
     click(middle(kBranch + 3));
     plant();
     m_document->reset(1, smallTree());
@@ -457,7 +457,7 @@ void ShapingToolsTest::widthDelete_removesTheOneUnderThePointer()
         QTest::keyClick(m_view.get(), key);
         QCOMPARE(m_document->tree().widthConstraints().size(), 1U);
         QVERIFY(m_document->tree().widthConstraint(9) > 0.0F);
-        // Without one under the pointer: the one that was touched last.
+        // Without a handle under the pointer, the key affects the handle that was touched last.
         QTest::mouseMove(m_view.get(), QPoint(20, 20));
         QTest::keyClick(m_view.get(), key);
         QVERIFY(m_document->tree().widthConstraints().empty());
@@ -497,7 +497,7 @@ void ShapingToolsTest::widthEscape_takesTheDragBack()
 void ShapingToolsTest::widthFingerAndPen_setTheWidth()
 {
     take<WidthTool>();
-    // One pull from the bark sets a width where none was.
+    // One drag from the bark sets a width where there was none.
     const InternodeId first = 10;
     const double was = diameter(first);
     const QPoint from = at(middle(first));
@@ -564,7 +564,7 @@ void ShapingToolsTest::labels_saySoInCentimetres()
     QCOMPARE(labels(), QStringList{QStringLiteral("4.1 cm")});
     setWidth(*m_document, 3, 0.0034);
     QCOMPARE(labels(), QStringList{QStringLiteral("0.34 cm")});
-    // The words are to be seen.
+    // The text must be visible.
     const QImage with = m_view->grabFramebuffer();
     m_view->setTool(std::make_unique<BendTool>(m_view->toolContext()));
     QVERIFY(with != m_view->grabFramebuffer());

@@ -8,7 +8,7 @@
 using namespace espalier;
 using namespace espalier::test;
 
-/// What a gardener does to a tree that stands: by mouse, by finger and by pen.
+/// Pruning, choosing a bud and growing an existing tree: by mouse, by finger and by pen.
 class TrainingToolsTest : public ViewportFixture {
     Q_OBJECT
 
@@ -116,7 +116,7 @@ void TrainingToolsTest::eraserEnd_prunes()
     sendPen(QEvent::TabletRelease, place, 0.0, eraser);
     QCOMPARE(alive(), 9U);
     QCOMPARE(m_document->undoStack().count(), 1);
-    // The tip is the brush still.
+    // The pen's tip still brushes.
     sendPen(QEvent::TabletPress, place, 0.5);
     QVERIFY(m_view->isGestureActive());
     sendPen(QEvent::TabletRelease, place, 0.0);
@@ -127,7 +127,7 @@ void TrainingToolsTest::doubleTap_prunesWithTheBrushInHand()
     const InternodeId branch = plantBranch();
     const QPoint place =
         at(0.5F * (m_document->index().nodePosition(branch) + m_document->index().nodePosition(branch + 1)));
-    // What is drawn meanwhile would make the taps long.
+    // Drawing during the taps would make them long.
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20000);
     for (int tap = 0; tap < 2; ++tap) {
         QTest::touchEvent(m_view.get(), m_touch.get()).press(0, place);
@@ -181,7 +181,7 @@ void TrainingToolsTest::altClickOnABud_letsItAloneGrow()
                                    m_view->toolContext().branchRadius(bud.node));
     QTest::mouseClick(m_view.get(), Qt::LeftButton, Qt::AltModifier, at(place));
     QVERIFY(m_document->competitors() == (Competitors{bud.node, bud.slot}));
-    // What grows now grows from it.
+    // New growth starts from it.
     const std::uint32_t rows = m_document->tree().size();
     m_settings->set(&ViewValues::brushRadius, 0.5);
     stroke(place, place + Vec3(0.8F, 0.0F, 0.0F), 600);

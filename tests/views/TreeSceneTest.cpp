@@ -47,7 +47,7 @@ void TreeSceneTest::tolerance_doesNotWaverWithThePixel()
             QVERIFY(!scene.isBehind());
         }
     }
-    // What is no size changes nothing.
+    // An invalid size changes nothing.
     const double tolerance = scene.mesh().options().tolerance;
     for (const double pixel : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
         scene.setPixelSize(pixel);

@@ -30,7 +30,7 @@ private Q_SLOTS:
 void ViewSettingsTest::lengths_areTypedInAnyUnit_data()
 {
     QTest::addColumn<QString>("typed");
-    QTest::addColumn<double>("metres"); // NaN for what is no length
+    QTest::addColumn<double>("metres"); // NaN if the text is not a length
     const double none = std::numeric_limits<double>::quiet_NaN();
     const std::pair<const char*, double> rows[] = {
         {"12", 0.12},
@@ -125,7 +125,7 @@ void ViewSettingsTest::lengths_readAgainAreTheSame()
             const std::optional<double> again = parseLength(text, 1.0);
             QVERIFY2(again && std::abs(*again - metres) < 0.051 * metres, qPrintable(text));
             QCOMPARE(lengthText(*again), text);
-            // Round is round.
+            // Rounding twice changes nothing.
             QVERIFY(std::abs(roundedLength(roundedLength(metres)) - roundedLength(metres)) < 1e-12);
         }
     }
@@ -183,7 +183,7 @@ void ViewSettingsTest::studio_followsTheTheme()
     values.isThemeLight = true;
     QCOMPARE(shownBackdrop(values), Backdrop::LightStudio);
     QVERIFY(isBackdropLight(values));
-    // What a person has chosen stays.
+    // A backdrop that the user has chosen stays.
     values.backdrop = Backdrop::DarkStudio;
     QVERIFY(!isBackdropLight(values));
     values.backdrop = Backdrop::Plain;

@@ -92,7 +92,7 @@ void ViewportTest::escape_takesTheStrokeBack()
     QVERIFY(!m_view->isGestureActive());
     QCOMPARE(alive(), 1U);
     QCOMPARE(m_document->undoStack().count(), 0);
-    // What is still held draws nothing more.
+    // The pointer that is still held draws nothing more.
     drag({0.0F, 1.5F, 0.0F}, {0.0F, 2.5F, 0.0F}, 200);
     release({0.0F, 2.5F, 0.0F});
     QCOMPARE(alive(), 1U);
@@ -172,7 +172,7 @@ void ViewportTest::strokeFromANode_drawsInItsDepth()
     press(tip);
     Overlay overlay;
     m_view->tool().paint(overlay);
-    // Within an internode: seen from its end, the axis is all in one place.
+    // Within an internode: seen along the axis, all its nodes are at one place.
     QVERIFY(std::abs(overlay.grids().front().centre.z() - tip.z()) < 0.25F);
     release(tip);
 }
@@ -218,7 +218,7 @@ void ViewportTest::keysDuringAStroke_windTheTrunk()
     press(Vec3::Zero());
     drag(Vec3::Zero(), Vec3(0.5F, 0.4F, 0.0F), 300);
     QTest::keyPress(m_view.get(), Qt::Key_E);
-    // On the screen the hand goes straight up beside the axis; in the world it goes around it.
+    // On the screen the pointer moves straight up beside the axis; in the world it goes around it.
     const QPointF from = *m_view->camera().project({0.5F, 0.4F, 0.0F});
     for (int i = 1; i <= 60; ++i) {
         const QPointF place = from - QPointF(0, 2 * i);
@@ -292,7 +292,7 @@ void ViewportTest::picture_changesWithTheTreeAndComesToRest()
     stroke(Vec3::Zero(), {0.0F, 3.0F, 0.0F}, 800);
     QVERIFY(!m_view->isAtRest());
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20000);
-    // Without the brush that hovers over it still
+    // The overlay without the brush of the hovering pointer
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(m_view.get(), &leave);
     const QImage tree = m_view->grabFramebuffer();
@@ -341,7 +341,7 @@ void ViewportTest::sun_isDraggedAndNothingIsUndone()
     QVERIFY(m_settings->values().sunElevation < before.sunElevation);
     QCOMPARE(alive(), 1U);
     QCOMPARE(m_document->undoStack().count(), 0);
-    // Elsewhere, and where no sun is shown, the hand brushes.
+    // Elsewhere, and where no sun is shown, the pointer brushes.
     m_settings->set(&ViewValues::sunShown, false);
     const double azimuth = m_settings->values().sunAzimuth;
     pressSun();
@@ -358,7 +358,7 @@ void ViewportTest::sun_goesBehindTheTreeBeyondTheRim()
     const double azimuth = m_settings->values().sunAzimuth;
     QVERIFY2(azimuth > radians(95) && azimuth < radians(160), qPrintable(QString::number(degrees(azimuth))));
     QVERIFY(m_view->sunPlace().x() < rim.x());
-    // Pulled down to the ground it stays above the horizon.
+    // Dragged down to the ground, the sun stays above the horizon.
     moveHeld(QPointF(rim.x(), m_view->height()));
     QVERIFY(m_settings->values().sunElevation >= kLeastSunElevation);
 }

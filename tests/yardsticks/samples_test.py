@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 import yardsticks  # noqa: E402
 
 FALLS_SHORT = {
-    # Shoots that hang cover little when seen from below.
+    # Hanging shoots cover little of the view from below.
     "willow": {"sky from below": (0.44, 0.63)},
     # A crown that the wind has blown to one side lies thin above its own trunk.
     "windswept": {"sky from below": (0.44, 0.58)},

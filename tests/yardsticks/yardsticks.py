@@ -1,20 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures trees by the yardsticks of real ones.
+"""Measures trees and compares them with measures of real trees.
 
 Usage: yardsticks.py TREE.csv... [--cut MILLIMETRES] [--json] [--check]
 
 A tree is a skeleton: lines "id,parent,x0,y0,z0,x1,y1,z1,radius" in metres, z up, below a header; a parent of -1 is the base.
-Prints a table of what each tree measures beside what real trees do; --json prints the same as JSON. --check ends with 1 if a measure is
-out of its range.
+Prints a table of the measures of each tree beside those of real trees; --json prints the same as JSON. With --check the exit code is 1 if a
+measure is out of its range.
 
-The ranges come from scanned trees, from photographs and from measures taken in the field, and each measure is taken of what its
-source saw. Scans end at twigs of about 4.7 mm radius: what lies in the branching (orders, ratios, angles, spacing, taper, box
-dimension) is measured on the tree without all that is thinner, or orders and spacings would count twigs that the ranges never knew.
+The ranges come from scanned trees, from photographs and from measures taken in the field, and each measure is taken of the part of the
+tree that its source contains. Scans end at twigs of about 4.7 mm radius. So measures of branching (orders, ratios, angles, spacing, taper,
+box dimension) are taken without thinner twigs, which the ranges do not include.
 --cut sets another radius, 0 measures the whole tree. Height, crown, twigs and sky are always those of the whole tree; a
 scanned tree without its twigs therefore lets more light through than the photographs that the range of sky comes from.
 
-How each measure is taken stands in its function. The main axis at a fork is the child of the greatest radius, of those the one that
+The functions describe how each measure is taken. The main axis at a fork is the child of the greatest radius, of those the one that
 carries the most length.
 """
 
@@ -84,7 +84,7 @@ class Skeleton:
         self.take(order, parent, start, end, radius)
 
     def without(self, cut):
-        """The same tree without all that is thinner than that radius."""
+        """The same tree without segments thinner than that radius."""
         kept = np.zeros(len(self.parent), dtype=bool)
         for row, above in enumerate(self.parent):
             kept[row] = self.radius[row] >= cut and (above < 0 or kept[above])
@@ -96,7 +96,7 @@ class Skeleton:
         return result
 
     def take(self, order, parent, start, end, radius):
-        """Keeps the rows named, in that order, and finds what follows from them."""
+        """Keeps the given rows, in that order, and computes derived values."""
         place = {row: i for i, row in enumerate(order)}
         self.parent = np.array([place.get(parent[row], -1) for row in order])
         self.start, self.end, self.radius = start[order], end[order], radius[order]
@@ -115,7 +115,7 @@ class Skeleton:
         self.height = max(self.end[:, 2].max(), self.start[:, 2].max()) - self.base
 
     def gathered(self, own):
-        """Sums over all that each segment carries, itself included."""
+        """Sums over all segments that each segment carries, including itself."""
         sums = own.copy()
         for row in range(len(sums) - 1, 0, -1):
             if self.parent[row] >= 0:
@@ -123,7 +123,7 @@ class Skeleton:
         return sums
 
     def rank(self, row):
-        """The greatest of a fork's children goes on with its axis; of equal ones the higher, then any, but always the same."""
+        """Sort key of a fork's children: the greatest continues the axis; of equal ones the higher, then a fixed one of them."""
         return (self.radius[row], round(self.carried[row], 9), *np.round(self.end[row, [2, 0, 1]], 9))
 
     def axis_from(self, row):
@@ -233,7 +233,7 @@ def order_ratios(tree):
 
 
 def path_fraction(tree):
-    """Mean length of the ways from base to tip over the longest."""
+    """Mean length of the paths from base to tip, divided by the longest."""
     paths = tree.length.copy()
     for row in range(1, len(paths)):
         paths[row] += paths[tree.parent[row]]
@@ -244,7 +244,7 @@ def path_fraction(tree):
 # Widths ------------------------------------------------------------------------------------------------------------
 
 def fork_exponent(parent, children):
-    """n in d^n = sum of d_i^n, or NaN where none below 10 fits."""
+    """n in d^n = sum of d_i^n, or NaN if no n below 10 fits."""
     ratios = np.asarray(children) / parent
     if (ratios >= 1.0).any() or (ratios <= 0.0).any():
         return math.nan
@@ -309,7 +309,7 @@ def build(tree):
 
 
 def crown_width(points):
-    """Mean over all directions of how far the crown reaches across."""
+    """Mean width of the crown over all directions."""
     angles = np.radians(np.arange(0, 180, 5))
     across = points @ np.stack([np.cos(angles), np.sin(angles)])
     return float((across.max(axis=0) - across.min(axis=0)).mean())

@@ -10,7 +10,7 @@ namespace espalier {
 
 namespace {
 
-const float kHalfHeight = std::tan(Camera::kFieldOfView / 2.0F); ///< Of the view at depth 1
+const float kHalfHeight = std::tan(Camera::kFieldOfView / 2.0F); ///< Half the height of the view at depth 1
 constexpr float kFrameMargin = 1.1F;
 constexpr float kSmallestDepth = 1e-4F;
 
@@ -73,9 +73,9 @@ Camera Camera::framing(std::span<const Vec3> points) const
     Camera framed = *this;
     if (points.empty())
         return framed;
-    // In the axes of the camera, each side of the view is a plane through the eye; how far out the
-    // outermost point lies along its normal says where the plane must be, and two opposite planes say where
-    // the eye is.
+    // In the axes of the camera, each side of the view is a plane through the eye. The place of the outermost
+    // point along the plane's normal gives the place of the plane, and two opposite planes give the place of
+    // the eye.
     const float slopeX = kHalfHeight * aspect() / kFrameMargin;
     const float slopeY = kHalfHeight / kFrameMargin;
     constexpr float kNone = std::numeric_limits<float>::lowest();

@@ -22,9 +22,9 @@ struct Ray {
 enum class NamedView { Front, Side, Top, ThreeQuarter };
 
 /// A turntable camera: it looks at a target from a distance, at an azimuth around the vertical and an
-/// elevation above the horizon, and its horizon is always level. A value; it knows the size of the view it
-/// fills, so that it can say where on the screen a point of the world is, and the other way round. Screen
-/// positions are device-independent pixels from the upper left corner.
+/// elevation above the horizon, and its horizon is always level. A value type; it holds the size of the view,
+/// so that it can convert between points of the world and places on the screen. Screen positions are
+/// device-independent pixels from the upper left corner.
 class Camera {
 public:
     /// Full vertical angle of view, rad.
@@ -54,39 +54,40 @@ public:
 
     Vec3 right() const;
     Vec3 up() const;
-    /// Where it looks.
+    /// Direction of view, a unit vector.
     Vec3 forward() const;
     Vec3 position() const { return m_target - m_distance * forward(); }
 
     /// Turns about the target, rad.
     void orbit(float byAzimuth, float byElevation);
-    /// As if the plane through the target were drawn along under the pointer, px.
+    /// Moves the target so that the plane through it follows the pointer by @p by, px.
     void pan(const QPointF& by);
-    /// Multiplies the distance by @p factor (> 0, below 1 comes nearer) while the point under @p about on
-    /// the plane through the target stays under it.
+    /// Multiplies the distance by @p factor (> 0, below 1 comes nearer); the point under @p about on the
+    /// plane through the target stays under it.
     void zoom(float factor, const QPointF& about);
-    /// The same camera, moved without turning as near as it can be to show all of @p points, in the middle
-    /// and with a margin; unchanged if there are none. It turns about the middle of them from then on.
+    /// The same camera, moved without turning to the nearest place from which all of @p points are visible,
+    /// in the middle and with a margin; unchanged if there are none. The target becomes the middle of the
+    /// points.
     Camera framing(std::span<const Vec3> points) const;
     Camera framing(const Box3& box) const;
-    /// The same camera, turned.
+    /// The same camera, turned to that view.
     Camera turnedTo(NamedView view) const;
 
-    /// Where a point of the world appears; none if it is not in front of the camera.
+    /// Place of a point of the world on the screen; none if it is not in front of the camera.
     std::optional<QPointF> project(const Vec3& point) const;
     /// How far in front of the camera a point is, along forward(), m.
     float depth(const Vec3& point) const { return (point - position()).dot(forward()); }
-    /// Through a point of the screen, from the camera's position.
+    /// The ray from the camera's position through a point of the screen.
     Ray ray(const QPointF& screen) const;
-    /// The point under @p screen of the drawing plane, which goes through @p through and is parallel to the
-    /// screen; a point at the camera or behind it has no such plane, and the one through the target serves.
+    /// The point of the drawing plane under @p screen. The plane is parallel to the screen and goes through
+    /// @p through, or through the target if @p through is at the camera or behind it.
     Vec3 onPlane(const QPointF& screen, const Vec3& through) const;
-    /// Of a length that is parallel to the screen, at a depth > 0.
+    /// Pixels on the screen for a metre parallel to it, at a depth > 0.
     float pixelsPerMetre(float depth) const;
 
-    /// World to camera.
+    /// Matrix from world to camera space.
     Matrix4 viewMatrix() const;
-    /// Camera to clip space of OpenGL; 0 < nearest < farthest, m.
+    /// Matrix from camera space to OpenGL's clip space; 0 < nearest < farthest, m.
     Matrix4 projectionMatrix(float nearest, float farthest) const;
 
     bool operator==(const Camera&) const = default;

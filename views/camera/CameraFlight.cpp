@@ -22,7 +22,7 @@ void CameraFlight::advance(Camera& camera, double seconds)
     const auto time = static_cast<float>(m_elapsed / kDuration);
     const float eased = time * time * (3.0F - 2.0F * time);
     camera.setTarget(m_from.target() + eased * (m_to.target() - m_from.target()));
-    // Evenly in the logarithm: what is seen grows or shrinks at an even pace.
+    // Linear in the logarithm, so that the picture grows or shrinks at an even rate.
     camera.setDistance(m_from.distance() * std::pow(m_to.distance() / m_from.distance(), eased));
     camera.setAzimuth(std::lerp(m_from.azimuth(), m_to.azimuth(), eased));
     camera.setElevation(std::lerp(m_from.elevation(), m_to.elevation(), eased));

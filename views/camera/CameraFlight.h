@@ -5,7 +5,7 @@
 
 namespace espalier {
 
-/// A short, smooth move of the camera from where it is to where it shall be; it turns the short way round.
+/// A short, smooth move of the camera from one view to another; it turns the short way round.
 class CameraFlight {
 public:
     static constexpr double kDuration = 0.35; ///< s
@@ -14,7 +14,7 @@ public:
     void stop() { m_elapsed = kDuration; }
     bool isFlying() const { return m_elapsed < kDuration; }
 
-    /// Moves @p camera on by @p seconds; it arrives exactly. Its view size stays.
+    /// Moves @p camera on by @p seconds; it reaches the exact end. The view size does not change.
     void advance(Camera& camera, double seconds);
 
 private:

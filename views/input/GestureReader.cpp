@@ -9,14 +9,14 @@ namespace espalier {
 
 namespace {
 
-/// A pen that was seen this short a while ago is still near, s.
+/// A pen counts as near for this long after its last sample, s.
 constexpr double kPenLinger = 0.6;
 /// Fingers closer than this to their centre do not pinch, px.
 constexpr double kSmallestSpread = 8.0;
-/// Of a drag that zooms: the logarithm of the factor, for a px to the right or upwards.
+/// Logarithm of the zoom factor of a drag for a px to the right or upwards.
 constexpr double kZoomPerPixel = 0.006;
 
-/// The last of @p samples that a finger is in, or null.
+/// The last of @p samples with the finger, or null.
 const PointerSample* sampleOf(std::span<const PointerSample> samples, int finger)
 {
     const auto found = std::find_if(samples.rbegin(), samples.rend(),
@@ -24,7 +24,7 @@ const PointerSample* sampleOf(std::span<const PointerSample> samples, int finger
     return found == samples.rend() ? nullptr : &*found;
 }
 
-/// How far a click may slip, px.
+/// Movement of the pointer below which a press is a click, px.
 constexpr double kClickReach = 4.0;
 
 bool isNear(const QPointF& a, const QPointF& b)
@@ -59,7 +59,7 @@ void GestureReader::setPenInReach(bool inReach, double time)
     } else {
         m_penSeen = -1e9;
         m_penDown = false;
-        // Its release is not told any more.
+        // The pen's release will not be reported.
         if (m_device == PointerDevice::Pen && m_mode != Mode::Idle) {
             finish();
             m_mode = Mode::Idle;
@@ -114,7 +114,7 @@ GestureReader::Mode GestureReader::modeOfButton(const PointerSample& sample) con
 
 void GestureReader::readPointer(const PointerSample& sample)
 {
-    // A gesture that was ended waits for a release, which may have gone to another window.
+    // A gesture that was ended waits for a release, which another window may have got.
     const bool isAnew = sample.device != m_device || sample.button == m_button;
     if (m_mode == Mode::Spent && sample.phase == PointerPhase::Press && isAnew && m_fingers.empty())
         m_mode = Mode::Idle;
@@ -153,7 +153,7 @@ void GestureReader::readPointer(const PointerSample& sample)
         if (ends && sample.phase == PointerPhase::Release)
             m_target.budIsAsked(sample);
     } else if (!distance.isNull()) {
-        // A click that became a drag turns the view by all of its way.
+        // A click that becomes a drag turns the view by the whole distance.
         const QPointF whole = std::exchange(m_mayBeClick, false) ? sample.position - m_pressedAt : distance;
         if (m_mode == Mode::Orbit)
             m_target.orbitBy(whole);
@@ -176,14 +176,14 @@ void GestureReader::readFingers(std::span<const PointerSample> samples)
     if (taken)
         m_fingers.clear();
     const bool isOthers = m_mode != Mode::Idle && m_device != PointerDevice::Finger;
-    // A gesture of a mouse or pen that was ended may wait for a release that never comes.
+    // A mouse's or pen's gesture that was ended may wait for a release that never comes.
     if (isOthers && !(m_mode == Mode::Spent && changed && fingerCount() == m_fingers.size()))
         return;
     if (isOthers)
         m_mode = Mode::Idle;
     m_device = PointerDevice::Finger;
     if (taken) {
-        // The system wants the fingers for itself: a gesture of its own, or a palm that it has seen.
+        // The system takes the fingers: for a gesture of its own, or because it has recognised a palm.
         finish();
         m_mode = Mode::Idle;
     } else if (changed) {
@@ -193,7 +193,7 @@ void GestureReader::readFingers(std::span<const PointerSample> samples)
     }
 }
 
-/// Follows the fingers; true if one came or went.
+/// Updates the fingers; true if one was added or lifted.
 bool GestureReader::updateFingers(std::span<const PointerSample> samples)
 {
     bool changed = false;
@@ -219,7 +219,7 @@ bool GestureReader::updateFingers(std::span<const PointerSample> samples)
     return changed;
 }
 
-/// Hands the fingers that the tool does not have yet to it; false if it does not take one of them.
+/// Passes the fingers that the tool does not have yet to it; false if it refuses one of them.
 bool GestureReader::giveToTool(std::span<const PointerSample> samples)
 {
     for (const Finger& finger : m_fingers) {
@@ -238,7 +238,7 @@ bool GestureReader::giveToTool(std::span<const PointerSample> samples)
     return m_mode == Mode::Tool;
 }
 
-/// While the tool has fingers; false if it does not keep them.
+/// Handles changes while the tool has fingers; false if the tool does not keep them.
 bool GestureReader::changeToolFingers(std::span<const PointerSample> samples)
 {
     for (const PointerSample& sample : samples) {
@@ -252,8 +252,8 @@ bool GestureReader::changeToolFingers(std::span<const PointerSample> samples)
     return giveToTool(samples);
 }
 
-/// Gestures grow with the number of fingers; once one is lifted, the others leave, too, in their own time,
-/// and must not draw or pull anything along.
+/// Gestures grow with the number of fingers. Once one finger is lifted, the others may be lifted later, and
+/// must not draw or drag anything until then.
 void GestureReader::changeFingers(std::span<const PointerSample> samples)
 {
     if (m_mode == Mode::Tool ? changeToolFingers(samples) : m_mode == Mode::Idle && giveToTool(samples))
@@ -264,7 +264,7 @@ void GestureReader::changeFingers(std::span<const PointerSample> samples)
     if (count == 0) {
         m_mode = Mode::Idle;
     } else if (count == 1 && m_mode == Mode::Idle) {
-        return; // It has not been seen to come down.
+        return; // The press of this finger was not reported.
     } else if (count == 2 && (m_mode == Mode::Idle || m_mode == Mode::Tool)) {
         m_mode = Mode::TwoFingers;
     } else if (count == 3 && m_mode != Mode::Spent) {
@@ -325,8 +325,8 @@ std::size_t GestureReader::fingerCount() const
         std::count_if(m_fingers.begin(), m_fingers.end(), [](const Finger& f) { return f.counts(); }));
 }
 
-/// The hand that holds the pen may have come down before the pen was seen: what it did is taken back, unless
-/// it has worked for longer than that.
+/// The hand that holds the pen may have touched the screen before the pen was detected: its gesture is
+/// cancelled, unless it has lasted longer than kPalmTime.
 void GestureReader::penIsNear(double time)
 {
     m_penSeen = time;
@@ -350,7 +350,7 @@ void GestureReader::leaveTool()
         m_target.toolIsCancelled();
 }
 
-/// Takes a finger's gesture back if it may be that of a palm; else ends it as it stands.
+/// Cancels a finger's gesture if it may be a palm's; otherwise finishes it.
 void GestureReader::leaveToolToPen(double time)
 {
     if (m_mode == Mode::Tool && time - m_begun > kPalmTime)

@@ -11,7 +11,7 @@
 
 namespace espalier {
 
-/// What a gesture asks for: the work of a tool, or another view of the tree.
+/// Performs gestures: the work of a tool, or a move of the camera.
 class GestureTarget {
 public:
     virtual ~GestureTarget() = default;
@@ -19,51 +19,51 @@ public:
     virtual void toolBegins(const PointerSample& sample) = 0;
     virtual void toolMoves(const PointerSample& sample) = 0;
     virtual void toolEnds(const PointerSample& sample) = 0;
-    /// The pointer was taken away before it was lifted: what the tool has done so far stays.
+    /// The pointer was lost before it was lifted: what the tool has done so far stays.
     virtual void toolIsFinished() = 0;
     virtual void toolIsCancelled() = 0;
     virtual void toolHovers(const PointerSample& sample) = 0;
-    /// Whether the tool works with one more finger: see Tool::takesFinger.
+    /// Whether the tool uses one more finger: see Tool::takesFinger.
     virtual bool toolTakesFinger(const PointerSample& sample) = 0;
-    /// A click with Alt held, which did not turn the view: it selects a bud.
+    /// A click with Alt held, without a move of the view: it selects a bud.
     virtual void budIsAsked(const PointerSample& sample) = 0;
 
     /// Distances in px.
     virtual void orbitBy(const QPointF& distance) = 0;
     virtual void panBy(const QPointF& distance) = 0;
-    /// @p factor > 1 makes larger what is under @p about.
+    /// A @p factor above 1 magnifies the picture under @p about.
     virtual void magnify(double factor, const QPointF& about) = 0;
 };
 
-/// Reads gestures before tools are asked (TreeSketch §3.1): one finger, a pen's tip or the left mouse
-/// button is the tool; two fingers pan and pinch, three rotate. Other buttons of the mouse move the camera as
-/// MouseScheme says, and the left one pans while the space bar is held. A finger
-/// that is joined by a second one has not been meant for the tool: its gesture is cancelled, unless the tool
-/// takes the second, too. A second finger is what Escape is on a keyboard. While a pen is near or down, touch
-/// is a palm and counts for nothing.
+/// Recognises gestures before samples go to tools (TreeSketch §3.1): one finger, a pen's tip or the left
+/// mouse button works with the tool; two fingers pan and pinch, three rotate. Other mouse buttons move the
+/// camera as MouseScheme says, and the left one pans while the space bar is held. When a second finger joins
+/// the first, the tool's gesture is cancelled, unless the tool uses the second finger too. So a second finger
+/// corresponds to Escape on a keyboard. While a pen is near or down, touches are treated as a palm and
+/// ignored.
 class GestureReader {
 public:
-    /// A palm comes down at most this long before the pen that it holds is seen, s.
+    /// A palm can touch the screen at most this long before the pen is detected, s.
     static constexpr double kPalmTime = 1.0;
 
     explicit GestureReader(GestureTarget& target) : m_target(target) {}
 
-    /// Reads samples that belong together: all that one event says.
+    /// Reads all samples of one event.
     void read(std::span<const PointerSample> samples);
 
     /// Whether dragging pans (the space bar is held).
     void setPanKey(bool held) { m_panKey = held; }
     void setScheme(MouseScheme scheme) { m_scheme = scheme; }
-    /// The rotation strip, px: whatever begins there turns the view about the vertical, while another finger
-    /// works with the tool.
+    /// Sets the rotation strip, px: a gesture that begins there turns the view about the vertical, while
+    /// another finger works with the tool.
     void setStrip(const QRectF& strip) { m_strip = strip; }
-    /// A pen came into or left the tablet's reach; while it moves or touches, the reader knows by itself. A
-    /// gesture of a pen that leaves ends as it stands.
+    /// A pen has come into or left the tablet's reach; the reader also recognises a pen that moves or
+    /// touches. When a pen leaves, its gesture ends and its result stays.
     void setPenInReach(bool inReach, double time);
-    /// Gives up the gesture under way; what is still held counts for nothing until it is lifted.
+    /// Cancels the gesture under way; pointers that are still held are ignored until they are lifted.
     void cancel();
-    /// Ends the tool's gesture under way as it stands; what is still held counts for nothing until it is
-    /// lifted. Gestures that move the camera go on.
+    /// Finishes the tool's gesture under way; pointers that are still held are ignored until they are lifted.
+    /// Gestures that move the camera continue.
     void finish();
 
     bool isBusy() const { return m_mode != Mode::Idle; }
@@ -84,7 +84,7 @@ private:
         int id = 0;
         QPointF position;
         bool isPalm = false;
-        bool isOnStrip = false; ///< It came down there
+        bool isOnStrip = false; ///< It touched the screen on the strip first
 
         /// Whether it is one of the fingers of a gesture.
         bool counts() const { return !isPalm && !isOnStrip; }
@@ -107,8 +107,8 @@ private:
 
     GestureTarget& m_target;
     Mode m_mode = Mode::Idle;
-    PointerDevice m_device = PointerDevice::Mouse; ///< That drives the mode
-    Qt::MouseButton m_button = Qt::NoButton;       ///< That began it
+    PointerDevice m_device = PointerDevice::Mouse; ///< Device of the gesture
+    Qt::MouseButton m_button = Qt::NoButton;       ///< Button that began the gesture
     QPointF m_position;
     QPointF m_pressedAt;
     double m_begun = 0.0;      ///< When the tool's gesture began, s
@@ -118,13 +118,13 @@ private:
     MouseScheme m_scheme = MouseScheme::Espalier;
 
     std::vector<Finger> m_fingers;
-    std::vector<int> m_toolFingers; ///< Ids
+    std::vector<int> m_toolFingers; ///< Ids of the fingers that the tool uses
     QPointF m_centre;
     double m_spread = 0.0; ///< Mean distance from the centre, px
 
     bool m_penInReach = false;
     bool m_penDown = false;
-    double m_penSeen = -1e9; ///< s
+    double m_penSeen = -1e9; ///< Time of the pen's last sample, s
 };
 
 } // namespace espalier

@@ -60,7 +60,7 @@ HeldKeys::Motion HeldKeys::motion() const
             motion.orbit.rx() += kOrbitSpeed;
             break;
         case Qt::Key_Plus:
-        case Qt::Key_Equal: // Where plus is, without Shift, on many keyboards
+        case Qt::Key_Equal: // The key of plus, without Shift, on many keyboards
             motion.zoom += kZoomSpeed;
             break;
         default:

@@ -8,21 +8,21 @@
 
 namespace espalier {
 
-/// Keys that move the camera for as long as they are held, a stroke under way or not: arrows and Q, E
-/// rotate, Shift and arrows pan, plus and minus zoom.
+/// Keys that move the camera while they are held, also during a stroke: arrows and Q, E rotate, Shift and
+/// arrows pan, plus and minus zoom.
 class HeldKeys {
 public:
-    /// Whether the key is one of these; then it counts as held.
+    /// Records that a key is held. Returns whether it is one of these keys.
     bool press(int key, Qt::KeyboardModifiers modifiers);
-    /// Whether the key was held.
+    /// Records that a key is released. Returns whether it was held.
     bool release(int key);
     void clear() { m_held.clear(); }
     bool isAnyHeld() const { return !m_held.empty(); }
 
-    /// What the held keys ask for.
+    /// The camera's motion for the held keys.
     struct Motion {
         QPointF orbit;     ///< Azimuth and elevation, rad/s
-        QPointF pan;       ///< Of what is seen, px/s
+        QPointF pan;       ///< Motion of the picture, px/s
         double zoom = 0.0; ///< Natural logarithm of the magnification, 1/s
     };
     Motion motion() const;
@@ -30,7 +30,7 @@ public:
 private:
     struct Held {
         int key;
-        bool shift; ///< When it was pressed
+        bool shift; ///< Whether Shift was held at the press
     };
 
     std::vector<Held> m_held;

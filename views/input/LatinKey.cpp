@@ -14,7 +14,7 @@ namespace {
 /// The difference between codes of XKB and those of the kernel.
 constexpr quint32 kXkbOffset = 8;
 
-/// A row of neighbouring keys: the scan code (set 1) of the first, and what a US keyboard has there.
+/// A row of neighbouring keys: the scan code (set 1) of the first, and the characters of a US keyboard there.
 struct Row {
     quint32 first;
     std::string_view keys;
@@ -22,10 +22,10 @@ struct Row {
 constexpr std::array kRows{Row{0x02, "1234567890-="}, Row{0x10, "QWERTYUIOP[]"}, Row{0x1E, "ASDFGHJKL;'`"},
                            Row{0x2B, "\\ZXCVBNM,./"}};
 
-/// By the code of macOS; a blank where there is no key that matters.
+/// By the key code of macOS; a blank for keys that are not needed.
 constexpr std::string_view kMacKeys = "ASDFHGZXCV BQWERYT123465=97-80]OU[IP LJ'K;\\,/NM.  `";
 
-/// Where letters stand on layouts that are in common use.
+/// Places of letters on common layouts.
 struct Letters {
     std::u16string_view there;
     std::string_view us;
@@ -34,7 +34,7 @@ constexpr std::array kLayouts{
     Letters{u"ЙЦУКЕНГШЩЗХЪФЫВАПРОЛДЖЭЯЧСМИТЬБЮЁ", "QWERTYUIOP[]ASDFGHJKL;'ZXCVBNM,.`"},
     Letters{u"ІЇЄЎ", "S]'O"}, Letters{u"ΕΡΤΥΘΙΟΠΑΣΔΦΓΗΞΚΛΖΧΨΩΒΝΜ", "ERTYUIOPASDFGHJKLZXCVBNM"}};
 
-/// The character that the event's key stands for, in capitals; 0 if it stands for none.
+/// The character of the event's key, in upper case; 0 if it has none.
 char32_t characterOf(const QKeyEvent& event)
 {
     const auto key = static_cast<char32_t>(event.key());

@@ -15,7 +15,7 @@ namespace espalier {
 
 namespace {
 
-/// An event is believed to have waited in the queue at most this long, s.
+/// The longest time that an event is assumed to have waited in the queue, s.
 constexpr double kLongestDelay = 0.25;
 
 PointerPhase phaseOf(QEventPoint::State state)
@@ -42,8 +42,8 @@ double PointerReader::now() const
     return static_cast<double>(m_timer.nsecsElapsed()) * 1e-9;
 }
 
-/// Events that a busy moment made wait tell the truth about when they happened, so that a stroke keeps its
-/// pace; but their clock may have any origin, and made-up events may have any time at all.
+/// The timestamps of events that waited in the queue are right, so that a stroke keeps its pace; but their
+/// clock can have any origin, and synthetic events can have any time.
 double PointerReader::timeOf(quint64 timestamp)
 {
     const double arrived = now();
@@ -59,7 +59,7 @@ std::span<const PointerSample> PointerReader::read(QEvent& event)
     m_samples.clear();
     switch (event.type()) {
     case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick: // Quick strokes are strokes, too.
+    case QEvent::MouseButtonDblClick: // Quick strokes arrive as double clicks.
     case QEvent::MouseMove:
     case QEvent::MouseButtonRelease:
         readMouse(static_cast<const QMouseEvent&>(event));
@@ -120,7 +120,7 @@ void PointerReader::readTouch(const QTouchEvent& event)
         sample.modifiers = event.modifiers();
         m_samples.push_back(sample);
     }
-    // Where the system takes the touch away, it names no points.
+    // If the system takes the touch away, the event has no points.
     if (cancelled && m_samples.empty()) {
         PointerSample all;
         all.id = PointerSample::kAllFingers;

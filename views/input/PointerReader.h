@@ -15,21 +15,21 @@ class QTouchEvent;
 
 namespace espalier {
 
-/// Turns mouse, touch and tablet events into PointerSamples. Touch is read directly: Qt's own gestures lose
-/// or double moves. Mouse events that the system makes up from touch or pen are dropped, for their
-/// originals arrive as well.
+/// Converts mouse, touch and tablet events to PointerSamples. Touch events are read directly, because Qt's
+/// gestures lose or double moves. Mouse events that the system makes from touch or pen events are dropped,
+/// because the original events arrive too.
 class PointerReader {
 public:
     PointerReader();
 
-    /// What @p event says, one sample for each point that did something; empty if it is no event of a
+    /// Converts @p event to samples, one for each point that has changed; none if it is not an event of a
     /// pointer. Valid until the next call.
     std::span<const PointerSample> read(QEvent& event);
-    /// What is told of a pressure p is p to this power: below 1 a light hand suffices, above 1 it takes a
-    /// firm one.
+    /// Sets the exponent of pressure: samples have the measured pressure to this power. Below 1 a light hand
+    /// is enough, above 1 a firm one is needed.
     void setPressureExponent(double exponent) { m_pressureExponent = exponent; }
 
-    /// s since the reader was made: the clock of all samples.
+    /// Time since the reader was made, s: the clock of all samples.
     double now() const;
 
 private:

@@ -16,22 +16,23 @@ enum class PointerPhase {
     Hover,  ///< Moves without touching, or without a button
 };
 
-/// What one finger, pen or mouse did at a moment: the one form that input takes here, whatever it came from.
+/// The state of one finger, pen or mouse at a moment. All input has this form.
 struct PointerSample {
-    /// The id of a sample that is about every finger on the screen.
+    /// The id of a sample for all fingers on the screen.
     static constexpr int kAllFingers = -1;
 
-    int id = 0; ///< Tells the fingers of one hand apart
+    int id = 0; ///< Distinguishes the fingers
     PointerDevice device = PointerDevice::Mouse;
     PointerPhase phase = PointerPhase::Hover;
-    QPointF position;                      ///< Device-independent pixels from the view's upper left corner
-    double pressure = 1.0;                 ///< 0...1; 1 of devices that do not measure it
-    QPointF tilt;                          ///< Of a pen from upright toward right and down, rad
-    double time = 0.0;                     ///< s, of PointerReader's clock; never runs back
-    Qt::MouseButton button = Qt::NoButton; ///< That was pressed or released; a pen's tip is the left one
-    Qt::MouseButtons buttons;              ///< Held
+    QPointF position;      ///< Device-independent pixels from the view's upper left corner
+    double pressure = 1.0; ///< 0...1; 1 of devices that do not measure it
+    QPointF tilt;          ///< Tilt of a pen from upright toward right and down, rad
+    double time = 0.0;     ///< s, of PointerReader's clock; never runs back
+    /// The button that was pressed or released; a pen's tip is the left one.
+    Qt::MouseButton button = Qt::NoButton;
+    Qt::MouseButtons buttons; ///< The buttons that are held
     Qt::KeyboardModifiers modifiers;
-    bool isEraser = false; ///< The other end of a pen
+    bool isEraser = false; ///< The pen's eraser end
 };
 
 } // namespace espalier

@@ -8,15 +8,15 @@ namespace espalier {
 
 namespace {
 
-/// So many slow frames in a row are no accident.
+/// Number of slow frames in a row after which the quality is reduced.
 constexpr int kPatience = 3;
 
 } // namespace
 
 void FramePacer::disturb(bool treeChanges)
 {
-    // A movement starts a little better than the last one ended: the tree may be smaller now, or the
-    // machine less busy.
+    // A movement starts one step better than the last one ended: the tree may be smaller now, or the machine
+    // less busy.
     if (m_isAtRest) {
         if (m_saving != Saving::Nothing)
             m_saving = static_cast<Saving>(static_cast<int>(m_saving) - 1);
@@ -31,7 +31,7 @@ void FramePacer::disturb(bool treeChanges)
 void FramePacer::rest()
 {
     m_isAtRest = true;
-    // Where frames are slow, a few of them would be no phasing in but a wait.
+    // With slow frames, fading in would be a delay.
     if (m_saving > Saving::ShadowsOfGrowth)
         m_shadowStrength = 1.0;
 }

@@ -5,9 +5,9 @@
 
 namespace espalier {
 
-/// Decides how well a frame may be drawn (TreeSketch §3.5, speed considerations): plainly while something
-/// moves, by how long such frames take on this machine, and at its best at rest, where the shadows that
-/// were off are phased in.
+/// Chooses the quality of frames (TreeSketch §3.5, speed considerations): lower while something moves,
+/// depending on how long such frames take on this machine, and the highest at rest, where shadows that were
+/// off fade in.
 class FramePacer {
 public:
     /// A frame while moving should take less, s.
@@ -15,30 +15,30 @@ public:
     /// Shadows take this long to appear, s.
     static constexpr double kPhaseIn = 0.25;
 
-    /// Steps of saving, each with those before it.
+    /// Steps of saving; each step includes those before it.
     enum class Saving {
         Nothing,
         ShadowsOfGrowth, ///< No shadows while the tree itself changes
-        Shadows,         ///< None while anything moves, and plain light
+        Shadows,         ///< No shadows while anything moves, and plain light
         HalfThePixels,
-        MostPixels, ///< A quarter is drawn
+        MostPixels, ///< Only a quarter of the pixels is drawn
     };
 
-    /// Something moves from now on; @p treeChanges: the tree itself.
+    /// Something begins to move; @p treeChanges: the tree itself changes.
     void disturb(bool treeChanges);
-    /// All has come to rest.
+    /// All motion has ended.
     void rest();
     bool isAtRest() const { return m_isAtRest && m_shadowStrength >= 1.0; }
     bool isPhasingIn() const { return m_isAtRest && m_shadowStrength < 1.0; }
-    /// Phases in; returns whether that changes the picture.
+    /// Continues to fade shadows in; returns whether that changes the picture.
     bool advance(double seconds);
 
-    /// How long the last frame took to draw, s.
+    /// Reports how long the last frame took to draw, s.
     void frameTook(double seconds);
 
-    /// The quality of the next frame, put into @p options.
+    /// Sets the quality of the next frame in @p options.
     void apply(RenderOptions& options) const;
-    /// Of the next frame's edges to the view's, 0.5...1.
+    /// Size of the next frame relative to the view, along an edge, 0.5...1.
     double scale() const;
     Saving saving() const { return m_saving; }
 

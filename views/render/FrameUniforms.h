@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// What all programs of one picture share, laid out as the uniform block of resources/shaders/frame.glsl
-/// (std140), where the meaning of each field is told.
+/// The uniforms that all programs of one picture share, in the layout of the uniform block of
+/// resources/shaders/frame.glsl (std140), which documents each field.
 struct FrameUniforms {
     using Vector = std::array<float, 4>;
     using Matrix = std::array<float, 16>;
@@ -31,7 +31,7 @@ struct FrameUniforms {
     Vector ground{};
     Vector foot{};
     Vector pass{};
-    Matrix centredViewProjection{}; ///< Of the pixels' middles; not in the block
+    Matrix centredViewProjection{}; ///< For the middles of the pixels; not in the block
 };
 static_assert(offsetof(FrameUniforms, centredViewProjection) == 3 * 64 + 16 * 16);
 

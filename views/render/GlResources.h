@@ -17,15 +17,15 @@ namespace espalier {
 
 using Gl = QOpenGLFunctions_3_3_Core;
 
-/// What this program asks of OpenGL: 3.3 core, no buffers but colour, for everything is drawn into textures
-/// first.
+/// The OpenGL version and buffers that the program needs: 3.3 core, and only a colour buffer, because
+/// everything is drawn into textures first.
 QSurfaceFormat surfaceFormat();
 
-/// OpenGL's functions of the current context; null if it has not got version 3.3.
+/// OpenGL's functions of the current context; null if its version is below 3.3.
 Gl* currentGl();
 
-/// The name of an object of OpenGL, deleted with its owner: make, use and destroy it with the same context
-/// current.
+/// The name of an OpenGL object, which is deleted with this C++ object. Make, use and destroy it with the
+/// same context current.
 template <auto Generate, auto Delete>
 class GlName {
 public:
@@ -56,17 +56,17 @@ using GlVertexArray = GlName<&Gl::glGenVertexArrays, &Gl::glDeleteVertexArrays>;
 using GlFramebuffer = GlName<&Gl::glGenFramebuffers, &Gl::glDeleteFramebuffers>;
 using GlRenderbuffer = GlName<&Gl::glGenRenderbuffers, &Gl::glDeleteRenderbuffers>;
 
-/// A buffer on the graphics card that grows by half when it must.
+/// A buffer on the graphics card. It grows by at least half of its size.
 class GlBuffer {
 public:
     explicit GlBuffer(Gl& gl) : m_gl(gl), m_name(gl) {}
 
     GLuint name() const { return m_name.get(); }
-    /// Bytes that it holds at least.
+    /// Size in bytes.
     std::size_t capacity() const { return m_capacity; }
-    /// Makes room for @p bytes; true if that made another, empty store.
+    /// Makes room for @p bytes; returns true if it made a new, empty store.
     bool reserve(std::size_t bytes);
-    /// Precondition: there is room for it.
+    /// Writes bytes into the buffer. Precondition: there is room for them.
     void write(std::size_t offset, const void* data, std::size_t bytes);
 
 private:
@@ -75,15 +75,15 @@ private:
     std::size_t m_capacity = 0;
 };
 
-/// Makes a program of two of the resources' shaders, such as "bark.vert" and "bark.frag"; a line #include
-/// "x.glsl" in them stands for that file, and @p define, if any, is a name that #ifdef knows in both. The
-/// shaders are parts of this program: an error in them is a defect and ends it.
+/// Makes a program of two shaders of the resources, such as "bark.vert" and "bark.frag". A line #include
+/// "x.glsl" in them is replaced by that file; @p define, if not null, is a name that #ifdef finds in both.
+/// The shaders are part of this program: an error in them is a defect and ends it.
 std::unique_ptr<QOpenGLShaderProgram> loadProgram(const char* vertexShader, const char* fragmentShader,
                                                   const char* define = "");
 
 enum class TextureContent {
-    Colour, ///< sRGB, made linear when it is looked up
-    Data,   ///< Normals and the like
+    Colour, ///< sRGB, converted to linear on lookup
+    Data,   ///< Normals and other numbers
 };
 
 /// Fills a texture with @p image, its bottom row at v = 0, with mipmaps, repeated or held at its edges.

@@ -10,7 +10,7 @@ namespace espalier {
 
 namespace {
 
-/// Voxels around the tree that growth may fill before the grid must be laid out anew.
+/// Voxels around the tree that growth may fill before the grid must be made again.
 constexpr int kMargin = 8;
 
 std::array<int, 3> toArray(const Cell& cell)
@@ -59,7 +59,7 @@ void LightGrid::update(const VoxelSpace& space, const Box3& changed)
     }
     if (changed.isEmpty())
         return;
-    // A caster's pyramid of shadow reaches as far down as to the sides.
+    // The pyramid of shadow of a node reaches as far down as to the sides.
     const int reach = space.pyramid().depth + 1;
     const std::array<int, 3> lower = toArray(space.cellAt(changed.min()));
     const std::array<int, 3> upper = toArray(space.cellAt(changed.max()));

@@ -10,32 +10,32 @@
 
 namespace espalier {
 
-/// The light of the growth model as a dense grid for a 3D texture (algorithms N). Follows growth region by
-/// region: it is laid out with a margin, so that most steps change only a part of it.
+/// The light of the growth model as a dense grid for a 3D texture (algorithms N). It follows growth region by
+/// region: the grid has a margin, so that most steps change only a part of it.
 class LightGrid {
 public:
     static constexpr int kMaxEdge = 96;
 
-    /// A box of the grid's own cells.
+    /// A box of cells of the grid.
     struct Region {
         std::array<int, 3> first{};
         std::array<int, 3> count{};
     };
 
-    /// Samples everything anew.
+    /// Samples all cells.
     void rebuild(const VoxelSpace& space);
-    /// Samples anew what casters that came or went within @p changed (m) can have shaded.
+    /// Samples the cells again that nodes can have shaded which came or went within @p changed (m).
     void update(const VoxelSpace& space, const Box3& changed);
 
     /// Cells along x, y, z; all 0 before rebuild().
     const std::array<int, 3>& size() const { return m_size; }
-    /// Light 0...255 of the cells' centres, x fastest, then y.
+    /// Light of the cells' centres, 0...255, x fastest, then y.
     std::span<const std::uint8_t> cells() const { return m_cells; }
-    /// Lowest corner, m; edge of a cell, m.
+    /// Lowest corner, m; and edge of a cell, m.
     const Vec3& origin() const { return m_origin; }
     float cellEdge() const { return m_cellEdge; }
 
-    /// What changed since the last call: a region, or everything (of another size, perhaps), or nothing.
+    /// The changes since the last call: a region, or everything (the size can differ), or nothing.
     struct Changes {
         bool all = false;
         Region region;

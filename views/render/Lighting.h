@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// The light before one backdrop; colours are linear.
+/// The light of one backdrop; colours are linear.
 struct Lighting {
     using Vector = FrameUniforms::Vector;
 
@@ -22,7 +22,8 @@ struct Lighting {
 
 const Lighting& lightingOf(const ViewValues& view);
 
-/// What the shaders draw behind the tree: two colours, as shown, and what they make of them.
+/// The uniforms with which the shaders draw the backdrop: two colours, as shown, and parameters of the
+/// drawing.
 struct BackdropColours {
     FrameUniforms::Vector inner; ///< w: kind, as in frame.glsl
     FrameUniforms::Vector outer;

@@ -11,13 +11,13 @@ namespace espalier {
 namespace {
 
 constexpr std::size_t kPiecesPerTask = 64;
-/// Room that is set aside for growth, in elements; memory that is not written to costs nothing.
+/// Room that is reserved for growth, in elements; memory that is not written to costs nothing.
 constexpr std::size_t kLeastReserve = 1U << 20U;
 constexpr std::size_t kReserveFactor = 4;
 /// Ranges this near to each other (elements) are reported as one.
 constexpr std::uint32_t kJoinGap = 256;
 
-/// The new places are left as they are: whoever uses a run writes all of it.
+/// The new elements are not initialised: the code that uses a run writes all of it.
 template <class T>
 void growTo(MeshBuffer<T>& buffer, std::uint32_t size)
 {
@@ -48,7 +48,7 @@ void coalesce(std::vector<MeshPool::Range>& ranges)
 
 } // namespace
 
-/// What the piece of a base takes.
+/// The sizes that the piece of a base needs.
 struct MeshPool::Needs {
     MeshSize size;
     std::uint32_t leaves = 0;
@@ -56,7 +56,7 @@ struct MeshPool::Needs {
 
 void MeshPool::rebuild(const Tree& tree, const TreeIndex& index)
 {
-    // Memory that has been used is faster than new.
+    // clear() keeps the memory, since memory that has been used is faster than new memory.
     m_vertices.clear();
     m_indices.clear();
     m_leaves.clear();
@@ -85,7 +85,7 @@ bool MeshPool::finishSome(const Tree& tree, const TreeIndex& index, std::size_t 
     if (!m_tracker.isStarted())
         m_tracker.restart(tree, index);
     const WoodTracker::Work work = m_tracker.take(tree, index, pieces);
-    // Some of these may be rows that were taken out.
+    // Some of these may be rows that were removed.
     for (const InternodeId base : work.gone)
         release(m_pieces[base]);
     m_pieces.resize(tree.size());
@@ -163,7 +163,7 @@ void MeshPool::mesh(const Tree& tree, const TreeIndex& index, std::span<const In
     });
 }
 
-/// Gives a piece the room that it needs.
+/// Allocates the runs that a piece needs.
 void MeshPool::reserve(Piece& piece, const Needs& needs, bool withWood)
 {
     if (withWood) {
@@ -171,7 +171,8 @@ void MeshPool::reserve(Piece& piece, const Needs& needs, bool withWood)
             m_vertexRuns.release(piece.vertices);
             piece.vertices = m_vertexRuns.allocate(needs.size.vertices);
         }
-        // Runs of whole triangles, or the slack of one would tear those behind it apart.
+        // Runs consist of whole triangles, otherwise the slack of one run would shift the triangles behind
+        // it.
         if (3 * RunAllocator::capacityFor(needs.size.indices / 3) != piece.indices.capacity) {
             releaseIndices(piece.indices);
             const Run triangles = m_indexRuns.allocate(needs.size.indices / 3);

@@ -9,32 +9,33 @@
 
 namespace espalier {
 
-/// The mesh of a growing tree as it lies on the graphics card, kept up to date delta by delta in three
-/// arrays: vertices and indices of the wood, instances of the leaves. Each piece of wood (see WoodMesher) has
-/// a run of each, with some slack; unused places of the index array are degenerate triangles (0, 0, 0), those
-/// of the leaf array hidden leaves, so that both may be drawn as a whole.
+/// The mesh of a growing tree on the graphics card, updated delta by delta, in three arrays: vertices and
+/// indices of the wood, instances of the leaves. Each piece of wood (see WoodMesher) has a run of each, with
+/// some slack. Unused places of the index array are degenerate triangles (0, 0, 0), those of the leaf array
+/// are hidden leaves, so that both arrays can be drawn as a whole.
 ///
-/// WoodTracker says what has to be meshed, and how exact it is; settle() brings everything up to date, when
-/// there is time. Given that, the contents are a function of the tree and the options alone, however it came
+/// WoodTracker records which pieces have to be meshed, and how exact they are; settle() makes all pieces
+/// exact, when there is time. After that, the contents are a function of the tree and the options alone; the
+/// places of the runs are not.
 /// about; where they lie is not.
 class MeshPool {
 public:
-    /// Starts anew.
+    /// Meshes a whole tree again.
     void rebuild(const Tree& tree, const TreeIndex& index);
-    /// Notes what @p delta, which @p tree and @p index have just applied or reverted, and other parameters in
-    /// force will change. To be called for each delta, and finish() before the next look at the mesh: what
-    /// many deltas change is meshed once.
+    /// Notes the pieces that @p delta, which @p tree and @p index have just applied or reverted, and a change
+    /// of the parameters put out of date. Call it for each delta, and finish() before the mesh is used: a
+    /// piece that many deltas change is meshed once.
     void follow(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
-    /// Meshes what follow() has noted.
+    /// Meshes all pieces that follow() has noted.
     void finish(const Tree& tree, const TreeIndex& index);
-    /// Meshes some of it, at most so many pieces, those that have waited longest first; the others stay as
-    /// they were. Returns whether nothing is left. What has died is gone at once.
+    /// Meshes at most @p pieces of them, those that have waited longest first; the others stay as they were.
+    /// Pieces that have died are removed at once. Returns whether nothing is left.
     bool finishSome(const Tree& tree, const TreeIndex& index, std::size_t pieces);
-    /// Meshes anew what is within the tolerance but not exact; returns whether there was any.
+    /// Meshes the pieces that are within the tolerance but not exact; returns whether there were any.
     bool settle(const Tree& tree, const TreeIndex& index);
-    /// Notes the same for finish(), which must have nothing left; returns whether there is any.
+    /// Notes those pieces for finish(), which must have nothing left; returns whether there are any.
     bool noteInexact(const Tree& tree, const TreeIndex& index) { return m_tracker.noteInexact(tree, index); }
-    /// How fine the wood is, from the next finish() on.
+    /// Sets how fine the wood is, from the next finish() on.
     void setOptions(const WoodMeshOptions& options) { m_tracker.setOptions(options); }
     const WoodMeshOptions& options() const { return m_tracker.options(); }
 
@@ -42,7 +43,7 @@ public:
     std::span<const VertexIndex> indices() const { return m_indices; }
     std::span<const LeafInstance> leaves() const { return m_leaves; }
 
-    /// Elements from begin to before end.
+    /// Elements from begin up to but not including end.
     struct Range {
         std::uint32_t begin = 0;
         std::uint32_t end = 0;
@@ -54,11 +55,11 @@ public:
         std::vector<Range> leaves;
         bool isEmpty() const { return vertices.empty() && indices.empty() && leaves.empty(); }
     };
-    /// What changed since the last call, ascending and disjoint; neighbours are joined where that saves more
-    /// calls than bytes.
+    /// The ranges that changed since the last call, ascending and disjoint. Neighbouring ranges are joined
+    /// where fewer calls cost less than more bytes.
     Changes takeChanges();
 
-    /// Where the mesh and the leaves of a piece are.
+    /// The runs of a piece's mesh and leaves.
     struct Piece {
         Run vertices;
         Run indices;
@@ -66,9 +67,9 @@ public:
         MeshSize size;
         std::uint32_t leafCount = 0;
     };
-    /// Of the piece that begins with internode @p base; null if none does.
+    /// The piece that begins with internode @p base; null if there is none.
     const Piece* piece(InternodeId base) const;
-    /// What the pieces were meshed with.
+    /// The record of what the pieces were meshed with.
     const WoodTracker& tracker() const { return m_tracker; }
 
     std::size_t bytes() const;
@@ -91,7 +92,7 @@ private:
     RunAllocator m_leafRuns;
     Changes m_changes;
 
-    std::vector<Piece> m_pieces; ///< By internode; without vertices for those that begin none
+    std::vector<Piece> m_pieces; ///< By internode; internodes that begin no piece have one without vertices
 };
 
 } // namespace espalier

@@ -19,15 +19,16 @@ namespace espalier {
 class Renderer;
 class RenderTarget;
 
-/// Draws pictures of trees without a window. It needs a display that offers OpenGL 3.3 (a virtual one will
-/// do), and belongs to the GUI thread.
+/// Draws pictures of trees without a window. It needs a display with OpenGL 3.3 (a virtual one is enough),
+/// and must be used on the GUI thread.
 class OffscreenRenderer {
 public:
-    /// Fails, in words for a person, where there is no OpenGL.
+    /// Fails with a sentence for the user if there is no OpenGL.
     static Result<std::unique_ptr<OffscreenRenderer>> create();
     ~OffscreenRenderer();
 
-    /// A picture as large as @p camera's view, in pixels, 1...16,384 along each edge or what the card can do.
+    /// A picture of the size of @p camera's view, in pixels, 1...16,384 along each edge or up to the card's
+    /// limit.
     Result<QImage> render(TreeScene& scene, const Camera& camera, const RenderOptions& options);
 
 private:
@@ -39,20 +40,20 @@ private:
     std::unique_ptr<RenderTarget> m_target;
 };
 
-/// What a picture of a whole tree shall be.
+/// What a picture of a whole tree looks like.
 struct PictureRequest {
     QSize size{1280, 960};
     NamedView view = NamedView::Front;
-    /// Takes the place of the view; its view size becomes the picture's.
+    /// Used instead of the named view; its view size becomes the picture's.
     std::optional<Camera> camera;
     RenderOptions options;
 };
 
-/// Draws the document's tree. Makes what it needs and throws it away: for many pictures keep an
+/// Draws the document's tree. Makes a renderer for this picture only: for many pictures keep an
 /// OffscreenRenderer.
 Result<QImage> renderImage(const TreeDocument& document, const PictureRequest& request = {});
 
-/// The front view and so on of the whole tree; of a seedling, as a new document shows it.
+/// A named view of the whole tree; a seedling is shown as in a new document.
 Camera pictureCamera(NamedView view, const TreeScene& scene, const QSize& size);
 
 } // namespace espalier

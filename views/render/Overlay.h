@@ -13,9 +13,8 @@
 
 namespace espalier {
 
-/// What a tool shows over the tree: shapes in the world, with line widths and point sizes in
-/// device-independent pixels. What lies behind the tree is shown fainter, so that one sees where in the
-/// depth it is.
+/// The shapes that a tool draws over the tree: places are in the world, line widths and point sizes in
+/// device-independent pixels. Parts behind the tree are drawn fainter, to show their depth.
 class Overlay {
 public:
     /// A translucent ball with an outline.
@@ -23,20 +22,20 @@ public:
         Vec3 centre = Vec3::Zero();
         float radius = 0.5F; ///< m
         QColor colour;
-        float fill = 0.2F; ///< Opacity of its inside, 0...1
+        float fill = 0.2F; ///< Opacity of the inside, 0...1
     };
     struct Line {
-        std::size_t first = 0; ///< Of points()
+        std::size_t first = 0; ///< Index of the first point in points()
         std::size_t count = 0;
         QColor colour;
         float width = 1.5F;
         float dash = 0.0F; ///< Length of a dash and of a gap, px; 0 = solid
     };
     struct Dots {
-        std::size_t first = 0; ///< Of points()
+        std::size_t first = 0; ///< Index of the first point in points()
         std::size_t count = 0;
         QColor colour;
-        float size = 5.0F; ///< Diameter of the bright middle
+        float size = 5.0F; ///< Diameter of the bright middle, px
         float glow = 0.0F; ///< Strength of the halo around it, 0...1
     };
     /// A faint grid in a plane, fading out from its middle.
@@ -46,22 +45,22 @@ public:
         Vec3 up = Vec3::UnitY();    ///< Unit
         float extent = 1.0F;        ///< m, from the middle to where it has faded
         float spacing = 0.25F;      ///< m
-        Vec3 origin = Vec3::Zero(); ///< A point of the plane that two lines of the grid cross at
+        Vec3 origin = Vec3::Zero(); ///< A point of the plane where two lines of the grid cross
         QColor colour;
     };
     /// Words beside a point; always in front.
     struct Label {
         Vec3 place = Vec3::Zero();
-        QPointF offset; ///< From there to the left end of the words, px
+        QPointF offset; ///< From the point to the left end of the words, px
         QString text;
         QColor colour;
     };
 
-    /// A translucent skin, clear where one looks straight at it.
+    /// A translucent surface, transparent where it faces the camera.
     struct Surface {
         std::shared_ptr<const EnvelopeMesh> mesh; ///< Never null
         QColor colour;
-        float rim = 0.3F; ///< Opacity where it curves away, 0...1
+        float rim = 0.3F; ///< Opacity where the surface is seen edge-on, 0...1
     };
 
     void clear();

@@ -9,14 +9,14 @@
 
 namespace espalier {
 
-/// Draws what tools show, over a picture whose depth it knows. The frame's uniforms of that picture must be
-/// bound still.
+/// Draws an overlay over a picture, using the picture's depth. The frame's uniforms of that picture must
+/// still be bound.
 class OverlayRenderer {
 public:
     explicit OverlayRenderer(Gl& gl);
     ~OverlayRenderer();
 
-    /// Draws into the framebuffer that is bound, of @p size pixels, @p pixelRatio of which are a
+    /// Draws into the bound framebuffer, which has @p size pixels and @p pixelRatio pixels for a
     /// device-independent one.
     void render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth, const QSize& size,
                 double pixelRatio);
@@ -26,7 +26,7 @@ private:
     struct Segment {
         std::array<float, 3> from;
         std::array<float, 3> to;
-        float path; ///< px of line before it
+        float path; ///< Length of the line before it, px
     };
 
     void drawGrids(const Overlay& overlay);
@@ -49,7 +49,7 @@ private:
     GlBuffer m_lineBuffer;
     GlBuffer m_dotBuffer;
     std::vector<Segment> m_segments;
-    std::shared_ptr<const EnvelopeMesh> m_surface; ///< That the buffer holds
+    std::shared_ptr<const EnvelopeMesh> m_surface; ///< The surface that the buffer holds
 };
 
 } // namespace espalier

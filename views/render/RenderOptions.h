@@ -14,16 +14,16 @@ struct RenderOptions {
     static constexpr int kBestSamples = 8;
 
     ViewValues view;
-    /// Behind the tree instead of the backdrop, as is; a transparent colour leaves the tree and its shadow
-    /// alone.
+    /// Colour behind the tree, used unchanged instead of the backdrop; with a transparent colour only the
+    /// tree and its shadow are drawn.
     std::optional<QColor> background;
-    /// Passes that a picture is the mean of, each seen from a place within the pixel of its own: 1, or smooth
-    /// edges by more.
+    /// Number of passes that a picture is the mean of, each from another place within the pixel: with more
+    /// than 1, edges are smooth.
     int samples = kBestSamples;
-    double shadowStrength = 1.0; ///< 0...1, for letting shadows appear softly
-    /// The tree may be shown as it was a moment ago, where a large one would take too long to follow.
+    double shadowStrength = 1.0; ///< 0...1, so that shadows can fade in
+    /// Large trees that take too long to update may be shown in a slightly older state.
     bool mayLag = false;
-    bool isPlain = false; ///< Lit corner by corner, without shadows: about what it will look like
+    bool isPlain = false; ///< Light is computed per vertex, without shadows: a fast approximation
 };
 
 } // namespace espalier

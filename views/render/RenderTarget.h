@@ -9,22 +9,22 @@
 
 namespace espalier {
 
-/// Where a picture is drawn: colour and depth, readable as textures afterwards. Several passes may be drawn,
-/// each a little beside the others; the picture is their mean, so that it gets smoother from pass to pass.
+/// The colour and depth that a picture is drawn into, readable as textures afterwards. Several passes can be
+/// drawn, each at a small offset from the others; the picture is their mean, so each pass makes it smoother.
 class RenderTarget {
 public:
     explicit RenderTarget(Gl& gl);
     ~RenderTarget();
 
-    /// Makes it ready for a pass to be drawn into.
+    /// Prepares the target for a pass.
     void begin(const QSize& size);
-    /// Pass number @p pass has been drawn: the picture is now the mean of all from 0 to that.
+    /// Ends pass number @p pass: the picture is now the mean of all passes from 0 to that one.
     void finish(int pass);
 
     const QSize& size() const { return m_size; }
-    /// Of the last pass.
+    /// Depth of the last pass.
     GLuint depthTexture() const { return m_buffers->depth.get(); }
-    /// Holds the picture.
+    /// The framebuffer with the picture.
     GLuint framebuffer() const { return m_buffers->framebuffer.get(); }
     QImage readImage() const;
 

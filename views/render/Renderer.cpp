@@ -14,7 +14,7 @@ namespace espalier {
 
 namespace {
 
-// Units of the shaders' textures.
+// Texture units of the shaders.
 constexpr int kLightUnit = 0;
 constexpr int kShadowUnit = 1;
 constexpr int kColourUnit = 2;
@@ -25,8 +25,8 @@ constexpr int kSkyUnit = 4;
 
 using Vector = FrameUniforms::Vector;
 
-/// Where in a pixel a pass looks through it, from its middle, −0.5...0.5; any number of passes are evenly
-/// spread (the additive recurrence of Roberts 2018).
+/// The place within a pixel through which a pass looks, relative to the pixel's middle, −0.5...0.5; the
+/// places of any number of passes are evenly spread (the additive recurrence of Roberts 2018).
 Vec2 placeInPixel(int pass)
 {
     const auto place = [pass](double step) {
@@ -36,7 +36,7 @@ Vec2 placeInPixel(int pass)
     return {place(0.7548776662466927), place(0.5698402909980532)};
 }
 
-/// What a pass adds to the lots that leaves draw, 0...1: evenly spread, too.
+/// The number that a pass adds to the random numbers of leaves, 0...1: evenly spread, too.
 float lotOf(int pass)
 {
     const double at = 0.6180339887498949 * pass;
@@ -55,7 +55,7 @@ FrameUniforms::Matrix toMatrix(const Matrix4& matrix)
     return numbers;
 }
 
-/// The ground reaches well beyond the tree, its shadow included, and beyond a seedling's view.
+/// Radius of the ground: it reaches well beyond the tree and its shadow, and beyond a seedling's view.
 float groundRadius(const Box3& bounds)
 {
     constexpr float kLeast = 5.5F;
@@ -142,7 +142,7 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
     m_gl.glEnable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
     drawTree(options, static_cast<float>(std::min(scene.parameters().leaves.saturation, 1.0)));
-    // What the tree covers need not be drawn.
+    // Pixels that the tree covers need not be drawn.
     const bool isTracing = !options.background && !options.view.tracing.file.isEmpty();
     if (!options.background)
         drawBackground();
@@ -151,7 +151,7 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
     if (isTracing)
         drawTracing(camera, options);
     target.finish(pass);
-    // What is drawn over the picture shall not tremble from pass to pass.
+    // Overlays use the same matrix in all passes, so that they do not tremble.
     m_frame.viewProjection = m_frame.centredViewProjection;
     sendFrame();
 }
@@ -176,7 +176,7 @@ void Renderer::updateShadows(const TreeScene& scene, const Camera& camera, const
         setMatrix(*m_leafShadowProgram, "clipFromWorld", clipFromWorld);
         m_tree.drawLeaves();
     };
-    // Where there are leaves, there are twigs.
+    // Draws points on the bark, which are larger if there are leaves, instead of the leaves.
     const auto drawRoughly = [&](const Matrix4& clipFromWorld) {
         bindForWood(clipFromWorld);
         m_gl.glPointSize(state.leaves ? 3.0F : 1.0F);
@@ -195,7 +195,8 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
     const float radius = groundRadius(bounds);
     const Vec3 eye = camera.position();
 
-    // As near as the tree lets it be, for the sake of the depth buffer; as far as the ground goes.
+    // The near plane is as near as the tree requires, which helps the depth buffer; the far plane is at the
+    // end of the ground.
     const float nearest =
         std::max(0.02F * camera.distance(), 0.4F * std::sqrt(bounds.squaredExteriorDistance(eye)));
     const float farthest = nearest + eye.norm() + 1.5F * radius + bounds.diagonal().norm();
@@ -238,7 +239,7 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
     const float foot = std::max(scene.mesh().tracker().meshedRadius(0), 0.005F);
     const bool isGridShown = options.view.gridShown && !options.background;
     frame.foot = {foot, options.view.groundShown ? 1.0F : 0.0F, isGridShown ? 1.0F : 0.0F, 0.0F};
-    // Among several samples to a pixel there is room for finer detail.
+    // With several samples a pixel, the textures can be sharper.
     const bool isOnly = options.samples == 1;
     frame.pass = {offset.x(), offset.y(), isOnly ? 0.0F : -0.7F, isOnly ? -1.0F : lotOf(pass)};
     sendFrame();
@@ -261,7 +262,7 @@ void Renderer::drawBackground()
     m_gl.glDepthFunc(GL_LESS);
 }
 
-/// Over the ground too, which would hide most of a picture that is seen level.
+/// Draws over the ground too, which would hide most of the image in a level view.
 void Renderer::drawTracing(const Camera& camera, const RenderOptions& options)
 {
     m_gl.glDepthFunc(GL_LEQUAL);
@@ -278,7 +279,7 @@ void Renderer::drawGround(bool hides)
     bindTexture(kSkyUnit, GL_TEXTURE_2D, m_shadows.skyGround());
     m_gl.glEnable(GL_BLEND);
     m_gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    // From below the ground is not seen and hides nothing.
+    // Seen from below, the ground is invisible and hides nothing.
     m_gl.glDepthMask(hides && m_frame.eye[1] > 0.0F ? GL_TRUE : GL_FALSE);
     m_gl.glBindVertexArray(m_noVertices.get());
     m_groundProgram->bind();
@@ -289,15 +290,15 @@ void Renderer::drawGround(bool hides)
 
 void Renderer::drawTree(const RenderOptions& options, float saturation)
 {
-    // Leaves first: what they cover of the wood need not be lit.
+    // Leaves come first: wood that they cover need not be lit.
     if (options.view.leavesShown) {
         bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.leafColour());
         bindTexture(kSurfaceUnit, GL_TEXTURE_2D, m_tree.leafSurface());
         QOpenGLShaderProgram& leaf = options.isPlain ? *m_plainLeafProgram : *m_leafProgram;
         leaf.bind();
         leaf.setUniformValue("saturation", saturation);
-        // Under a warm sun and a filmic curve, drawn leaves as they are would look like paint: this is more
-        // like what a camera sees. What a camera saw need only be as light.
+        // With a warm sun and a filmic curve, drawn leaves would look like paint in their own colours; these
+        // factors make them look more like a photograph. The user's photographs only need the brightness.
         leaf.setUniformValue("filmCast", m_tree.hasOwnLeaves() ? QVector3D(0.75F, 0.75F, 0.75F)
                                                                : QVector3D(0.84F, 0.63F, 0.80F));
         m_tree.drawLeaves();

@@ -15,21 +15,22 @@ namespace espalier {
 
 class TreeScene;
 
-/// Draws a tree with its ground and its light into a RenderTarget (TreeSketch §3.5). Belongs to one context
-/// of OpenGL, which must be current whenever it is used, and follows one scene.
+/// Draws a tree with its ground and its light into a RenderTarget (TreeSketch §3.5). It belongs to one OpenGL
+/// context, which must be current during each call, and follows one scene.
 class Renderer {
 public:
     explicit Renderer(Gl& gl);
     ~Renderer();
 
-    /// Draws @p scene as @p camera sees it; its view size is the picture's, in any pixels. Takes the
-    /// scene's changes: only they are sent to the card.
+    /// Draws @p scene as seen by @p camera, whose view size is the picture's in pixels. Takes the scene's
+    /// changes and sends only those to the card.
     void render(TreeScene& scene, const Camera& camera, const RenderOptions& options, RenderTarget& target);
-    /// Draws one of the passes, 0...options.samples − 1 in that order; after each there is a picture.
+    /// Draws one of the passes, 0...options.samples − 1 in that order; after each pass the target has a
+    /// picture.
     void renderPass(TreeScene& scene, const Camera& camera, const RenderOptions& options,
                     RenderTarget& target, int pass);
 
-    /// The frame's uniforms stay bound after render(), for what is drawn over it.
+    /// The frame's uniforms, which stay bound after render() for overlays.
     const FrameUniforms& frame() const { return m_frame; }
 
 private:
@@ -37,10 +38,10 @@ private:
     void fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options,
                    const QSize& size, int pass);
     void drawBackground();
-    /// @p hides: what is below it.
+    /// @p hides: whether the ground hides what is below it.
     void drawGround(bool hides);
     void drawTracing(const Camera& camera, const RenderOptions& options);
-    /// @p saturation: of the leaves, 0...1.
+    /// @p saturation of the leaves, 0...1.
     void drawTree(const RenderOptions& options, float saturation);
     void sendFrame();
     void bindTexture(int unit, GLenum kind, GLuint texture);

@@ -14,19 +14,19 @@ struct Run {
     bool operator==(const Run&) const = default;
 };
 
-/// Gives out runs of one large array and takes them back. Capacities come in four classes an octave, so that
-/// what grows a little stays where it is, and what was given back fits again; at most a fifth of a run is
-/// slack, but for runs of less than 16.
+/// Allocates and frees runs of one large array. There are four capacities in each octave, so that a run that
+/// grows a little stays at its place, and a freed run fits again; at most a fifth of a run is slack, except
+/// for runs of less than 16.
 class RunAllocator {
 public:
-    /// At least @p count; 0 for 0.
+    /// The capacity for @p count elements, at least @p count; 0 for 0.
     static constexpr std::uint32_t capacityFor(std::uint32_t count)
     {
         const std::uint32_t granule = granuleOf(count);
         return (count + granule - 1) / granule * granule;
     }
 
-    /// A free run with room for @p count elements; without an address if that is 0.
+    /// Allocates a run with room for @p count elements; a run without an address if that is 0.
     Run allocate(std::uint32_t count)
     {
         const std::uint32_t capacity = capacityFor(count);
@@ -49,7 +49,7 @@ public:
             freeRuns(run.capacity).push_back(run.first);
     }
 
-    /// Elements that the array must have.
+    /// Number of elements that the array must have.
     std::uint32_t end() const { return m_end; }
 
 private:
@@ -60,7 +60,7 @@ private:
 
     std::vector<std::uint32_t>& freeRuns(std::uint32_t capacity)
     {
-        // Of the capacities in one octave, (4, 5, 6, 7 or 8) granules, each has its list.
+        // Each of the capacities in one octave, (4, 5, 6, 7 or 8) granules, has its own list.
         const std::uint32_t granule = granuleOf(capacity);
         const std::size_t list = 5 * static_cast<std::size_t>(std::bit_width(granule)) + capacity / granule;
         if (list >= m_free.size())

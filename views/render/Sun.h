@@ -6,14 +6,14 @@
 
 namespace espalier {
 
-/// Unit vector toward the sun; a pinned one goes about with the camera.
+/// Unit vector toward the sun; a pinned sun turns with the camera.
 Vec3 towardSun(const ViewValues& view, const Camera& camera);
 
-/// Puts the sun into direction @p toward (unit), or as near to it as the horizon lets it come. Straight
-/// above, it keeps its azimuth.
+/// Moves the sun to the direction @p toward (unit), or to the nearest direction above the horizon. Straight
+/// above, the azimuth does not change.
 void putSun(ViewValues& view, const Camera& camera, const Vec3& toward);
 
-/// Pins the sun or lets it go; either leaves it where it is.
+/// Pins or unpins the sun without moving it.
 void pinSun(ViewValues& view, const Camera& camera, bool pinned);
 
 } // namespace espalier

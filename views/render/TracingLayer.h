@@ -6,14 +6,14 @@
 
 namespace espalier {
 
-/// Draws the picture behind the tree that somebody draws after.
+/// Draws the tracing image behind the tree.
 class TracingLayer {
 public:
     explicit TracingLayer(Gl& gl);
     ~TracingLayer();
 
-    /// At the end of all depths, so that whatever is there hides it. The frame's uniforms must be bound.
-    /// Draws nothing if there is no such picture.
+    /// Draws at the greatest depth, so that everything else hides it. The frame's uniforms must be bound.
+    /// Draws nothing if there is no tracing image.
     void draw(const TracingImage& tracing, const Camera& camera);
 
 private:
@@ -23,7 +23,7 @@ private:
     GlTexture m_texture;
     GlVertexArray m_noVertices;
     std::unique_ptr<QOpenGLShaderProgram> m_program;
-    QString m_file;        ///< That was loaded last
+    QString m_file;        ///< The file that was loaded last
     float m_aspect = 0.0F; ///< Width / height; 0 if there is no picture
 };
 

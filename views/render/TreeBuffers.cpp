@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kBarkEdge = 1024; ///< px
 constexpr int kLeafEdge = 512;  ///< px
-// Of images of the person's own
+// For the user's own images
 constexpr int kOwnBarkEdge = 2048;
 constexpr int kOwnLeafEdge = 1024;
 
@@ -30,7 +30,7 @@ ShaderImages forShaders(const SurfaceTextures& textures)
     return {textures.colour, surface};
 }
 
-/// Making textures takes longer than a frame: they are made once, whoever shows them.
+/// Textures that were made before, shared by all viewports: making them takes longer than a frame.
 template <class Kind, class Make>
 const ShaderImages& imagesOf(Kind kind, Make&& make)
 {
@@ -78,7 +78,7 @@ TreeBuffers::TreeBuffers(Gl& gl)
     gl.glBindTexture(GL_TEXTURE_3D, m_light.get());
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
-    // Outside of the volume nothing shades.
+    // Outside the volume there is no shade.
     constexpr std::array<float, 4> light{1.0F, 1.0F, 1.0F, 1.0F};
     gl.glTexParameterfv(GL_TEXTURE_3D, GL_TEXTURE_BORDER_COLOR, light.data());
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})

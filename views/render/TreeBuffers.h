@@ -14,8 +14,8 @@ namespace espalier {
 
 class TreeScene;
 
-/// A texture as shaders want it: colour, and the normal with the roughness as alpha, so that one look finds
-/// both.
+/// A texture in the form that shaders use: colour, and the normal with the roughness as alpha, so that one
+/// lookup reads both.
 struct ShaderImages {
     QImage colour;
     QImage surface;
@@ -26,26 +26,26 @@ class TreeBuffers {
 public:
     explicit TreeBuffers(Gl& gl);
 
-    /// Sends the scene's changes; true if what casts shadows has changed.
+    /// Sends the scene's changes to the card; returns true if something that casts shadows has changed.
     bool follow(TreeScene& scene);
 
-    /// Draw with the program that is bound.
+    /// Draws with the bound program.
     void drawBark();
-    /// A point for each corner of its triangles.
+    /// Draws a point for each corner of the triangles.
     void drawBarkPoints();
     void drawLeaves();
 
     GLuint barkColour() const { return m_barkColour.get(); }
-    /// Normal, and roughness as alpha.
+    /// Texture of the normal, with roughness as alpha.
     GLuint barkSurface() const { return m_barkSurface.get(); }
     GLuint leafColour() const { return m_leafColour.get(); }
     GLuint leafSurface() const { return m_leafSurface.get(); }
-    /// Whether the leaves are of an image of the person's own.
+    /// Whether the leaves have the user's own image.
     bool hasOwnLeaves() const { return m_leaf && !m_leaf->image.isNull(); }
     GLuint lightVolume() const { return m_light.get(); }
 
 private:
-    /// Sends the elements of @p ranges, or all of them.
+    /// Sends the elements of @p ranges, or all elements.
     template <class T>
     void send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges,
               bool all);
@@ -65,11 +65,11 @@ private:
     GlTexture m_leafColour;
     GlTexture m_leafSurface;
     GlTexture m_light;
-    std::uint64_t m_scene = 0; ///< Number of the scene that is here, 0 for none
-    // Of the textures
+    std::uint64_t m_scene = 0; ///< Number of the scene on the card, 0 for none
+    // The parameters that the textures were made for.
     std::optional<BarkParameters> m_bark;
     std::optional<LeafParameters> m_leaf;
-    ShaderImages m_ownLeaf; ///< Of m_leaf's image, if it has one
+    ShaderImages m_ownLeaf; ///< From the image in m_leaf, if it has one
     GLsizei m_indexCount = 0;
     GLsizei m_leafCount = 0;
     GLsizei m_cardIndexCount = 0;

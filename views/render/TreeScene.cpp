@@ -10,13 +10,13 @@ namespace espalier {
 
 namespace {
 
-/// Tolerances of the wood are 1 mm times a power of this, which doubles or halves the sides of a branch.
+/// Tolerances of the wood are 1 mm times a power of this; a step doubles or halves the sides of a branch.
 constexpr double kStep = 4.0;
 constexpr double kTolerance = WoodMeshOptions{}.tolerance; ///< m
 constexpr double kFinestStep = -3.0;
 constexpr double kCoarsestStep = 2.0;
-/// How far an outline may be off, px; by so many times that the tolerance may miss what is wanted before
-/// another step is taken.
+/// The allowed error of an outline, px; and the factor by which the tolerance may differ from the best one
+/// before it changes by a step.
 constexpr double kTolerancePixels = 0.2;
 constexpr double kMoreTolerance = 1.5;
 
@@ -73,8 +73,8 @@ void TreeScene::follow(const TreeChange& change)
     for (const InternodeId id : delta.died)
         relight(id);
     m_boundsAreOld = true;
-    // Other parameters may be another kind of shadow. A bent branch takes its shadow along, which is too much
-    // to work out while a hand moves it.
+    // Other parameters can change the shadows. A bent branch takes its shadow along, which is too slow to
+    // compute while the branch is dragged.
     m_lightIsOld = m_lightIsOld || delta.parametersBefore != delta.parametersAfter;
     m_lightWaits = m_lightWaits || delta.reframes();
 }
@@ -117,7 +117,7 @@ std::vector<Vec3> TreeScene::outline() const
         if (tree.isAlive(id))
             points.push_back(m_document.index().nodePosition(id));
     }
-    // A palm's leaves reach far beyond its nodes.
+    // The leaves of a palm reach far beyond its nodes.
     for (const LeafInstance& leaf : m_mesh.leaves()) {
         if (leaf.length > 0.0F) {
             const Rotation rotation(leaf.rotation[3], leaf.rotation[0], leaf.rotation[1], leaf.rotation[2]);
@@ -142,7 +142,7 @@ bool TreeScene::prepareSome()
     return !m_isBehind;
 }
 
-/// A slice of what waits; returns whether nothing is left.
+/// Performs one slice of the pending work; returns whether nothing is left.
 bool TreeScene::workSome()
 {
     constexpr std::size_t tubes = 256;

@@ -6,14 +6,14 @@
 
 namespace espalier {
 
-/// What there is to draw of a document's tree: its mesh, its leaves, its light, and how large it is. Told
-/// of each change, it follows at a cost of what changed; one renderer takes its changes.
+/// Everything that is drawn of a document's tree: its mesh, its leaves, its light, and its bounds. It is
+/// updated for each change, at a cost that depends on the change; one renderer takes its changes.
 class TreeScene {
 public:
-    /// A part of a frame, ms.
+    /// Time of one slice of work within a frame, ms.
     static constexpr int kSlice = 5;
 
-    /// Shows the tree as it is. @p document outlives the scene.
+    /// Shows the document's tree. @p document must outlive the scene.
     explicit TreeScene(const TreeDocument& document);
 
     /// Takes what a worker thread has made of the tree that the document shows at its next reset. It is
@@ -21,29 +21,28 @@ public:
     void expect(PreparedScene prepared) { m_expected = std::move(prepared); }
     /// Follows a change that the document has just told.
     void follow(const TreeChange& change);
-    /// Brings up to date what several changes need only once; before mesh(), light() and
-    /// bounds().
+    /// Updates what several changes need only once; call it before mesh(), light() and bounds().
     void prepare();
-    /// Brings some of it up to date, for about kSlice; returns whether nothing is left. What has waited
-    /// longest comes first, so that a large tree that goes on growing is followed a little late, but
-    /// followed.
+    /// Updates a part, for about kSlice; returns whether nothing is left. Pieces that have waited longest
+    /// come first, so that the picture of a large growing tree is only a little late.
     bool prepareSome();
-    /// When there is time: brings everything to its exact form, likewise.
+    /// Brings everything to its exact form, for about kSlice; returns whether nothing is left. For times
+    /// without motion.
     bool settleSome();
-    /// How long a pixel of the picture is at the tree, m: how fine the wood must be. It follows in large
-    /// steps.
+    /// Sets the length of a picture's pixel at the tree, m, which decides how fine the wood must be. The
+    /// fineness changes in large steps.
     void setPixelSize(double metres);
     /// Whether there is something left to prepare.
     bool isBehind() const { return m_isBehind; }
 
-    /// Tells scenes apart, also those that lived at the same place.
+    /// A number that no other scene has.
     std::uint64_t number() const { return m_number; }
     const TreeParameters& parameters() const { return m_document.parameters(); }
     MeshPool& mesh() { return m_mesh; }
     const MeshPool& mesh() const { return m_mesh; }
     LightGrid& light() { return m_light; }
     const LightGrid& light() const { return m_light; }
-    /// Of the living tree with its leaves and the seedling's base, m; never empty.
+    /// Bounds of the living tree with its leaves and the seedling's base, m; never empty.
     const Box3& bounds() const { return m_bounds; }
     /// Points that a picture of the whole tree must show: its nodes, its base, and the tips of its leaves, m.
     std::vector<Vec3> outline() const;
@@ -59,9 +58,9 @@ private:
     MeshPool m_mesh;
     LightGrid m_light;
     Box3 m_bounds;
-    Box3 m_relit; ///< Where nodes came or went since prepare()
+    Box3 m_relit; ///< Region in which nodes came or went since prepare()
     bool m_lightIsOld = false;
-    bool m_lightWaits = false; ///< Until settleSome()
+    bool m_lightWaits = false; ///< The light is updated by settleSome()
     bool m_isBehind = false;
     bool m_isSettling = false;
     bool m_isExact = true;

@@ -14,7 +14,8 @@ namespace {
 constexpr int kCoverageEdge = 256;
 constexpr int kSoftEdge = 256;
 constexpr int kSkyEdge = 64;
-/// Casters up to this share of the tree's height away throw a sharp shadow.
+/// A part of the tree throws a sharp shadow on the ground up to this distance, as a share of the tree's
+/// height.
 constexpr float kNearShare = 0.25F;
 
 } // namespace
@@ -62,7 +63,7 @@ TreeShadows::TreeShadows(Gl& gl)
                     GL_UNSIGNED_INT, nullptr);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
         gl.glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
-    // Outside of the map is light.
+    // There is light outside the map.
     constexpr std::array<float, 4> farthest{1.0F, 1.0F, 1.0F, 1.0F};
     gl.glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest.data());
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
@@ -121,8 +122,8 @@ void TreeShadows::render(const Box3& bounds, const Vec3& sun, float groundRadius
     draw(fromSun);
     m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
 
-    // What stands above the ground hides the sky from it, the more the lower it is; a view from straight
-    // above tells where.
+    // The tree above the ground hides the sky, the more the lower it is; a view from straight above shows
+    // where.
     const Matrix4 fromAbove = parallelProjection(bounds, up());
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_coverage.framebuffer.get());
     m_gl.glViewport(0, 0, kCoverageEdge, kCoverageEdge);
@@ -142,7 +143,7 @@ void TreeShadows::shadeGround(const Matrix4& coverageFromWorld, float groundRadi
     m_gl.glBindTexture(GL_TEXTURE_2D, m_coverage.texture.get());
     m_gl.glActiveTexture(GL_TEXTURE0);
     m_gl.glBindTexture(GL_TEXTURE_2D, m_map.get());
-    // Here the depth itself is asked for: it tells how far up a caster is.
+    // The depth itself is read here: it shows how far up a part of the tree is.
     m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
     m_groundProgram->bind();
     m_groundProgram->setUniformValue("shadowMap", 0);
@@ -154,8 +155,8 @@ void TreeShadows::shadeGround(const Matrix4& coverageFromWorld, float groundRadi
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
 
-    // The sun's disc blurs a shadow by about a hundredth of the way it has come, and thin clouds by more; a
-    // crown hides the sky for as far around as it is high.
+    // The sun's disc blurs a shadow by about a hundredth of its distance, and thin clouds by more; a crown
+    // hides the sky as far around it as it is high.
     const float share = height / (2.0F * groundRadius);
     m_blurProgram->bind();
     m_blurProgram->setUniformValue("image", 0);
@@ -165,13 +166,13 @@ void TreeShadows::shadeGround(const Matrix4& coverageFromWorld, float groundRadi
     m_blurProgram->release();
 }
 
-/// By a Gaussian of @p sigma, as a share of the edge.
+/// Blurs by a Gaussian of @p sigma, as a share of the edge.
 void TreeShadows::blur(const Surface& from, const Pair& to, float sigma)
 {
     constexpr float kMostSamples = 12.0F; // to each side
     const auto edge = static_cast<float>(to.first.edge);
     const float texels = std::max(sigma * edge, 0.7F);
-    // Far apart samples of a wide blur fall between texels, where the hardware averages for us.
+    // The samples of a wide blur lie between texels, where the hardware averages.
     const float stride = std::max(3.0F * texels / kMostSamples, 1.0F);
     m_blurProgram->setUniformValue("sigma", texels / stride);
     m_blurProgram->setUniformValue("reach", static_cast<int>(std::ceil(3.0F * texels / stride)));

@@ -7,26 +7,26 @@
 
 namespace espalier {
 
-/// The matrix of a camera infinitely far away in the direction @p toward (unit), whose picture holds just
-/// @p box: world to clip space.
+/// The matrix, from world to clip space, of a camera infinitely far away in the direction @p toward (unit),
+/// whose picture just contains @p box.
 Matrix4 parallelProjection(const Box3& box, const Vec3& toward);
-/// Clip space (−1...1) to texture coordinates and depth (0...1).
+/// Matrix from clip space (−1...1) to texture coordinates and depth (0...1).
 Matrix4 textureFromClip();
 
-/// What the sun sees of the tree (hard shadows within it), and how they and the crown above darken the
-/// ground (blurred).
+/// The shadow map of the sun (hard shadows within the tree), and the blurred shadows of the tree and its
+/// crown on the ground.
 class TreeShadows {
 public:
     static constexpr int kMapEdge = 2048;
-    static constexpr int kGroundEdge = 512; ///< Of the sharpest of the ground's textures
+    static constexpr int kGroundEdge = 512; ///< Edge of the sharpest ground texture, px
 
     explicit TreeShadows(Gl& gl);
     ~TreeShadows();
 
     /// Draws what casts shadows with a matrix from the world to clip space.
     using Draw = std::function<void(const Matrix4& clipFromWorld)>;
-    /// @p bounds: of the tree, m; @p sun: toward it; @p groundRadius: half the edge of what the ground's
-    /// texture covers, m; @p drawRoughly: draws about where something is, for what is blurred anyway.
+    /// @p bounds: of the tree, m; @p sun: direction toward it; @p groundRadius: half the edge of the square
+    /// that the ground's texture covers, m; @p drawRoughly: draws an approximation, for blurred shadows.
     void render(const Box3& bounds, const Vec3& sun, float groundRadius, const Draw& draw,
                 const Draw& drawRoughly);
 
@@ -34,9 +34,9 @@ public:
     /// Edge of a texel, m.
     float texelEdge() const { return m_texelEdge; }
     GLuint map() const { return m_map.get(); }
-    /// Red: 1 in the shadow of what is near the ground.
+    /// Red: 1 in the shadow of parts near the ground.
     GLuint sharpGround() const { return m_sharp.first.texture.get(); }
-    /// Green: 1 in the shadow of what is farther up.
+    /// Green: 1 in the shadow of parts farther up.
     GLuint softGround() const { return m_soft.first.texture.get(); }
     /// Blue: 1 under a closed crown.
     GLuint skyGround() const { return m_sky.first.texture.get(); }
@@ -48,7 +48,7 @@ private:
         GlTexture texture;
         int edge; ///< px
     };
-    /// What a blur goes back and forth between; the first has the result.
+    /// The two surfaces that a blur alternates between; the first has the result.
     struct Pair {
         Pair(Gl& gl, int edge) : first(gl, edge), second(gl, edge) {}
         Surface first;
@@ -63,7 +63,7 @@ private:
     GlTexture m_map;
     GlFramebuffer m_mapFramebuffer;
     Surface m_coverage;
-    Surface m_ground; ///< Before it is blurred
+    Surface m_ground; ///< The ground's shadow before it is blurred
     Pair m_sharp;
     Pair m_soft;
     Pair m_sky;

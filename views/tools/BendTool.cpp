@@ -9,13 +9,13 @@ namespace espalier {
 
 namespace {
 
-/// How far a tap may slip before it is a pull, px.
+/// Movement below which a press is a tap, px.
 constexpr double kSlip = 4.0;
 constexpr double kFingerSlip = 9.0;
-/// How near a pointer must come to a pin, px.
+/// Distance within which a pointer takes a pin, px.
 constexpr double kPinReach = 12.0;
 constexpr double kFingerPinReach = 24.0;
-/// Calls that a form may take to settle when the hand lets go.
+/// Calls of solve() after the last pointer is lifted, for the form to settle.
 constexpr int kLastCalls = 30;
 
 const QColor kPathColour(232, 168, 100);
@@ -49,7 +49,7 @@ Vec3 BendTool::placeOf(const Pin& pin) const
     return lower + along * (document.index().nodePosition(pin.id) - lower);
 }
 
-/// On the bark, as seen from the camera: a line along the axis would lie within the wood.
+/// The nearest point of the bark to the camera: a line along the axis would lie within the wood.
 Vec3 BendTool::onBark(const Vec3& place, InternodeId id) const
 {
     const Vec3 toEye = (context().camera().position() - place).normalized();
@@ -81,8 +81,8 @@ std::optional<BendTool::Pin> BendTool::branchAt(const PointerSample& sample) con
     return Pin{picked->id, static_cast<double>(picked->along)};
 }
 
-/// The internode that the branch grows from. An axis that carries as much as what it leaves has taken its
-/// place: to the eye the two are one branch.
+/// The internode from which the branch grows. An axis with at least half of the tips of its parent looks like
+/// one branch with it, so the search continues at the parent.
 InternodeId BendTool::defaultBase(InternodeId id) const
 {
     const Tree& tree = context().document().tree();
@@ -134,7 +134,7 @@ void BendTool::begin(const PointerSample& sample)
     context().requestRepaint();
 }
 
-/// Begins to bend by the hands that there are; or goes on, where another has come.
+/// Begins to bend with the current pointers; if a pointer was added, continues with all of them.
 void BendTool::grip()
 {
     TreeDocument& document = context().document();
@@ -187,7 +187,7 @@ void BendTool::move(const PointerSample& sample)
 
 void BendTool::tick(double)
 {
-    // However many samples a second come in: as many forms as there are pictures.
+    // The form is computed once for each picture, not for each sample.
     if (m_gesture && !m_isSettled)
         pull();
 }
@@ -256,7 +256,7 @@ void BendTool::tap(const std::optional<Pin>& pin)
         m_base = pin;
         return;
     }
-    // The pins are on one path.
+    // All pins are on one path.
     std::erase_if(m_pins, [&](const Pin& other) { return !areOnOnePath(tree, other.id, pin->id); });
     m_pins.push_back(*pin);
 }

@@ -12,9 +12,9 @@
 
 namespace espalier {
 
-/// Bends branches (TreeSketch §3.3). Whoever takes hold of a branch and pulls bends it from where it leaves
-/// its parent. Taps place pins: the first is the base, which stays, the others hold the branch above it, and
-/// each can be pulled. Several fingers on one branch do both at once: the lowest is the base.
+/// Bends branches (TreeSketch §3.3). A drag on a branch bends it from the place where it leaves its parent.
+/// Taps place pins: the first is the base, which stays; the others hold the branch above it, and each can be
+/// dragged. Several fingers on one branch do both at once: the lowest is the base.
 class BendTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(BendTool)
 
@@ -44,8 +44,8 @@ private:
     struct Hand {
         int pointer;
         Pin pin;
-        Vec3 grip;       ///< Where that was when it was gripped, m
-        QPointF pressed; ///< Where the pointer was then
+        Vec3 grip;       ///< Place of the grip when the pointer was pressed, m
+        QPointF pressed; ///< Place of the pointer at the press, px
         QPointF position;
     };
 
@@ -70,7 +70,7 @@ private:
     bool m_isDown = false;
     std::vector<Hand> m_hands;
     std::unique_ptr<BendGesture> m_gesture;
-    std::vector<Vec3> m_pinnedAt; ///< Targets of the pins that no hand pulls, after those of the hands
+    std::vector<Vec3> m_pinnedAt; ///< Targets of the pins that no pointer drags, after those of the pointers
     bool m_isSettled = true;
 };
 

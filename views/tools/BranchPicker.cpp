@@ -14,7 +14,7 @@ constexpr double kFingerReach = 8.0;  ///< mm
 constexpr double kPenReach = 2.0;     ///< mm
 constexpr double kMouseReach = 2.5;   ///< mm
 
-/// A point as the camera sees it.
+/// A point in the camera's view.
 struct Seen {
     Vec2 place;  ///< px from the middle of the view, up
     float depth; ///< m
@@ -36,23 +36,23 @@ public:
     {
     }
 
-    /// Whether something within @p radius (m) of @p centre may appear within reach.
+    /// Whether a branch within @p radius (m) of @p centre can appear within reach.
     bool mayReach(const Vec3& centre, float radius) const
     {
         const Vec3 offset = centre - m_eye;
         const float along = offset.dot(m_ray.direction);
-        // A cone about the ray. Off the view's axis a pixel spans less than at its middle: this is on the
-        // safe side.
+        // A cone around the ray. Away from the view's middle a pixel is smaller than at the middle, so the
+        // cone is large enough.
         const float limit = radius + std::max(0.0F, along + radius) * m_reach / m_scale;
         return along > -radius && offset.squaredNorm() - along * along <= limit * limit;
     }
 
-    /// Of the nearest that may appear within @p radius (m) of @p centre, m.
+    /// The least depth of a branch within @p radius (m) of @p centre, m.
     float leastDepth(const Vec3& centre, float radius) const
     {
         return (centre - m_eye).dot(m_forward) - radius;
     }
-    /// Whether nothing from @p depth (m) on can be the one any more.
+    /// Whether a branch from @p depth (m) on cannot be better than the one found.
     bool isSettledBefore(float depth) const { return m_best && m_rank == 0.0F && depth >= m_depth; }
 
     void consider(InternodeId id)

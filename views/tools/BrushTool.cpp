@@ -14,16 +14,16 @@ namespace espalier {
 
 namespace {
 
-/// A stroke's clock goes on by at most this much at a time, s: where growth cannot keep up, the stroke
-/// slows down rather than the program.
+/// The longest step of a stroke's clock, s: where growth cannot keep up, the stroke slows down and the
+/// program does not.
 constexpr double kLongestStep = 0.1;
-/// And by at least this much: samples ascend.
+/// The shortest step of a stroke's clock, s: the times of samples ascend.
 constexpr double kShortestStep = 1e-4;
 
-/// Below this sine of the angle between them, plane and ground meet too far away to be shown.
+/// Below this sine of the angle between them, the drawing plane and the ground meet too far away to be shown.
 constexpr float kGrazing = 0.1F;
 
-/// Radius of the ring around the node that a stroke would begin at, px.
+/// Radius of the ring around the node at which a stroke would begin, px.
 constexpr float kRing = 9.0F;
 
 /// Radius of the ring that closes in on a bud under a long press, px.
@@ -32,10 +32,10 @@ constexpr float kHeldRing = 44.0F;
 /// A press that moves no further than this, px, and lasts no longer than this, s, is a tap.
 constexpr double kTapReach = 8.0;
 constexpr double kTap = 0.3;
-/// Between two taps that belong together, s.
+/// The longest time between two taps of a double tap, s.
 constexpr double kDoubleTap = 0.45;
 constexpr double kLongPress = 0.6; ///< s
-/// A long press must come nearer to its bud than a pointer must to a branch.
+/// A long press must be nearer to its bud than a press to a branch, by this factor.
 constexpr double kBudReach = 0.6;
 
 double distance(const QPointF& a, const QPointF& b)
@@ -74,7 +74,7 @@ bool BrushTool::pruneOnSecondTap(const PointerSample& sample)
     if (sample.time - tap.time > kDoubleTap || distance(sample.position, tap.position) > 2.0 * kTapReach)
         return false;
     TreeDocument& document = context().document();
-    // What the first tap let grow was not meant.
+    // The user did not mean the stroke of the first tap.
     if (tap.leftAStroke)
         document.undo();
     const auto picked = context().pick(sample.position, sample.device);
@@ -119,7 +119,7 @@ void BrushTool::end(const PointerSample& sample)
     if (!isActive())
         return;
     if (m_gesture) {
-        // A pen is lifted with no pressure at all: what it did last counts.
+        // A pen's last sample has no pressure: the sample before it counts.
         m_pointer = sample.position;
         continueTo(sample.time);
         m_gesture->finish();
@@ -255,8 +255,8 @@ void BrushTool::paint(Overlay& overlay) const
                          .spacing = std::exp2(std::round(std::log2(reach / 4.0F))),
                          .origin = m_anchor,
                          .colour = faint});
-        // A plumb line and its foot tell where over the ground the brush is; the plane meets the ground in
-        // a level line.
+        // A plumb line and its foot show the brush's place over the ground; the plane meets the ground in a
+        // level line.
         const Vec3 foot(centre.x(), 0.0F, centre.z());
         faint.setAlphaF(0.5F);
         overlay.addLine(std::array{centre, foot}, faint, 1.0F, 4.0F);

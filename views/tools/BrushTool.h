@@ -11,12 +11,12 @@
 
 namespace espalier {
 
-/// The brush (TreeSketch §3.2): fills a ball with markers of free space, which the tree grows into. It
-/// moves in the plane that is parallel to the screen and goes through the base of the tree, or through the
-/// branch that the stroke begins at. The plane turns with the camera, so that a hand at rest draws a helix
-/// while the view rotates.
+/// The brush (TreeSketch §3.2): fills a ball with markers of free space, which the tree grows into. It moves
+/// in the plane that is parallel to the screen and goes through the base of the tree, or through the branch
+/// at which the stroke begins. The plane turns with the camera, so that a pointer at rest draws a helix while
+/// the view rotates.
 ///
-/// A second tap on a branch prunes it; a finger or pen that rests on a bud chooses it to grow alone.
+/// A second tap on a branch prunes it; a finger or pen that rests on a bud chooses that bud to grow alone.
 class BrushTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 
@@ -38,8 +38,8 @@ public:
     void paint(Overlay& overlay) const override;
     QString tip() const override;
 
-    /// Share of the brush's radius that a pen's pressure (0...1) leaves: a light touch draws fine, a firm
-    /// one at full size.
+    /// Share of the brush's radius for a pen's pressure (0...1): a light touch draws a small ball, a firm one
+    /// the full size.
     static double radiusShare(double pressure);
 
 private:
@@ -47,12 +47,12 @@ private:
     struct Hold {
         PointerSample sample;
         PickedBud bud;
-        bool isChosen = false; ///< It has become one
+        bool isChosen = false; ///< The press has become a long press
     };
     struct Tap {
         QPointF position;
-        double time = -1e9;       ///< s
-        bool leftAStroke = false; ///< On the undo stack
+        double time = -1e9;       ///< Time of the tap, s
+        bool leftAStroke = false; ///< Whether the tap left a stroke on the undo stack
     };
 
     bool pruneOnSecondTap(const PointerSample& sample);
@@ -62,19 +62,19 @@ private:
     void stop();
 
     std::unique_ptr<BrushGesture> m_gesture;
-    Vec3 m_anchor = Vec3::Zero(); ///< Where the drawing plane goes through
+    Vec3 m_anchor = Vec3::Zero(); ///< A point of the drawing plane
     QPointF m_pointer;
     double m_pressure = 1.0;
     bool m_isPen = false;
     bool m_hovers = false;
-    std::optional<PickedBranch> m_picked; ///< Under the hovering pointer
+    std::optional<PickedBranch> m_picked; ///< The branch under the hovering pointer
     double m_lastTime = 0.0;              ///< s, of the samples' clock
     double m_strokeTime = 0.0;            ///< s since the stroke began
     std::vector<Vec3> m_trail;
     std::optional<Hold> m_held;
-    PointerSample m_press; ///< That the gesture under way began with
-    int m_undoIndex = 0;   ///< Then
-    double m_now = 0.0;    ///< s, of the last tick
+    PointerSample m_press; ///< First sample of the gesture under way
+    int m_undoIndex = 0;   ///< Index of the undo stack at that sample
+    double m_now = 0.0;    ///< Time of the last tick, s
     Tap m_lastTap;
 };
 

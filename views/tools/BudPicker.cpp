@@ -13,7 +13,7 @@ namespace espalier {
 
 namespace {
 
-/// How far outside the bark a bud's dot stands, in internodes.
+/// Distance of a bud's dot from the bark, in internodes.
 constexpr float kOffset = 0.15F;
 constexpr double kNoBudDifference = 2.0; ///< px
 
@@ -67,7 +67,7 @@ std::vector<PickedBud> pickBuds(const PickScene& scene, const QPointF& screen, d
         }
         found.push_back(candidate);
         std::ranges::push_heap(found, std::less());
-        // Once there are enough, only what is nearer than the farthest of them counts.
+        // Once the heap is full, only buds that are nearer than the farthest one are added.
         if (found.size() == most)
             perDepth =
                 static_cast<float>(std::min(reach, (found.front().rank + 1.0) * kNoBudDifference)) / pixels;

@@ -9,10 +9,10 @@
 
 namespace espalier {
 
-/// How the envelopes of lasso strokes are shown: a translucent skin and their outlines.
+/// The picture of the envelopes of lasso strokes: a translucent surface and outlines.
 class EnvelopeView {
 public:
-    /// Nothing to do if they are the same strokes as before. Of strokes that enclose nothing, nothing is
+    /// Sets the strokes; does nothing if they are the same as before. Strokes that enclose nothing are not
     /// shown.
     void show(std::span<const LassoStroke> strokes, int resolution = 128);
     void clear() { show({}); }
@@ -20,7 +20,7 @@ public:
 
 private:
     std::vector<LassoStroke> m_strokes;
-    std::shared_ptr<const EnvelopeMesh> m_mesh; ///< Of all of them; may be null
+    std::shared_ptr<const EnvelopeMesh> m_mesh; ///< Of all envelopes together; may be null
     std::vector<std::vector<Vec3>> m_outlines;  ///< Closed: the last point is the first
 };
 

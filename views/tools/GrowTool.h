@@ -7,14 +7,14 @@
 
 namespace espalier {
 
-/// Growth that the Grow tool starts and stops; the program implements it.
+/// Growth that the Grow tool starts and stops; app implements it.
 class HeldGrowth {
 public:
     virtual ~HeldGrowth() = default;
     virtual bool isRunning() const = 0;
-    /// Lets the tree grow until release(), end() or cancel().
+    /// Starts growth, until release(), end() or cancel().
     virtual void begin() = 0;
-    /// Ends growth as soon as there is a step, and keeps it.
+    /// Ends growth after the step that is being computed, and keeps it.
     virtual void release() = 0;
     /// Ends growth at once, and keeps what has grown.
     virtual void end() = 0;
@@ -22,7 +22,7 @@ public:
     virtual void cancel() = 0;
 };
 
-/// Growth under a hand that holds: press anywhere, and the tree grows until you let go.
+/// Growth while the pointer is pressed anywhere in the view.
 class GrowTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(GrowTool)
 

@@ -16,7 +16,7 @@ constexpr double kLassoTap = 6.0;
 /// s between two previews of what a stroke encloses.
 constexpr double kPreviewInterval = 0.06;
 constexpr int kPreviewResolution = 64;
-/// A stroke of more points than this is simplified while it is drawn: some devices send thousands a second.
+/// A stroke of more points is simplified while it is drawn: some devices send thousands of samples a second.
 constexpr std::size_t kManyPoints = 10'000;
 constexpr double kFineTolerance = 1.0 / 8192.0;
 

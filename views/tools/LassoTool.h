@@ -9,27 +9,28 @@
 
 namespace espalier {
 
-/// The filling of envelopes that the Lasso tool starts and stops; the program implements it.
+/// The filling of envelopes that the Lasso tool starts and stops; app implements it.
 class EnvelopeFilling {
 public:
     virtual ~EnvelopeFilling() = default;
-    /// Adds the envelope of @p stroke and fills it, after ending what is under way.
+    /// Ends what is under way, adds the envelope of @p stroke and fills it.
     virtual void fill(const LassoStroke& stroke) = 0;
-    /// Ends at once and keeps what has grown.
+    /// Ends filling at once and keeps what has grown.
     virtual void end() = 0;
     /// World positions of the living markers of free space, m; empty while nothing is filled.
     virtual std::span<const Vec3> markers() const = 0;
 };
 
 /// The lasso (TreeSketch §3.2): a closed stroke draws the silhouette of the tree or of a part of it, in the
-/// plane that is parallel to the screen and goes through the base of the tree, or through the branch that
-/// the stroke begins at. When it ends, the tree fills it; a press while that goes on leaves it as it is.
+/// plane that is parallel to the screen and goes through the base of the tree, or through the branch at which
+/// the stroke begins. When the stroke ends, the tree fills it; a press during that ends the filling and keeps
+/// what has grown.
 class LassoTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(LassoTool)
 
 public:
     LassoTool(ToolContext& context, EnvelopeFilling& filling) : Tool(context), m_filling(filling) {}
-    /// Keeps what has grown.
+    /// Ends filling and keeps what has grown.
     ~LassoTool() override { m_filling.end(); }
 
     void begin(const PointerSample& sample) override;
@@ -50,7 +51,7 @@ private:
     EnvelopeFilling& m_filling;
     bool m_isActive = false;
     LassoStroke m_stroke;
-    std::size_t m_previewed = 0; ///< Points that the preview knows
+    std::size_t m_previewed = 0; ///< Number of points of the stroke that the preview includes
     double m_previewTime = 0.0;  ///< s, of the samples' clock
     EnvelopeView m_preview;
     mutable EnvelopeView m_standing; ///< Made when it is painted

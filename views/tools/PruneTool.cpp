@@ -107,7 +107,7 @@ void PruneTool::leave()
     show({});
 }
 
-/// A tap there would take the branch off.
+/// Shows what a tap would cut off.
 void PruneTool::aim(const PointerSample& sample)
 {
     const TreeDocument& document = context().document();
@@ -156,7 +156,7 @@ void PruneTool::paint(Overlay& overlay) const
     for (const InternodeId id : m_falling) {
         const InternodeId parent = tree.parent(id);
         if (index.mainChild(parent) == id && std::ranges::binary_search(m_falling, parent))
-            continue; // drawn with its axis
+            continue; // it is drawn with its axis
         line.assign({index.nodePosition(parent)});
         for (InternodeId along = id; along != kNoInternode; along = index.mainChild(along))
             line.push_back(index.nodePosition(along));

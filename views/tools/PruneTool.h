@@ -9,8 +9,8 @@
 
 namespace espalier {
 
-/// The secateurs (TreeSketch §3.3): a tap takes a branch off at the branching point below; a stroke cuts
-/// every branch that it crosses. What would fall is shown before.
+/// The secateurs (TreeSketch §3.3): a tap cuts a branch off at the branching point below; a stroke cuts every
+/// branch that it crosses. The branches that would fall are shown before the cut.
 class PruneTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(PruneTool)
 
@@ -38,8 +38,8 @@ private:
     bool m_isActive = false;
     bool m_isStroke = false; ///< The pointer has moved too far for a tap
     std::vector<QPointF> m_path;
-    std::vector<InternodeId> m_cuts;    ///< Internodes that would go, with what they carry
-    std::vector<InternodeId> m_falling; ///< All of that
+    std::vector<InternodeId> m_cuts;    ///< Internodes at which the gesture cuts
+    std::vector<InternodeId> m_falling; ///< All internodes that would fall
 };
 
 } // namespace espalier

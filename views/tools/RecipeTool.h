@@ -11,7 +11,7 @@
 
 namespace espalier {
 
-/// Shows the brush of a recipe that is playing, and lets nobody else brush meanwhile.
+/// Shows the brush of a recipe that is playing, and prevents other strokes meanwhile.
 class RecipeTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(RecipeTool)
 

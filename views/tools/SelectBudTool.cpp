@@ -7,7 +7,7 @@ namespace espalier {
 
 namespace {
 
-/// Buds are shown this much further around the pointer than it picks them.
+/// Buds are shown within this factor of the distance for picking.
 constexpr double kShownReach = 9.0;
 
 const QColor kBudColour(240, 168, 184);

@@ -9,8 +9,8 @@
 
 namespace espalier {
 
-/// Chooses the bud that alone shall grow, with what comes of it (selective growth, TreeSketch §3.2 and figure
-/// 9). A tap on a bud chooses it, a tap anywhere else lets all grow again.
+/// Chooses the bud that alone shall grow, with the branch that comes from it (selective growth, TreeSketch
+/// §3.2 and figure 9). A tap on a bud chooses it, a tap elsewhere lets all buds grow again.
 class SelectBudTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(SelectBudTool)
 
@@ -33,8 +33,8 @@ private:
     void look(const PointerSample& sample);
 
     bool m_isActive = false;
-    std::vector<PickedBud> m_buds; ///< Around the pointer, the nearest first
-    bool m_isNear = false;         ///< The first of them is under the pointer
+    std::vector<PickedBud> m_buds; ///< Buds around the pointer, the nearest first
+    bool m_isNear = false;         ///< Whether the first of them is under the pointer
 };
 
 } // namespace espalier

@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// How long the rings expand that confirm a bud's selection (TreeSketch §3.2), s.
+/// Time that the rings expand which confirm a bud's selection (TreeSketch §3.2), s.
 inline constexpr double kRingsExpand = 1.2;
 
 /// Shows which bud alone grows: rings that expand while the selection is new, then one that stays.

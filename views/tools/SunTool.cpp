@@ -26,7 +26,7 @@ QPointF middleOf(const Camera& camera)
     return {camera.viewSize().width() / 2.0, camera.viewSize().height() / 2.0};
 }
 
-/// Half-axes of the sphere as it is seen: it fills the view, so it is seldom round. px.
+/// Half-axes of the ellipse that the sphere appears as, px: it fills the view, so it is seldom round.
 QPointF radiiOf(const Camera& camera)
 {
     const QPointF middle = middleOf(camera);
@@ -46,8 +46,8 @@ bool isBehind(const Vec3& toward, const Camera& camera)
     return toward.dot(camera.forward()) > 0.0F;
 }
 
-/// The direction of the place @p screen of the sphere's front or back; beyond the rim that of the other side,
-/// as far from the rim.
+/// The direction of the place @p screen on the sphere's front or back; for a place beyond the rim, the
+/// direction on the other side, at the same distance from the rim.
 Vec3 directionAt(const QPointF& screen, bool behind, const Camera& camera)
 {
     const QPointF radii = radiiOf(camera);
@@ -131,7 +131,7 @@ void SunTool::leave()
 
 void SunTool::tick(double)
 {
-    // The camera may have turned meanwhile.
+    // The camera may have turned since the last sample.
     follow();
 }
 
@@ -150,7 +150,7 @@ void SunTool::paint(Overlay& overlay) const
         return;
     const Camera& camera = context().camera();
     const Vec3 toward = towardSun(values, camera);
-    // Where it is behind the tree, the tree is seen before it.
+    // A ball behind the tree is drawn at a greater depth than the tree, so that the tree hides it.
     constexpr float kMostDepth = 3.0F; // m
     const float aside = std::min(0.35F * camera.distance(), kMostDepth);
     const Ray ray = camera.ray(place());

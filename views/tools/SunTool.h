@@ -9,18 +9,19 @@
 
 namespace espalier {
 
-/// Moves the sun (TreeSketch §3.5): a ball that goes about the tree on a sphere that fills the view, before
-/// it or behind it. Beyond the sphere's rim it comes to the other side. A held sun stays under the pointer
-/// while the tree is turned. It is part of the view, so nothing of this is undone.
+/// Moves the sun (TreeSketch §3.5): a ball that moves around the tree on a sphere that fills the view, in
+/// front of the tree or behind it. When it is dragged beyond the sphere's rim, it moves to the other side. A
+/// held sun stays under the pointer while the view turns. The sun is part of the view, so its moves are not
+/// undone.
 class SunTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(SunTool)
 
 public:
     using Tool::Tool;
 
-    /// Whether a pointer at @p screen, which reaches @p reach px, is on the ball.
+    /// Whether a pointer at @p screen is at most @p reach px from the ball.
     bool isAt(const QPointF& screen, double reach) const;
-    /// Where the ball is seen, px.
+    /// Place of the ball on the screen, px.
     QPointF place() const;
 
     void begin(const PointerSample& sample) override;

@@ -10,9 +10,9 @@
 
 namespace espalier {
 
-/// Turns what a hand does into commands. Gestures are read before: a tool gets begin, any number of move
-/// and tick, and then one of end, finish and cancel; hover and leave come between gestures. The camera may
-/// move at any time, during a gesture as well.
+/// Turns the samples of a gesture into commands. GestureReader sorts the samples: a tool gets begin, any
+/// number of move and tick, and then one of end, finish and cancel; hover and leave come between gestures.
+/// The camera can move at any time, during a gesture as well.
 class Tool {
 public:
     explicit Tool(ToolContext& context) : m_context(context) {}
@@ -23,31 +23,31 @@ public:
 
     virtual void begin(const PointerSample& sample) = 0;
     virtual void move(const PointerSample& sample) = 0;
-    /// Makes what was done one undo step.
+    /// Ends the gesture: what was done is one undo step.
     virtual void end(const PointerSample& sample) = 0;
     /// Ends the gesture before the pointer is lifted, because something interrupts it: what was done up to
     /// the last sample is one undo step. A press that only its release would make a tap does nothing.
     virtual void finish() = 0;
-    /// Leaves the document as it was before the gesture. Only the user asks for it.
+    /// Leaves the document as it was before the gesture. Called only when the user cancels.
     virtual void cancel() = 0;
     virtual void hover(const PointerSample& sample) { Q_UNUSED(sample) }
-    /// The pointer is over the view no longer.
+    /// The pointer is not over the view any more.
     virtual void leave() {}
-    /// Time goes on while the hand rests; called about 60 times a second while wantsTicks(). @p now: s, of
-    /// the samples' clock.
+    /// Called about 60 times a second while wantsTicks(), also when no sample arrives. @p now: s, of the
+    /// samples' clock.
     virtual void tick(double now) { Q_UNUSED(now) }
-    /// The wheel with Ctrl held, in notches; a gesture may be under way.
+    /// The wheel was turned with Ctrl held, by @p notches; a gesture can be under way.
     virtual void wheel(double notches) { Q_UNUSED(notches) }
-    /// Whether a finger that comes down beside those at work, or together with the first, is another hand at
-    /// the same work; otherwise all of them turn to the camera. If so, the tool gets its begin and its moves
-    /// as well, told apart by its id. The first finger that is lifted ends the gesture.
+    /// Whether a finger that touches the screen during the gesture, or together with its first finger, takes
+    /// part in it; otherwise all fingers move the camera. If so, the tool gets begin and moves for the finger
+    /// as well, with its own id. The first finger that is lifted ends the gesture.
     virtual bool takesFinger(const PointerSample& sample) const
     {
         Q_UNUSED(sample)
         return false;
     }
-    /// A key (Qt::Key) that nothing else wanted, between gestures; Escape puts away what the tool has laid
-    /// out. Whether it meant something to the tool.
+    /// Handles a key (Qt::Key) that no shortcut uses, between gestures; Escape removes the tool's pins or
+    /// handles. Returns whether the tool uses the key.
     virtual bool keyPressed(int key)
     {
         Q_UNUSED(key)
@@ -59,7 +59,7 @@ public:
     virtual bool wantsTicks() const { return false; }
     virtual void paint(Overlay& overlay) const { Q_UNUSED(overlay) }
     virtual QCursor cursor() const { return Qt::CrossCursor; }
-    /// What to do with it, in one short sentence.
+    /// One short sentence for the user about what the tool does now.
     virtual QString tip() const = 0;
 
 protected:

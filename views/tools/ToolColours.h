@@ -6,7 +6,7 @@
 namespace espalier {
 
 /// Colours that several tools paint with over the tree; they are legible on a dark and on a light backdrop.
-inline const QColor kBrushColour(232, 168, 100);  ///< The brush, and strokes in the making
+inline const QColor kBrushColour(232, 168, 100);  ///< The brush, and strokes under way
 inline const QColor kPickedColour(240, 168, 184); ///< The branch or the bud under the pointer
 
 } // namespace espalier

@@ -8,7 +8,7 @@
 
 namespace espalier {
 
-/// All that a tool sees of the program. All of it outlives the tool.
+/// The parts of the program that a tool may use. All of them outlive the tool.
 class ToolContext {
 public:
     virtual ~ToolContext() = default;
@@ -16,14 +16,14 @@ public:
     virtual TreeDocument& document() = 0;
     virtual ViewSettings& viewSettings() = 0;
     virtual const Camera& camera() const = 0;
-    /// The branch under the pointer, as near as that kind of pointer must come.
+    /// The branch under the pointer, within the distance for that kind of pointer.
     virtual std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const = 0;
-    /// The living buds around the pointer, the nearest first, up to @p factor times as far as it must come.
+    /// The living buds around the pointer, the nearest first, within @p factor times that distance.
     virtual std::vector<PickedBud> pickBuds(const QPointF& screen, PointerDevice device,
                                             double factor) const = 0;
-    /// The bark's radius, m, as it is seen.
+    /// Radius of the bark as it is drawn, m.
     virtual float branchRadius(InternodeId id) const = 0;
-    /// What the tool shows has changed; the tree's own changes are seen anyway.
+    /// Requests a repaint because the tool's overlay has changed. Changes of the tree need no request.
     virtual void requestRepaint() = 0;
 };
 

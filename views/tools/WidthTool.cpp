@@ -47,13 +47,13 @@ std::optional<WidthTool::Place> WidthTool::placeOf(InternodeId id) const
     Vec3 across = document.index().heading(id).cross(camera.forward());
     across = across.norm() > 1e-3F ? Vec3(across.normalized()) : camera.right();
     if (across.dot(camera.right()) < 0.0F)
-        across = -across; // To the right, where words are read.
+        across = -across; // To the right, where the text is.
     const Vec3 centre = middle + 1.1F * context().branchRadius(id) * toEye;
     const auto seen = camera.project(middle);
     const float depth = camera.depth(middle);
     if (!seen || depth < Camera::kMinDistance / 2.0F)
         return std::nullopt;
-    // Parallel to the screen, so that its picture is its direction.
+    // Parallel to the screen, so the direction on the screen is the direction of its picture.
     const QPointF seenAcross(static_cast<double>(across.dot(camera.right())),
                              -static_cast<double>(across.dot(camera.up())));
     return Place{centre, across, *seen, seenAcross, static_cast<double>(camera.pixelsPerMetre(depth))};
@@ -96,7 +96,7 @@ double WidthTool::diameterOf(InternodeId id) const
     return 2.0 * static_cast<double>(Widths(document.tree(), document.index()).radius(document.index(), id));
 }
 
-/// The internode of the gripped handle's axis whose middle appears nearest.
+/// The internode of the gripped handle's axis whose middle appears nearest to @p position.
 InternodeId WidthTool::nearestOnAxis(const QPointF& position) const
 {
     const TreeIndex& index = context().document().index();
@@ -263,7 +263,7 @@ void WidthTool::paint(Overlay& overlay) const
     if (const auto place = placeOf(*m_hoveredBranch)) {
         const float bark = context().branchRadius(*m_hoveredBranch);
         const auto beyond = static_cast<float>(kBeyond / place->pixelsPerMetre);
-        // The jaws of a pair of callipers.
+        // The handle is drawn like the jaws of callipers.
         for (const float side : {-1.0F, 1.0F}) {
             const std::array jaw{Vec3(place->centre + side * bark * place->across),
                                  Vec3(place->centre + side * (bark + beyond) * place->across)};

@@ -11,8 +11,8 @@
 
 namespace espalier {
 
-/// Gives branches the width that a person wants (TreeSketch §3.3). A tap on a branch holds it at the width
-/// that it has; a handle across it, with two ends, is drawn to another width or moved along the branch.
+/// Sets the width of branches (TreeSketch §3.3). A tap on a branch fixes its current width; a handle across
+/// the branch, with two ends, is dragged to another width or moved along the branch.
 class WidthTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(WidthTool)
 
@@ -32,27 +32,27 @@ public:
     void paint(Overlay& overlay) const override;
     QString tip() const override;
 
-    /// How far beyond the bark a handle's ends are, px.
+    /// Distance of a handle's ends from the bark, px.
     static constexpr double kBeyond = 12.0;
-    /// An end that is drawn this near to the axis removes the width, px.
+    /// An end that is dragged this near to the axis removes the width, px.
     static constexpr double kVanishing = 4.0;
 
 private:
     enum class Part {
         Middle,
         End,
-        Bark, ///< Where no handle was before
+        Bark, ///< A place without a handle
     };
     struct Grip {
         InternodeId id;
         Part part;
     };
-    /// Where a handle is seen.
+    /// A handle's place on the screen.
     struct Place {
         Vec3 centre;        ///< On the bark, m
         Vec3 across;        ///< Unit, parallel to the screen
-        QPointF seen;       ///< The centre, px
-        QPointF seenAcross; ///< Unit
+        QPointF seen;       ///< Place of the centre on the screen, px
+        QPointF seenAcross; ///< Direction across on the screen, unit
         double pixelsPerMetre;
     };
 
@@ -64,17 +64,17 @@ private:
     void stop();
     void paintHandle(Overlay& overlay, InternodeId id, bool isLit, bool isLabelled) const;
 
-    std::optional<Grip> m_hovered; ///< A handle
+    std::optional<Grip> m_hovered; ///< The handle under the pointer
     std::optional<InternodeId> m_hoveredBranch;
-    std::optional<InternodeId> m_chosen; ///< Whose handle was touched last
+    std::optional<InternodeId> m_chosen; ///< The internode whose handle was touched last
     bool m_isDown = false;
-    std::optional<Grip> m_grip; ///< That a pointer holds
+    std::optional<Grip> m_grip; ///< The handle that a pointer holds
     std::unique_ptr<WidthGesture> m_gesture;
-    bool m_isPulled = false; ///< Too far for a tap
+    bool m_isPulled = false; ///< The pointer has moved too far for a tap
     QPointF m_pressedAt;
-    double m_distance = 0.0; ///< From the axis, where it was gripped, px
-    double m_diameter = 0.0; ///< Of the branch then, m
-    InternodeId m_place = 0; ///< Where the handle in the hand is now
+    double m_distance = 0.0; ///< Distance from the axis at the press, px
+    double m_diameter = 0.0; ///< Diameter of the branch at the press, m
+    InternodeId m_place = 0; ///< Current place of the dragged handle
     double m_tapTime = -1e9; ///< s, of the last tap on a handle
 };
 

@@ -55,7 +55,7 @@ bool ExportFiles::isFree(const QString& name, const QStringList& existing) const
     for (const QString& other : existing) {
         if (!isSame(other))
             continue;
-        // Folders, devices and files that cannot be read are not ours.
+        // Folders, devices and unreadable files cannot be files of an earlier export.
         const QFileInfo info(m_main.dir().filePath(other));
         QFile file(info.filePath());
         if (other != name || !info.isFile() || !file.open(QIODevice::ReadOnly) ||
@@ -84,7 +84,7 @@ Result<void> ExportFiles::addMain(const QByteArray& content)
 
 Result<void> ExportFiles::commit()
 {
-    // Another program may have made files since the names were chosen.
+    // Another program can have made files since the names were chosen.
     const QStringList existing = namesInFolder();
     for (const Entry& entry : m_entries) {
         const QString name = QFileInfo(entry.file->fileName()).fileName();

@@ -29,10 +29,10 @@ public:
     /// to be called once, with all endings ("_bark.png", ".mtl"), before name(). Names that differ only in
     /// the case of letters count as equal, since they are on some disks.
     Result<void> chooseNames(const QStringList& endings);
-    /// File name of a companion. Without spaces, which some readers of OBJ files do not take.
+    /// File name of a companion. It has no spaces, since some readers of OBJ files do not accept them.
     QString name(const QString& ending) const { return m_stem + ending; }
 
-    /// Adds a companion, marked as the main file's; PNG, or a text whose comments begin with #.
+    /// Adds a companion with the mark of the main file: PNG, or a text whose comments begin with #.
     Result<void> addCompanion(const QString& ending, const QByteArray& content);
     /// Adds the main file. @p write gets a QIODevice& and returns whether the device took everything.
     template <std::invocable<QIODevice&> Write>
@@ -64,7 +64,8 @@ private:
         m_entries.push_back({std::move(file), name != m_main.fileName()});
         return {};
     }
-    /// Whether a companion of this name would destroy nothing. @p existing are the names in the folder.
+    /// Whether a companion of this name replaces no file of the user. @p existing are the names in the
+    /// folder.
     bool isFree(const QString& name, const QStringList& existing) const;
     QStringList namesInFolder() const;
 

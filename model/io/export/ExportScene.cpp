@@ -21,25 +21,26 @@ namespace espalier {
 namespace {
 
 constexpr std::size_t kMostTiles = 8;
-/// rad; hues closer than this need no tile of their own.
+/// rad; hues that differ by less share a tile.
 constexpr float kTileHue = static_cast<float>(radians(1.0));
-/// Of 100: PNG packs fast rather than tightly.
+/// 0...100: PNG is packed fast rather than small.
 constexpr int kPngQuality = 80;
 
-/// One colour that leaves are painted in.
+/// One colour of the leaves.
 struct LeafTile {
     double hueShift = 0.0; ///< rad, mean of its leaves
     double value = 0.0;    ///< Factor of the brightness, mean of its leaves
     int leaves = 0;
 };
 
-/// Which tile each leaf takes: equal steps of hue, from the least to the greatest.
+/// The tile of each leaf: equal steps of hue, from the least to the greatest.
 struct LeafTiles {
     std::vector<LeafTile> tiles;
-    std::vector<std::uint8_t> tileOf; ///< A row a leaf that is shown
+    std::vector<std::uint8_t> tileOf; ///< One element for each visible leaf
 };
 
-/// How finely wood is meshed, m. The number of a branch's sides goes with the inverse root of it.
+/// The tolerance of the wood's mesh, m. The number of a branch's sides is proportional to the inverse root of
+/// it.
 double exportTolerance(const ExportOptions& options)
 {
     return WoodMeshOptions{}.tolerance / (options.detail * options.detail);
@@ -56,7 +57,7 @@ LeafTiles chooseTiles(std::span<const LeafInstance> leaves)
         }
     }
     const float spread = std::max(0.0F, greatest - least);
-    // A power of two, so that the row of tiles has a width that every renderer takes.
+    // A power of two, so that the width of the row of tiles is valid in every renderer.
     const auto count =
         std::bit_ceil(std::clamp(static_cast<std::size_t>(spread / kTileHue), std::size_t{1}, kMostTiles));
     LeafTiles result{std::vector<LeafTile>(count), {}};
@@ -91,9 +92,9 @@ QImage inARow(const std::vector<QImage>& images)
     return row;
 }
 
-/// Light that a leaf lets through to its other side is yellower and redder than what it reflects. Here it is
-/// drawn as such; the plain materials that travel know no such light, and would look dull and cold: so their
-/// colours have it in them. Red, green, blue, linear.
+/// Light that passes through a leaf is yellower and redder than the light that it reflects. The viewport
+/// draws that. Exported materials have no such light, and leaves would look dull and cold: so it is in their
+/// colours. Red, green, blue, linear.
 constexpr std::array kThrough{1.35, 1.0, 0.9};
 
 /// Multiplies colours by linear factors.
@@ -101,7 +102,7 @@ void multiply(QImage& image, const std::array<double, 3>& factors)
 {
     std::array<std::array<uchar, 256>, 3> tables;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        // A power is near enough to sRGB's transfer function to scale by.
+        // A power approximates sRGB's transfer function well enough for scaling.
         const double factor = std::pow(factors[channel], 1.0 / 2.2);
         for (std::size_t i = 0; i < 256; ++i)
             tables[channel][i] = static_cast<uchar>(std::min(255.0, static_cast<double>(i) * factor + 0.5));
@@ -132,7 +133,7 @@ QImage leafColours(LeafShape shape, double saturation, int size, const std::vect
     return inARow(images);
 }
 
-/// The image of the person's own in each tile's hue, as it is shown here.
+/// The user's image with the colour of each tile, as the viewport shows it.
 QImage ownColours(const QImage& image, double saturation, const std::vector<LeafTile>& tiles)
 {
     std::vector<QImage> images(tiles.size(), image);
@@ -156,7 +157,7 @@ QByteArray toPng(const QImage& image)
     return png;
 }
 
-/// A material without its images yet.
+/// A material without images.
 ExportMaterial namedMaterial(const QString& name, const QString& textures, bool isLeaf)
 {
     return {name,
@@ -167,7 +168,7 @@ ExportMaterial namedMaterial(const QString& name, const QString& textures, bool 
             isLeaf};
 }
 
-/// Whole mesh names end in the level of detail.
+/// A mesh's name, which ends in the level of detail.
 QString meshName(const QString& material, int level)
 {
     return QStringLiteral("%1_LOD%2").arg(material).arg(level);
@@ -196,7 +197,7 @@ double meanOf(const QImage& grey)
     return sum / (255.0 * grey.width() * grey.height());
 }
 
-/// Packs the images of a material, side by side.
+/// Packs the images of a material in parallel.
 void pack(ExportMaterial& material, const SurfaceTextures& textures)
 {
     const QImage mask = material.isLeaf ? maskOf(textures.colour) : QImage();
@@ -221,7 +222,7 @@ SurfaceTextures leafTiles(const LeafParameters& leaves, int size, const std::vec
             inARow(std::vector(tiles.size(), one.normal)), inARow(std::vector(tiles.size(), one.roughness))};
 }
 
-/// Lets each leaf's texture coordinates lie in its tile.
+/// Moves each leaf's texture coordinates into its tile.
 void moveIntoTiles(TriangleMesh& mesh, const LeafTiles& tiles, std::size_t verticesPerLeaf)
 {
     const float width = 1.0F / static_cast<float>(tiles.tiles.size());
@@ -246,7 +247,7 @@ void addBark(ExportScene& scene, const Tree& tree, const TreeIndex& index, const
     scene.materials.push_back(std::move(material));
 }
 
-/// Adds nothing if the tree shows no leaves.
+/// Adds the leaves; nothing if the tree shows none.
 void addLeaves(ExportScene& scene, const Tree& tree, const TreeIndex& index, const ExportOptions& options)
 {
     const MeshBuffer<LeafInstance> leaves = placeLeaves(tree, index);

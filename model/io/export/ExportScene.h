@@ -11,7 +11,7 @@
 
 namespace espalier {
 
-/// What of a tree is exported, and how finely.
+/// Which parts of a tree are exported, and how finely.
 struct ExportOptions {
     bool leaves = true;  ///< If the tree has any
     double detail = 1.0; ///< 0.1...2: multiplies the sides of a branch; at 1 the wood is off by 1 mm at most
@@ -23,7 +23,7 @@ struct ExportOptions {
 
 /// An image, packed as PNG.
 struct ExportTexture {
-    QString name; ///< "bark", "bark_normal", "bark_roughness": to follow the tree's in a file name
+    QString name; ///< "bark", "bark_normal", "bark_roughness": follows the tree's name in a file name
     QByteArray png;
 };
 
@@ -33,9 +33,9 @@ struct ExportMaterial {
     ExportTexture normal;
     ExportTexture roughness; ///< Grey: 0 a mirror, 255 chalk
     /// Leaves only: the colour's alpha in all four channels, for formats that name a mask beside the colour.
-    /// Readers differ in the channel that they take.
+    /// Readers differ in which channel they use.
     ExportTexture mask;
-    bool isLeaf = false; ///< Cut out by the colour's alpha, seen from both sides
+    bool isLeaf = false; ///< The colour's alpha cuts the surface out, and it is seen from both sides
     /// Mean of the roughness texture, 0...1, for materials whose roughness is one number.
     double meanRoughness = 1.0;
 };
@@ -61,14 +61,15 @@ struct ExportParts {
     bool skeleton = false;
 };
 
-/// A tree as every format gets it: meshes <Tree>_Bark_LOD0 and <Tree>_Leaves_LOD0, materials <Tree>_Bark and
-/// <Tree>_Leaves. Game engines recognise levels of detail by names that end in _LOD and the level's number.
+/// A tree in the form that every format gets: meshes <Tree>_Bark_LOD0 and <Tree>_Leaves_LOD0, materials
+/// <Tree>_Bark and <Tree>_Leaves. Game engines recognise levels of detail by names that end in _LOD and the
+/// level's number.
 ///
-/// Bark's v stays near 0, so that half floats keep it (see withSmallV()).
+/// The bark's texture coordinate v stays near 0, so that half floats keep it (see withSmallV()).
 ///
-/// A leaf's own hue is in the texture: that of the leaves is a row of one, two, four or eight tiles of
-/// different hues, and a leaf's coordinates lie in the tile that is nearest to its own. Vertex colours would
-/// be dropped or ignored by half of the programs that read the files.
+/// The hue of each leaf is in the texture: the leaves' texture is a row of one, two, four or eight tiles of
+/// different hues, and a leaf's coordinates lie in the tile with the nearest hue. Half of the programs that
+/// read the files drop or ignore vertex colours.
 struct ExportScene {
     QString name;
     std::vector<ExportMesh> meshes;
@@ -76,7 +77,8 @@ struct ExportScene {
     std::vector<ExportBone> skeleton; ///< By ascending id
 };
 
-/// @p name as it may stand in any file: letters, digits, "-" and "_"; "Tree" if nothing is left.
+/// @p name reduced to the characters that are valid in any file: letters, digits, "-" and "_"; "Tree" if
+/// nothing is left.
 QString safeExportName(const QString& name);
 
 ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QString& name,

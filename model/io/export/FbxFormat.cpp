@@ -25,7 +25,7 @@ aiString toAssimp(const QString& text)
     return aiString(text.toStdString());
 }
 
-/// An array as Assimp's structures own them.
+/// An array in the form that Assimp's structures own.
 template <class T>
 T** makeArray(std::size_t count)
 {
@@ -61,12 +61,12 @@ aiMesh* convert(const ExportMesh& source)
     return mesh.release();
 }
 
-/// Shininess that Blender's importer turns into the roughness, 0...1; other programs take it as the exponent
-/// of a Phong highlight, which is dull then.
+/// Shininess that Blender's importer turns into the roughness, 0...1; other programs use it as the exponent
+/// of a Phong highlight, which then looks dull.
 float phongShininess(double roughness)
 {
     const double smoothness = 10.0 * (1.0 - roughness);
-    // Assimp would make a Lambert material of one without any shininess.
+    // Without any shininess Assimp would make a Lambert material.
     return static_cast<float>(std::max(1e-4, smoothness * smoothness));
 }
 
@@ -87,12 +87,13 @@ aiMaterial* convert(const ExportMaterial& source, const ExportFiles& files)
     addTexture(source.colour, aiTextureType_DIFFUSE);
     addTexture(source.normal, aiTextureType_NORMALS);
     addTexture(source.normal, aiTextureType_HEIGHT);
-    // FBX's Phong knows no roughness. Blender writes and reads the texture in this slot, unchanged.
+    // FBX's Phong material has no roughness. Blender writes and reads the roughness texture in this slot,
+    // unchanged.
     addTexture(source.roughness, aiTextureType_SHININESS);
     if (source.isLeaf)
         addTexture(source.mask, aiTextureType_OPACITY);
-    // No metal, and the gloss of a plain dielectric: the factor 0.25 is what Blender reads as its (and
-    // glTF's) standard of 0.5; its product with the colour is the reflectance of 4 % that others take.
+    // No metal, and the gloss of a plain dielectric: Blender reads the factor 0.25 as its (and glTF's)
+    // standard of 0.5; its product with the colour is the reflectance of 4 % that other programs use.
     add(aiColor3D(0.0F, 0.0F, 0.0F), AI_MATKEY_COLOR_REFLECTIVE);
     add(0.0F, AI_MATKEY_REFLECTIVITY);
     add(aiColor3D(0.16F, 0.16F, 0.16F), AI_MATKEY_COLOR_SPECULAR);
@@ -101,7 +102,7 @@ aiMaterial* convert(const ExportMaterial& source, const ExportFiles& files)
     return material.release();
 }
 
-/// The meshes, one a node under a node of the tree's name.
+/// The meshes, each in a node below one node with the tree's name.
 std::unique_ptr<aiScene> convertMeshes(const ExportScene& source)
 {
     auto scene = std::make_unique<aiScene>();
@@ -137,7 +138,7 @@ Result<void> FbxFormat::write(const ExportScene& scene, ExportFiles& files) cons
     const std::unique_ptr<aiScene> converted = convertMeshes(scene);
     for (const ExportMaterial& material : scene.materials)
         converted->mMaterials[converted->mNumMaterials++] = convert(material, files);
-    // FBX counts in centimetres unless the scale says that a unit is a hundred of them.
+    // FBX's unit is the centimetre unless the scale says that a unit is a hundred of them.
     converted->mMetaData = aiMetadata::Alloc(1);
     converted->mMetaData->Set(0, "UnitScaleFactor", 100.0);
     Assimp::Exporter exporter;

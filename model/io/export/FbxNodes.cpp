@@ -14,9 +14,9 @@ constexpr char kMagic[] = "Kaydara FBX Binary  "; // and its final zero
 constexpr qsizetype kVersionOffset = 23;
 constexpr qsizetype kHeader = 27;
 constexpr std::uint32_t kWideVersion = 7500;
-/// Files of this kind are five deep.
+/// FBX files have five levels of nodes.
 constexpr int kDeepest = 64;
-/// What ends a file: an identification, zeros up to a multiple of 16 (at least one), then this many bytes
+/// The end of a file: an identification, zeros up to a multiple of 16 (at least one), then this many bytes
 /// with the version.
 constexpr qsizetype kFooterId = 16;
 constexpr qsizetype kFooterEnd = 144;
@@ -32,7 +32,7 @@ qsizetype bytesOfNull(bool wide)
     return 3 * bytesOfField(wide) + 1;
 }
 
-/// Bytes of the first property in @p bytes; 0 if it is not sound.
+/// Bytes of the first property in @p bytes; 0 if it is not valid.
 qsizetype propertySize(QByteArrayView bytes)
 {
     if (bytes.isEmpty())
@@ -84,8 +84,8 @@ class Reader {
 public:
     Reader(QByteArrayView content, bool wide) : m_in(content), m_wide(wide) {}
 
-    /// Reads the nodes from @p place on until a record of zeros, or until @p limit where @p mayEnd; false if
-    /// they are not sound. @p place is then behind them.
+    /// Reads the nodes from @p place on until a record of zeros, or until @p limit if @p mayEnd; false if
+    /// they are not valid. @p place is then behind them.
     bool readList(qsizetype& place, qsizetype limit, bool mayEnd, std::vector<FbxNode>& nodes,
                   int depth) const;
 
@@ -102,7 +102,7 @@ qsizetype Reader::number(qsizetype offset) const
 {
     if (!m_wide)
         return qFromLittleEndian<std::uint32_t>(m_in.data() + offset);
-    // A number too large for an offset must not become a negative one.
+    // A number that is too large for an offset must not become negative.
     return static_cast<qsizetype>(std::min<std::uint64_t>(
         qFromLittleEndian<std::uint64_t>(m_in.data() + offset), std::numeric_limits<qsizetype>::max()));
 }

@@ -12,11 +12,11 @@ namespace espalier {
 /// A node of a binary FBX file: a name, properties, nested nodes.
 struct FbxNode {
     QByteArray name;
-    /// Each as it is in the file: a letter for the type, and the value.
+    /// Each property as it is in the file: a letter for the type, and the value.
     std::vector<QByteArray> properties;
     std::vector<FbxNode> children;
-    bool hasList = false; ///< Whether a list of nested nodes follows, be it empty
-    /// Properties that could not be taken apart, as they are in the file; then `properties` is empty.
+    bool hasList = false; ///< Whether a list of nested nodes follows, which can be empty
+    /// Bytes of properties that could not be parsed, as they are in the file; then `properties` is empty.
     QByteArray opaque;
     qsizetype opaqueCount = 0;
 
@@ -36,11 +36,11 @@ struct FbxDocument {
 std::optional<QByteArray> fbxText(const QByteArray& property);
 QByteArray fbxString(const QByteArray& text);
 
-/// Reads a file whether or not its lists of nodes end in the record of zeros that the format demands; nothing
-/// if the content is no sound tree of nodes.
+/// Reads a file whether or not its lists of nodes end in the record of zeros that the format demands. Returns
+/// nothing if the content is not a valid tree of nodes.
 std::optional<FbxDocument> readFbx(QByteArrayView content);
-/// Writes a file with those records and the right offsets; nothing if it gets larger than its offsets can
-/// count.
+/// Writes a file with those records and the right offsets. Returns nothing if the file is too large for its
+/// offsets.
 std::optional<QByteArray> writeFbx(const FbxDocument& document);
 
 } // namespace espalier

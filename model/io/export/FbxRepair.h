@@ -11,13 +11,13 @@ namespace espalier {
 /// Corrects a binary FBX file as Assimp up to 5.2 writes it; this is the only place that does so:
 ///
 /// - The lists of nested nodes lack the record of zeros that ends them (25 bytes from version 7500 on, 13
-///   before), without which Blender and others cannot read the file.
-/// - Textures, images and geometries have no names. Textures and images get those of their files without the
-///   ending, geometries those of the models that show them.
+///   before), without which Blender and other programs cannot read the file.
+/// - Textures, images and geometries have no names. Textures and images get the names of their files without
+///   the ending, geometries the names of the models that show them.
 /// - The strength of the specular highlight is called ShininessFactor, which no reader knows; it becomes
 ///   SpecularFactor.
 ///
-/// What is right already stays the same. Fails if the content is no sound tree of nodes.
+/// What is right already stays the same. Fails if the content is not a valid tree of nodes.
 Result<QByteArray> repairFbx(QByteArrayView content);
 
 } // namespace espalier

@@ -11,7 +11,7 @@ namespace espalier {
 namespace {
 
 constexpr char kPngSignature[] = "\x89PNG\r\n\x1a\n";
-/// Of a PNG: the signature, and the header's chunk with its length, type and checksum.
+/// Start of a PNG: the signature, and the header's chunk with its length, type and checksum.
 constexpr qsizetype kPngHeader = 8 + 12 + 13;
 
 QByteArray bigEndian(std::uint32_t number)
@@ -31,7 +31,7 @@ qsizetype placeOfMark(const QByteArray& content)
     return isPng(content) ? kPngHeader : 0;
 }
 
-/// Its size depends only on whether the content is a PNG.
+/// The mark's size depends only on whether the content is a PNG.
 QByteArray markOf(const QByteArray& content, const QString& owner)
 {
     QCryptographicHash hash(QCryptographicHash::Sha256);

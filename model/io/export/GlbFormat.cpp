@@ -26,10 +26,10 @@ constexpr int kVertexBuffer = 34962;
 constexpr int kIndexBuffer = 34963;
 constexpr qsizetype kAlignment = 4;
 
-/// glTF stores numbers in little-endian order, as does every machine that this program runs on.
+/// glTF stores numbers in little-endian order; this program only runs on little-endian machines.
 static_assert(Q_BYTE_ORDER == Q_LITTLE_ENDIAN);
 
-/// The roughness as glTF reads it, from green; the metalness, which is zero, from blue.
+/// Packs the roughness as glTF reads it, from green, and the metalness, which is zero, from blue.
 QByteArray metallicRoughness(const QByteArray& png)
 {
     QImage image = QImage::fromData(png, "png").convertToFormat(QImage::Format_RGB888);
@@ -64,7 +64,7 @@ class GlbBuilder {
 public:
     explicit GlbBuilder(const ExportScene& scene);
 
-    /// Bytes of the whole file; more than a header can count if the scene is too large.
+    /// Bytes of the whole file, which can exceed the limit of the header.
     qsizetype size() const { return kHeader + m_json.size() + kChunkHeader + m_binary.size(); }
     bool write(QIODevice& device) const;
 
@@ -118,7 +118,7 @@ int GlbBuilder::addMesh(const ExportMesh& mesh)
     const auto vertexBytes = static_cast<qsizetype>(vertices.size() * sizeof(MeshVertex));
     const auto indexBytes = static_cast<qsizetype>(indices.size() * sizeof(VertexIndex));
 
-    // Vertices are interleaved, as they are here.
+    // Vertices are interleaved, as in MeshVertex.
     QJsonObject view = addView(vertexBytes);
     view[QLatin1String("byteStride")] = static_cast<int>(sizeof(MeshVertex));
     view[QLatin1String("target")] = kVertexBuffer;
@@ -128,7 +128,7 @@ int GlbBuilder::addMesh(const ExportMesh& mesh)
     Box3 box;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         box.extend(toVec3(vertices[i].position));
-        // glTF counts v downward. The tangent stays as it is: its handedness is that of the image.
+        // In glTF v points downward. The tangent does not change: its handedness is that of the image.
         const float v = 1.0F - vertices[i].uv[1];
         std::memcpy(m_binary.data() + begin + i * sizeof(MeshVertex) + offsetof(MeshVertex, uv) +
                         sizeof(float),

@@ -5,8 +5,8 @@
 
 namespace espalier {
 
-/// Binary glTF 2.0 with the textures inside and no extension. Written here, since Assimp leaves out tangents
-/// and declares extensions that it does not use.
+/// Binary glTF 2.0 with the textures inside and no extension. This class writes the file without Assimp,
+/// which leaves out tangents and declares extensions that it does not use.
 class GlbFormat final : public ExportFormat {
 public:
     QString suffix() const override { return QStringLiteral("glb"); }

@@ -16,7 +16,7 @@ bool writeObj(QIODevice& device, const ExportScene& scene, const QString& materi
         return device.write(line + '\n') == line.size() + 1;
     };
     bool good = writeLine("mtllib " + materialFileName.toUtf8());
-    std::uint64_t first = 1; // OBJ counts from 1, through all objects
+    std::uint64_t first = 1; // OBJ counts vertices from 1, through all objects
     for (const ExportMesh& mesh : scene.meshes) {
         const auto& vertices = mesh.mesh.vertices;
         const auto& indices = mesh.mesh.indices;
@@ -46,8 +46,8 @@ bool writeObj(QIODevice& device, const ExportScene& scene, const QString& materi
     return good;
 }
 
-/// Exponent of the Phong highlight that shows a roughness of 0...1: Blender's conversion, whose inverse its
-/// importer applies. Programs that know the extension for physically based materials take Pr and map_Pr
+/// Exponent of the Phong highlight for a roughness of 0...1: the formula of Blender's exporter, whose inverse
+/// its importer applies. Programs that support the extension for physically based materials use Pr and map_Pr
 /// instead.
 double phongExponent(double roughness)
 {
@@ -68,13 +68,14 @@ QByteArray toMtl(const ExportScene& scene, const ExportFiles& files)
         line("newmtl", material.name.toUtf8());
         line("Ka", "0 0 0");
         line("Kd", "1 1 1");
-        // As Blender writes and reads a surface that is no metal. "illum 1" says that there is no highlight:
-        // programs without roughness would show a far too sharp one.
+        // The values that Blender writes and reads for a surface that is not metal. "illum 1" says that there
+        // is no highlight: programs without roughness would show one that is far too sharp.
         line("Ks", "0.5 0.5 0.5");
         line("Ns", QByteArray::number(phongExponent(material.meanRoughness), 'f', 3));
         line("illum", "1");
         map("map_Kd", material.colour);
-        // Blender and many others read a normal map from map_Bump, readers of the extension from norm.
+        // Blender and many other programs read a normal map from map_Bump, readers of the extension from
+        // norm.
         map("map_Bump", material.normal);
         map("norm", material.normal);
         line("Pm", "0");

@@ -5,8 +5,9 @@
 
 namespace espalier {
 
-/// Wavefront OBJ, one object for each mesh, with materials (.mtl) and textures beside it. Written here
-/// instead of by Assimp, which takes some seven seconds for a million vertices, more than ten times as long.
+/// Wavefront OBJ, one object for each mesh, with materials (.mtl) and textures beside it. This class writes
+/// the file without Assimp, which takes some seven seconds for a million vertices, more than ten times as
+/// long.
 class ObjFormat final : public ExportFormat {
 public:
     QString suffix() const override { return QStringLiteral("obj"); }

@@ -6,10 +6,10 @@
 
 namespace espalier {
 
-/// What follows the stem in the file name of a texture: "_bark_normal.png".
+/// The part of a texture's file name that follows the stem: "_bark_normal.png".
 QString textureEnding(const ExportTexture& texture);
 
-/// Endings of all textures of a scene, for formats that keep them in files of their own.
+/// Endings of all textures of a scene, for formats that keep textures in separate files.
 QStringList textureEndings(const ExportScene& scene);
 
 /// Adds all textures of a scene; the names must have been chosen.

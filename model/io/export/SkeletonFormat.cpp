@@ -11,7 +11,7 @@ namespace {
 
 void append(TextBlock& block, const Vec3& point)
 {
-    // Zero minus z, where minus z would make "-0" of 0.
+    // 0 − z, because −z would be written as "-0" for 0.
     block << ',' << point.x() << ',' << 0.0F - point.z() << ',' << point.y();
 }
 

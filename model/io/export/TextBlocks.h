@@ -31,7 +31,7 @@ public:
         m_text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr - digits);
         return *this;
     }
-    /// As few digits as lead back to the same number.
+    /// Appends the number with as few digits as lead back to the same value.
     TextBlock& operator<<(float number)
     {
         char digits[24];
@@ -46,7 +46,7 @@ private:
 };
 
 /// Calls @p write(block, i) for i from 0 to @p count - 1 and sends the text to @p device, in that order;
-/// blocks are written in parallel. Whether the device took it all.
+/// blocks are written in parallel. Returns whether the device accepted all of it.
 template <class Write>
 bool writeBlocks(QIODevice& device, std::size_t count, Write&& write)
 {

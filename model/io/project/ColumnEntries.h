@@ -25,7 +25,7 @@ void addEntry(ZipWriter& archive, const QByteArray& name, const QList<T>& column
                                  column.size() * static_cast<qsizetype>(sizeof(T))));
 }
 
-/// Values that may be missing: the flags in an entry of their own.
+/// Values that can be missing: their flags are in a separate entry.
 template <class T>
 void addEntry(ZipWriter& archive, const QByteArray& name, const QList<std::optional<T>>& column)
 {

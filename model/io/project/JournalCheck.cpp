@@ -36,13 +36,14 @@ QString changeOf(QLatin1StringView column, ChangeFault fault)
     return JournalText::tr("it changes “%1” in a way that is not possible").arg(column);
 }
 
-/// A tree on its way back through its history. Before each delta is reverted, everything that reverting and
-/// applying it again relies on is looked at.
+/// A tree that is taken back through its history. Before each delta is reverted, all conditions of reverting
+/// it and of applying it again are checked.
 class Rewind {
 public:
     explicit Rewind(const Tree& tree);
 
-    /// What is wrong with @p delta as the last one of the tree; empty for nothing, and then it is reverted.
+    /// Checks @p delta as the last one of the tree. Returns what is wrong, or reverts it and returns an empty
+    /// text.
     QString revert(const TreeDelta& delta);
     const Tree& tree() const { return m_tree; }
 
@@ -60,9 +61,10 @@ private:
     void countContinuation(InternodeId id, int by);
 
     Tree m_tree;
-    std::vector<std::uint32_t> m_rounds; ///< By row: when it was looked at last
+    std::vector<std::uint32_t> m_rounds; ///< By row: number of the round in which it was last checked
     std::uint32_t m_round = 0;
-    std::vector<std::int32_t> m_continuations; ///< Living children that continue the axis; two are too many
+    /// Living children that continue the axis; more than one is an error.
+    std::vector<std::int32_t> m_continuations;
 };
 
 Rewind::Rewind(const Tree& tree)
@@ -220,7 +222,7 @@ QString Rewind::lassoFault(const TreeDelta& delta)
     return {};
 }
 
-/// What refers to rows or values that have just gone.
+/// Returns a fault if a row or a value refers to rows or values that have just been removed.
 QString Rewind::danglingFault() const
 {
     const TreeContent& content = m_tree.content();
@@ -243,7 +245,7 @@ Result<void> checkJournal(const Tree& tree, const Journal& journal)
         if (const QString fault = rewind.revert(*journal[i]); !fault.isEmpty())
             return inputError(JournalText::tr("step %1 of the history").arg(i + 1), fault);
     }
-    // What was there at the beginning must be a tree by itself.
+    // The rest, from before the first delta, must be a valid tree.
     if (const QString fault = treeFault(rewind.tree().content()); !fault.isEmpty())
         return inputError(JournalText::tr("the beginning of the history"), fault);
     return {};

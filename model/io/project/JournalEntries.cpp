@@ -16,7 +16,7 @@ Error doesNotAddUp()
     return inputError(ProjectText::tr("the history"), ProjectText::tr("its parts do not add up"));
 }
 
-/// What a kind of change has in all deltas: how many changes each delta makes, and where reading them stands.
+/// The changes of one kind in all deltas: how many changes each delta makes, and how many have been read.
 struct Counts {
     QList<std::uint32_t> count;
     std::uint32_t sum = 0;
@@ -27,7 +27,7 @@ struct Counts {
         count.append(static_cast<std::uint32_t>(changes));
         sum += count.back();
     }
-    /// Whether the journal has any.
+    /// Reads the counts. Returns whether the journal has changes of this kind.
     Result<bool> read(const ZipReader& archive, const QByteArray& name, std::uint32_t deltas)
     {
         const QByteArray entry = name + ".count";
@@ -85,7 +85,7 @@ struct ChangeColumns {
             read = readEntry(archive, name + ".after", counts.sum, after);
         return read;
     }
-    /// The changes of delta @p i; to be called for each in turn.
+    /// Moves the changes of delta @p i into @p changes; call it for each delta in turn.
     void take(std::size_t i, CellChanges<T>& changes)
     {
         const std::uint32_t count = counts.sum == 0 ? 0 : counts.count[static_cast<qsizetype>(i)];
@@ -131,8 +131,8 @@ struct JournalColumns {
     QList<std::uint32_t> lassoIndex;
     QList<std::uint8_t> lassoInForce;
 
-    /// Calls @p visit(name, column) for each column of numbers that every delta has; one of zeros may be
-    /// missing.
+    /// Calls @p visit(name, column) for each column of numbers that every delta has; a column of zeros may be
+    /// missing in the file.
     template <class Self, class Visit>
     static void visitNumbers(Self& self, const Visit& visit)
     {
@@ -212,8 +212,7 @@ struct JournalColumns {
     }
 };
 
-/// Puts the first ids of births in: the births of all deltas are the last rows of the tables, in the same
-/// order.
+/// Sets the first ids of births: the births of all deltas are the last rows of the tables, in the same order.
 bool numberBirths(Journal& journal, const TreeContent& content)
 {
     std::uint32_t internodes = content.internodes.size();

@@ -14,8 +14,8 @@ namespace espalier {
 /// delta's births follow those of the one before.
 void addJournal(ZipWriter& archive, const Journal& journal);
 
-/// Reads @p deltas deltas that stand applied in a tree with the sizes of @p content. Checks that counts add
-/// up, not values: see checkJournal().
+/// Reads @p deltas deltas that are applied in a tree with the sizes of @p content. Checks that counts add up;
+/// checkJournal() checks the values.
 Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content);
 
 } // namespace espalier

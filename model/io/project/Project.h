@@ -11,13 +11,13 @@ namespace espalier {
 /// What a project file holds.
 struct Project {
     Tree tree{};
-    Journal journal; ///< Its deltas stand applied
+    Journal journal; ///< Its deltas are all applied to the tree
     QString name;
     QImage thumbnail; ///< May be null
-    /// So many of the last deltas lie ahead of the moment that was shown.
+    /// Number of the last deltas that lie ahead of the moment that was shown.
     std::uint32_t ahead = 0;
-    /// One sentence for a person about what of the file could not be taken over, such as an image that is
-    /// missing in it; not part of a file.
+    /// One sentence for the user about what could not be read, such as an image that is missing in the file;
+    /// not part of a file.
     QString warning{};
 };
 

@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// What project.json says in every version of the format.
+/// The content of project.json, for every version of the format.
 struct ProjectDescription {
     int version = 0;
     QString name;
@@ -24,9 +24,10 @@ struct ProjectDescription {
 /// project.json of a tree with a journal of @p deltas deltas, the last @p ahead of which lie ahead.
 QByteArray describe(const QString& name, const Tree& tree, std::size_t deltas, std::uint32_t ahead);
 
-/// The version of the format; fails for what is no project, and for a version that a later program wrote.
+/// Reads the version of the format. Fails if the file is not a project, and for a version that a later
+/// program wrote.
 Result<int> readVersion(JsonReader& reader);
-/// Reads what all versions have. Faults stay with the reader.
+/// Reads the members that all versions have. The reader keeps faults.
 void readCommon(JsonReader& reader, ProjectDescription& description);
 /// Reads project.json of the current version.
 Result<ProjectDescription> readDescription(JsonReader& reader);

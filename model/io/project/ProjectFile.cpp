@@ -36,7 +36,7 @@ Error farAway(InternodeId id)
                       ProjectText::tr("it lies further than %1 m away").arg(kFarthestNode));
 }
 
-/// Whether every node lies where coordinates still mean something.
+/// Fails if a node lies beyond the limits of coordinates.
 Result<void> checkPositions(const Tree& tree)
 {
     const TreeIndex index(tree);
@@ -47,7 +47,7 @@ Result<void> checkPositions(const Tree& tree)
     return {};
 }
 
-/// What a reader refuses and a writer does not write.
+/// The check that both reader and writer apply.
 Result<void> checkProject(const Tree& tree, const Journal& journal)
 {
     if (const Result<void> positions = checkPositions(tree); !positions)

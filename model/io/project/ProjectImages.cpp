@@ -15,7 +15,7 @@ QByteArray assetEntry(const QString& hash, const QString& suffix)
     return QByteArray("assets/") + hash.toLatin1() + '.' + suffix.toLatin1();
 }
 
-/// The image of that hash, if the archive has it whole.
+/// The image of that hash, if the archive has it and it is valid.
 std::optional<ImageAsset> readAsset(const ZipReader& archive, const QString& hash, const QString& name)
 {
     for (const char* suffix : {"png", "jpg"}) {

@@ -13,12 +13,12 @@ namespace espalier {
 /// .jpg, each once.
 class ProjectImages {
 public:
-    /// @p names: of the images' files, by hash. @p archive must outlive this.
+    /// @p names: the images' file names, by hash. @p archive must outlive this.
     ProjectImages(const ZipReader& archive, QJsonObject names) : m_archive(archive), m_names(std::move(names))
     {
     }
 
-    /// The image of that hash; one without pixels if the archive has none, or none that can be read.
+    /// The image of that hash; an image without pixels if the archive has none, or none that can be read.
     ImageAsset find(const QString& hash);
     /// The name of an image that could not be read; empty if there was none.
     const QString& lost() const { return m_lost; }

@@ -7,18 +7,18 @@
 
 namespace espalier {
 
-/// What a project file may hold at most.
+/// Limits of the content of a project file.
 namespace projectLimits {
 inline constexpr int kVersion = 2;
 inline constexpr std::uint32_t kInternodes = 20'000'000;
-inline constexpr std::uint32_t kLeaves = 20'000'000; ///< Placed ones
+inline constexpr std::uint32_t kLeaves = 20'000'000; ///< Placed leaves
 inline constexpr std::uint32_t kDeltas = 4'000'000;
-inline constexpr std::uint32_t kChanges = 100'000'000; ///< Of one column, in all deltas together
+inline constexpr std::uint32_t kChanges = 100'000'000; ///< Changes of one column, in all deltas together
 inline constexpr std::uint32_t kLassos = 100'000;
 inline constexpr std::uint32_t kLassoPoints = 10'000'000;       ///< In all
 inline constexpr qsizetype kRecordBytes = qsizetype{512} << 20; ///< Of what made the edits, in all
 inline constexpr std::uint32_t kImages = 4096;
-inline constexpr qsizetype kImageBytes = qsizetype{512} << 20; ///< In all
+inline constexpr qsizetype kImageBytes = qsizetype{512} << 20; ///< Size of all images together
 } // namespace projectLimits
 
 } // namespace espalier

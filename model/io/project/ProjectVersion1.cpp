@@ -134,10 +134,11 @@ struct OldJournal {
     }
 };
 
-/// The rows that stay, and the ids that they get.
+/// The rows that are kept, and their new ids.
 class Renumbering {
 public:
-    /// Rows that are there, or were born in the journal, stay. Nothing if births are out of order.
+    /// Rows that are present, or were born in the journal, are kept. Returns nothing if births are out of
+    /// order.
     static std::optional<Renumbering> of(const OldInternodes& old, const OldJournal& journal)
     {
         Renumbering result;
@@ -146,7 +147,7 @@ public:
         std::vector<std::uint8_t> stays(size);
         for (InternodeId id = 0; id < size; ++id)
             stays[id] = old.present[id] == 1 ? 1 : 0;
-        std::uint64_t end = 1; // the seedling was never born
+        std::uint64_t end = 1; // the seedling has no birth
         for (qsizetype i = 0; i < journal.bornFirst.size(); ++i) {
             const std::uint64_t first = journal.bornFirst[i];
             const std::uint64_t count = journal.bornCount[i];
@@ -165,7 +166,7 @@ public:
         return result;
     }
 
-    /// kNoInternode for a row that goes, or that is none.
+    /// The new id; kNoInternode for a row that is removed or does not exist.
     InternodeId operator()(InternodeId old) const { return old < m_ids.size() ? m_ids[old] : kNoInternode; }
 
 private:
@@ -179,7 +180,7 @@ InternodeColumns renumbered(const OldInternodes& old, const Renumbering& idOf, s
     for (InternodeId id = 0; id < static_cast<std::uint32_t>(old.parent.size()); ++id) {
         if (idOf(id) == kNoInternode)
             continue;
-        // A parent that is none, or has gone, stays one that the check of the tree refuses.
+        // A parent that does not exist, or was removed, gets an id that the check of the tree refuses.
         const InternodeId parent = idOf(old.parent[id]);
         c.append({.parent = parent == kNoInternode && old.parent[id] != kNoInternode ? c.size() : parent,
                   .rotation = old.rotation[id],

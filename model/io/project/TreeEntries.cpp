@@ -40,9 +40,9 @@ Result<void> readTable(const ZipReader& archive, const char* folder, std::uint32
     return read;
 }
 
-/// Keys as files have them: against what follows from the parent's key, the slot and the step of birth.
-/// Nearly all differences are zero, so the column takes no room. @p known gives the key of a row before @p
-/// id.
+/// Keys in the form that files have: the difference from the key that follows from the parent's key, the slot
+/// and the step of birth. Nearly all differences are zero, so the packed column is small. @p known returns
+/// the key of a row before @p id.
 template <class KnownKey>
 InternodeKey expectedKey(const TreeContent& content, InternodeId id, const KnownKey& known)
 {

@@ -9,12 +9,12 @@ namespace espalier {
 
 /// Adds the tables of a tree to a project's archive, by the lists of columns in TreeTables.h:
 /// internodes/<column>, leaves/<column>, sparse/<column>.id and sparse/<column>.value. A column of which
-/// every row has the fallback is left out. The column of keys has each key against what follows from the
-/// parent's (Random.h), which is zero as a rule.
+/// every row has the fallback is left out. The column of keys holds the difference between each key and the
+/// key that follows from the parent's (Random.h), which is usually zero.
 void addTree(ZipWriter& archive, const TreeContent& content);
 
-/// Reads them into @p content; a column that the archive lacks is filled with its fallback. Checks sizes, not
-/// values.
+/// Reads the tables into @p content; a column that the archive lacks is filled with its fallback. Checks
+/// sizes, not values.
 Result<void> readTree(const ZipReader& archive, std::uint32_t internodes, std::uint32_t leaves,
                       TreeContent& content);
 

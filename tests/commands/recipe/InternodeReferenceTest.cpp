@@ -11,7 +11,7 @@
 
 namespace espalier::test {
 
-/// How a recipe names an internode so that it is found again.
+/// How a recipe names an internode, and how it is found again.
 class InternodeReferenceTest : public QObject {
     Q_OBJECT
 
@@ -121,8 +121,8 @@ void InternodeReferenceTest::editedPast_isStillFound_data()
         QTest::newRow(sample) << QString::fromLatin1(sample);
 }
 
-/// The first stroke of a sample is shifted by 2 cm; references to branches all over the tree are looked for
-/// in what grows then. A branch is found if the internode lies where it lay, within a few internodes.
+/// Shifts the first stroke of a sample by 2 cm, and looks for references to branches all over the tree in the
+/// changed tree. A branch is found if the internode lies at the same place, within a few internodes.
 void InternodeReferenceTest::editedPast_isStillFound()
 {
     QFETCH(const QString, sample);

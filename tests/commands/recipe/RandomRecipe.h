@@ -7,7 +7,7 @@
 
 namespace espalier::test {
 
-/// Any recipe that parseRecipe may give.
+/// A random recipe among all that parseRecipe can return.
 inline Recipe randomRecipe(std::uint64_t seed)
 {
     Random random(seed, 0, 0, Purpose::Direction);

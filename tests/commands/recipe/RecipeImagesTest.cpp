@@ -131,7 +131,7 @@ void RecipeImagesTest::wrongImages_areRefused()
     const Result<Recipe> result = RecipeFolder().read(body);
     QVERIFY(!result);
     QVERIFY2(result.error().message.startsWith(message), qPrintable(result.error().message));
-    // What is no file has no folder to look in.
+    // Without a file there is no folder for the images.
     QVERIFY(!parseRecipe(recipeOf(body)));
 }
 

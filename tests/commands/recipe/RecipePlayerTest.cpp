@@ -33,7 +33,7 @@ private Q_SLOTS:
 
 namespace {
 
-/// A recipe with something of everything, its strokes as sparse as a slow device sends them.
+/// A recipe with an operation of each kind, its strokes as sparse as a slow device sends them.
 Recipe recipe(std::uint64_t seed)
 {
     Random random(seed, 0, 0, Purpose::ShootLength);
@@ -89,7 +89,7 @@ void RecipePlayerTest::sameRecipe_givesTheSameTree()
         TreeDocument first;
         play(first, recipe(seed));
         TreeDocument second;
-        growAtRandom(second, 99); // whatever stood there before
+        growAtRandom(second, 99); // another tree is replaced
         play(second, recipe(seed));
         QVERIFY(second.tree() == first.tree());
         QCOMPARE(indexFault(first), QString());
@@ -102,7 +102,7 @@ void RecipePlayerTest::threads_doNotChangeTheTree()
 {
     for (std::uint64_t seed = 10; seed < 14; ++seed) {
         Recipe many = recipe(seed);
-        // Markers enough that the work is shared.
+        // So many markers that threads share the work.
         for (RecipeOperation& operation : many.operations) {
             if (const auto* set = operation.as<SetParametersOperation>()) {
                 SetParametersOperation changed = *set;

@@ -123,7 +123,7 @@ void RecipeSchemaTest::schemaAndLimits_agree()
     QCOMPARE(
         defs[QLatin1String("internode")][QLatin1String("oneOf")][0][QLatin1String("maximum")].toInteger(),
         InternodeReference::kGreatestNumber);
-    // The members that the schema names are those that the parser takes: each alone is no surplus to it.
+    // The parser accepts each member that the schema names.
     for (const QString& member : root[QLatin1String("properties")].toObject().keys()) {
         const QJsonObject json{{QStringLiteral("espalier-recipe"), 1}, {member, 1}};
         const Result<Recipe> result = parseRecipe(QJsonDocument(json).toJson());

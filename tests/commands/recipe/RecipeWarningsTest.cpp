@@ -8,7 +8,8 @@
 
 namespace espalier::test {
 
-/// Operations that find nothing to do in the tree, or not all that they name, say so with their place.
+/// Operations that find nothing to do in the tree, or not all that they name, give a warning with their
+/// place.
 class RecipeWarningsTest : public QObject {
     Q_OBJECT
 
@@ -28,7 +29,7 @@ namespace {
 
 constexpr InternodeId kMissing = 700;
 
-/// Where something stands: an upright axis of internodes 0, 1, 2, … in a document with two undo steps.
+/// A recipe for the operations: an upright axis of internodes 0, 1, 2, … in a document with two undo steps.
 Recipe axisRecipe()
 {
     Recipe recipe;

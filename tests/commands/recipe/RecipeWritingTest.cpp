@@ -87,7 +87,7 @@ void RecipeWritingTest::operation_isWrittenWithoutAPlayer()
     const RecipeOperation prune = PruneOperation{{4U, 9U}};
     QCOMPARE(QJsonDocument(prune.write(writing)).toJson(QJsonDocument::Compact),
              QByteArray(R"({"internodes":[4,9],"op":"prune"})"));
-    // Parameters count from those before.
+    // Parameters are written as differences from those before.
     TreeParameters parameters;
     parameters.growth.shedding = 0.25;
     QCOMPARE(QJsonDocument(RecipeOperation(SetParametersOperation{parameters}).write(writing))

@@ -209,7 +209,7 @@ void WrongRecipesTest::wrongParameters_areAllRefusedJustBeyondTheirLimits()
         ++tried;
         QVERIFY2(!set(info.minimum - step), info.key);
         QVERIFY2(!set(info.maximum + step), info.key);
-        // The limits themselves are good, but for what depends on another parameter.
+        // The limits themselves are valid, except where another parameter limits the value.
         if (QLatin1String(info.key) != QLatin1String("growth.ellipseOffset")) {
             QVERIFY2(set(info.minimum), info.key);
             QVERIFY2(set(info.maximum), info.key);

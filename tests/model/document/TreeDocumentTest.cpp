@@ -73,7 +73,7 @@ void TreeDocumentTest::afterAnyEdits_theIndicesAreAsIfFreshlyMade()
                 break;
             case 2: {
                 TreeParameters parameters = randomParameters(random);
-                // The paces of a walk, else nothing old and new would ever meet.
+                // Internodes keep their length, otherwise old and new parts of the tree would not meet.
                 parameters.growth.internodeLength = document.parameters().growth.internodeLength;
                 setParameters(document, parameters);
                 break;

@@ -322,12 +322,12 @@ void EnvelopeTest::innerStroke_isAHole()
     QVERIFY(!containsAt(one, 0.0, 0.0));
     QCOMPARE(one.outline().size(), std::size_t{2});
     QVERIFY(std::abs(one.volume() / (2.0 * std::numbers::pi * std::numbers::pi * 2.5 * 0.25) - 1.0) < 0.02);
-    // An island in the hole, whatever the order.
+    // An island in the hole, in any order of the strokes.
     const Envelope two = envelopeOf({strokeOf(rings[0]), strokeOf(rings[1]), strokeOf(rings[2])});
     QVERIFY(containsAt(two, 2.5, 0.0));
     QVERIFY(!containsAt(two, 1.5, 0.0));
     QVERIFY(containsAt(two, 0.0, 0.0));
-    // A hole in what two strokes have in common is one.
+    // A hole in the common part of two strokes is a hole in their union.
     const Envelope three =
         envelopeOf({strokeOf(circle(3.0)), strokeOf(circle(3.0, 1.0)), strokeOf(circle(0.5, 0.5))});
     QVERIFY(!containsAt(three, 0.5, 0.0));

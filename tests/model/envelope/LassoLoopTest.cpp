@@ -106,8 +106,8 @@ void LassoLoopTest::simplified_ofManyPointsIsBounded()
         Points some;
         for (std::size_t i = 0; i < points.size(); i += 500)
             some.push_back(points[i]);
-        // What shakes by less than a part in a hundred is kept to as much; a scribble is kept in its
-        // outlines.
+        // A line with an amplitude of less than a hundredth keeps its form to about that; of a scribble the
+        // outlines are kept.
         QVERIFY(deviation(some, kept) < (shake < 0.01 ? 0.05 : 0.5));
     }
 }
@@ -141,7 +141,7 @@ void LassoLoopTest::closedLoop_cutsTailsThatCross()
     QVERIFY((loop.front() - Vec2(0.2F, 0.0F)).norm() < 1e-6F);
     QCOMPARE(loop[1], points[1]);
     QCOMPARE(loop[3], points[3]);
-    // Tails that make up much of the stroke were meant.
+    // Tails that are a large part of the stroke are not cut off.
     QCOMPARE(closedLoop(points, 0.05), points);
 }
 

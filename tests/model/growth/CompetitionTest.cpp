@@ -217,7 +217,7 @@ void CompetitionTest::laterRounds_areWhatBruteForceFinds()
         GrowingTree growing(document.tree(), document.index(), workspace);
         MarkerSet markers = clearCut(
             growing, perception, markersAround(document.index(), document.tree(), perception, random, 400));
-        // Some of them come later than others.
+        // Some markers are added later than others.
         MarkerSet late;
         for (std::size_t i = markers.size() / 2; i < markers.size(); ++i) {
             late.positions.push_back(markers.positions[i]);
@@ -241,7 +241,7 @@ void CompetitionTest::laterRounds_areWhatBruteForceFinds()
             competition.repeat();
             enabled = competition.enabled();
             if (!isClear)
-                break; // a marker lies where rounding decides
+                break; // rounding decides for a marker
             QVERIFY(markers.positions == expected.freeMarkers);
             compare(enabled, expected.enabled, seed);
             std::erase_if(enabled,
@@ -262,7 +262,7 @@ void CompetitionTest::selected_competeWhileAllClear()
         growAtRandom(document, seed, 60, 300);
         const Tree& tree = document.tree();
         Random random(seed, 1, 0, Purpose::BrushMarker);
-        // A living lateral: it and what it has become, or the bud that it still is.
+        // A living lateral: the branch that has grown from it, or the bud itself.
         Competitors competitors;
         for (int attempt = 0; attempt < 200 && competitors.node == kNoInternode; ++attempt) {
             const auto id = static_cast<InternodeId>(random.bits() % tree.size());

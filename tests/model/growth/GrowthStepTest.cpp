@@ -53,7 +53,7 @@ MarkerSet markersIn(const Vec3& centre, float radius, int count, std::uint64_t s
     return markers;
 }
 
-/// A step of growth toward markers strewn over a random tree, and what it started from.
+/// A step of growth toward random markers in a random tree, and the state before it.
 struct Step1 {
     explicit Step1(std::uint64_t seed, double shedding = 0.0)
     {
@@ -81,7 +81,7 @@ struct Step1 {
     }
     void step() { step(GrowthStepOptions::of(document.parameters().growth)); }
 
-    /// n of each enabled bud; those of which rounding decides are not there.
+    /// n of each enabled bud, without those for which rounding decides.
     std::map<BudRef, int> lengths() const
     {
         const BruteVigour vigour(tree(), index());
@@ -98,7 +98,7 @@ struct Step1 {
         }
         return result;
     }
-    /// How many internodes each old bud has become.
+    /// Number of internodes that each old bud has become.
     std::map<BudRef, int> grown() const
     {
         std::map<BudRef, int> result;
@@ -182,7 +182,7 @@ void GrowthStepTest::shoots_startExactlyWhereBruteForceSays()
             QVERIFY2(grown.contains(bud) == (n > 0), qPrintable(QStringLiteral("seed %1").arg(seed)));
             started += n > 0 ? 1 : 0;
         }
-        // Nobody but them.
+        // No other buds grow.
         for (const auto& [bud, count] : grown)
             QVERIFY(
                 std::ranges::any_of(one.expected.enabled, [&](const EnabledBud& e) { return e.bud == bud; }));
@@ -248,7 +248,7 @@ void GrowthStepTest::shoots_withMarkersInPlenty_areExactlyAsLong()
 
 void GrowthStepTest::strongestEnabledBud_growsTheLongestShoot()
 {
-    // A lone seedling is the strongest there is.
+    // A lone seedling is the strongest shoot.
     TreeParameters parameters = diagram();
     for (int longest : {1, 4, 12}) {
         parameters.growth.maxShootLength = longest;
@@ -300,7 +300,7 @@ void GrowthStepTest::branches_areShedWhereBruteForceSays()
         one.step();
         std::vector<Vec3> born;
         if (one.delta.born.count > 0) {
-            // Where they stand after the step.
+            // Positions after the step.
             Tree tree = one.tree();
             TreeDelta births = deltaStartingAt(tree);
             births.born = one.delta.born;
@@ -341,7 +341,7 @@ void GrowthStepTest::internodes_areAsLongAsAsked()
                 (document.index().nodePosition(id) - document.index().basePosition(tree, id)).norm();
             QVERIFY(std::abs(distance - tree.length(id)) < 1e-5F);
         }
-        // On average exactly.
+        // The mean is exact.
         QVERIFY(std::abs(sum / (tree.size() - 1) - 1.0) < 0.1);
     }
 }
@@ -424,7 +424,7 @@ void GrowthStepTest::axis_turnsAwayFromAStartingLateral()
         if (lateral == kNoInternode)
             continue;
         ++deflected;
-        // Away from it, in one plane with it.
+        // Away from the lateral, in one plane with it.
         const Vec3 sideways =
             index.heading(id) - index.heading(id).dot(index.heading(parent)) * index.heading(parent);
         const Vec3 toLateral = index.heading(lateral) -
@@ -446,7 +446,7 @@ void GrowthStepTest::grownTree_isConsistent()
         for (InternodeId id = 1; id < tree.size(); ++id) {
             QVERIFY(tree.parent(id) < id);
             QVERIFY(document.index().nodePosition(id).allFinite());
-            // A bud that has become an internode is a bud no more.
+            // A bud that has become an internode does not exist any more.
             QVERIFY((tree.buds(tree.parent(id)) & budBit(tree.columns().slot[id])) == 0);
         }
     }
@@ -490,8 +490,7 @@ void GrowthStepTest::leader_reachesForTheTarget()
 
 void GrowthStepTest::autonomousStep_goesOnWhereTheStrongestAreHemmedIn()
 {
-    // Nearly all vigour goes to the tip of an axis that has come down to the ground, where it sees nothing
-    // but earth.
+    // Nearly all vigour goes to the tip of an axis that has reached the ground, where it sees only earth.
     TreeParameters parameters = diagram();
     GrowthParameters& p = parameters.growth;
     p.internodeLength = 0.1;

@@ -30,7 +30,7 @@ double angleBetween(const Schematic& schematic, InternodeId a, InternodeId b)
 
 void SchematicTest::everySetting_growsInThePlaneWithinBounds()
 {
-    // Each parameter of growth at either end of what it may be.
+    // Each parameter of growth at either limit.
     TreeParameters parameters;
     std::vector<std::pair<QString, GrowthParameters>> settings{{QString(), parameters.growth}};
     visitParameters(parameters, [&](const ParameterInfo& info, auto& field) {
@@ -70,7 +70,7 @@ void SchematicTest::sameParameters_giveTheSameTree()
     QVERIFY(growSchematic(growth).tree == first.tree);
     growth.setPointAngle += radians(1);
     QVERIFY(!(growSchematic(growth).tree == first.tree));
-    // What a diagram does not show changes nothing but the parameters.
+    // Parameters that a diagram does not show leave it unchanged.
     growth = {};
     growth.internodeLength = 0.3;
     growth.irregularity = 1.0;

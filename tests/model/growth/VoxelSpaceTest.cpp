@@ -51,7 +51,7 @@ void cast(VoxelSpace& space)
     space.castShadows([](VoxelSpace::Residents, std::uint32_t) {});
 }
 
-/// Puts in the ids from @p first to before @p end; their places by id.
+/// Inserts the ids from @p first up to but not including @p end; returns their places by id.
 std::vector<VoxelSpace::Place> insertAll(VoxelSpace& space, const std::vector<Vec3>& positions,
                                          InternodeId first, InternodeId end)
 {
@@ -116,7 +116,7 @@ void VoxelSpaceTest::caster_shades455VoxelsNoneOfThemAbove()
         sum += shadow / VoxelSpace::kShadowUnit;
     });
     QCOMPARE(shaded, 455);
-    // 0.03 Σ (2q+1)² 1.8^-q, as a column of one caster a voxel sees it.
+    // 0.03 Σ (2q+1)² 1.8^-q, the shadow of one caster in each voxel of a column.
     QVERIFY(std::abs(sum - 1.2362) < 455 * 0.5 / VoxelSpace::kShadowUnit + 5e-5);
 }
 
@@ -227,7 +227,7 @@ void VoxelSpaceTest::castShadows_visitsOccupiedVoxelsWhoseShadowChanged()
         if (space.shadow(cell) != before[cell])
             QVERIFY(visited.contains(cell));
     }
-    // Nothing is due any more.
+    // No change is pending.
     space.castShadows([&](VoxelSpace::Residents, std::uint32_t) { QFAIL("visited without a change"); });
 }
 
@@ -270,7 +270,8 @@ void VoxelSpaceTest::nodes_areFoundInTheBoxThatHoldsThem()
     space.settle();
     for (InternodeId id = 0; id < 400; id += 3)
         space.remove(id, places[id]);
-    // Gone and back is a move, also within a voxel; come and gone is nothing.
+    // A removed and re-inserted node counts as moved, also within a voxel; an inserted and removed one counts
+    // as nothing.
     for (const InternodeId id : {1U, 2U}) {
         space.remove(id, places[id]);
         positions[id] = id == 1 ? positions[7] : Vec3(space.centreOf(space.cellAt(positions[id])));

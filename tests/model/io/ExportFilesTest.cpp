@@ -136,7 +136,7 @@ void ExportFilesTest::textureThatWasChangedSince_stays()
     const QTemporaryDir folder;
     const TreeBuilder tree = treeOf(BarkKind::Plated, LeafShape::Palmate);
     QVERIFY(exportTo(folder, QStringLiteral("oak.obj"), tree));
-    // A user paints on a texture; the program keeps the text chunks.
+    // The user paints on a texture; the paint program keeps the text chunks.
     const QString name = folder.filePath(QStringLiteral("oak_bark.png"));
     QImage image(name);
     image.setPixelColor(3, 3, Qt::red);

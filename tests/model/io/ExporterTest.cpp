@@ -28,7 +28,7 @@ namespace espalier::test {
 
 namespace {
 
-/// Small textures: what they show is not what these tests are about.
+/// Small textures, because these tests do not look at their content.
 constexpr ExportOptions kSmall{.textureSize = 64};
 
 TreeBuilder sampleTree(std::uint32_t count = 120)
@@ -212,7 +212,7 @@ void ExporterTest::imagesOfOnesOwn_takeThePlaceOfTheDrawnOnes()
              repeatingBark(64, 64).convertToFormat(QImage::Format_RGB888));
     const QImage leaf = QImage::fromData(scene.materials[1].colour.png, "png");
     QVERIFY(std::abs(leaf.width() - 80) <= 3 && std::abs(leaf.height() - 160) <= 3);
-    // In its own colours.
+    // The texture has the image's own colours.
     const QColor middle = leaf.pixelColor(leaf.width() / 2, leaf.height() / 2);
     QVERIFY2(std::abs(middle.red() - 70) < 6 && std::abs(middle.green() - 150) < 6 &&
                  std::abs(middle.blue() - 40) < 6,
@@ -295,7 +295,7 @@ void ExporterTest::obj_hasEveryVertexAndRefersToFilesThatExist()
         }
     }
     QCOMPARE(textures, 9);
-    // The normal map under both of the names that readers know.
+    // The normal map under both names that readers use.
     QCOMPARE(materials.count("\nmap_Bump my_oak_bark_normal.png\n"), 1);
     QCOMPARE(materials.count("\nnorm my_oak_bark_normal.png\n"), 1);
     QCOMPARE(materials.count("\nnorm my_oak_leaf_normal.png\n"), 1);
@@ -370,7 +370,7 @@ void ExporterTest::fbx_isSoundAndCountsInMetres()
                           QStringLiteral("oak_leaf.png"), QStringLiteral("oak_leaf_mask.png"),
                           QStringLiteral("oak_leaf_normal.png"), QStringLiteral("oak_leaf_roughness.png")}));
     const QByteArray content = contentOf(fileName);
-    QCOMPARE(*repairFbx(content), content); // nothing is left to mend
+    QCOMPARE(*repairFbx(content), content); // nothing is left to repair
     Assimp::Importer importer;
     const aiScene* const scene = importer.ReadFile(fileName.toStdString(), 0);
     QVERIFY2(scene != nullptr, importer.GetErrorString());

@@ -38,7 +38,7 @@ QImage plain(int width, int height)
     return image;
 }
 
-/// A PNG that says it is of another size.
+/// A PNG whose header has another size.
 QByteArray withSize(QByteArray png, quint32 width, quint32 height)
 {
     for (int i = 0; i < 4; ++i) {

@@ -252,7 +252,7 @@ void ProjectFileTest::thumbnail_isReadAlone()
     const QTemporaryDir folder;
     Project project = sampleProject(100);
     project.thumbnail = picture();
-    // A damaged tree does not matter to it.
+    // The thumbnail can be read from a file whose tree is damaged.
     ZipEntries entries = unpackEntries(*packProject(project));
     entry(entries, "internodes/parent").clear();
     QFile file(folder.filePath(QStringLiteral("tree.espalier")));
@@ -582,7 +582,7 @@ void ProjectFileTest::wrongRecords_areRefused()
 
 void ProjectFileTest::zipBomb_isRefusedBeforeItIsUnpacked()
 {
-    // 320 MB of zeros pack into 1.4 MB; the description promises less.
+    // 320 MB of zeros pack into 1.4 MB; the description declares less.
     ZipEntries entries = unpackEntries(*packProject(sampleProject(50)));
     entry(entries, "internodes/rotation") = QByteArray(320'000'000, '\0');
     const QByteArray bomb = packEntries(entries);

@@ -11,7 +11,7 @@
 
 namespace espalier::test {
 
-/// Files that a program of version 1 wrote open for ever, and show the tree that they showed.
+/// Files that a program of version 1 wrote can always be opened, and show the same tree.
 class ProjectVersion1Test : public QObject {
     Q_OBJECT
 
@@ -84,7 +84,7 @@ void ProjectVersion1Test::oldFile_opensAndIsTheSameTree()
     QCOMPARE(rows, internodes);
     QCOMPARE(hash, places);
     QVERIFY(survivesItsHistory(*project));
-    // Saved again, it is a file of today that is read as the same.
+    // Saved again, it is a file of the current version with the same content.
     const Result<QByteArray> packed = packProject(*project);
     QVERIFY2(packed, packed ? "" : qPrintable(packed.error().message));
     const Result<Project> again = unpackProject(*packed);

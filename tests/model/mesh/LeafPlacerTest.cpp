@@ -46,7 +46,7 @@ private Q_SLOTS:
 
 namespace {
 
-/// Nothing left to chance, droop or light.
+/// Parameters without randomness, droop or turning toward light.
 TreeParameters exact()
 {
     TreeParameters parameters;
@@ -296,7 +296,7 @@ void LeafPlacerTest::spiral_goesOnAlongTheAxisWhateverTheShoot()
         parameters.leaves.arrangement = LeafArrangement::Spiral;
         parameters.leaves.perNode = perNode;
         TreeBuilder builder(1, parameters);
-        // The buds stand in two rows; the leaves do not care.
+        // The buds stand in two rows; this does not affect the leaves.
         builder.growAxis(0, kTerminalSlot, continuing(0.0, 0.0, radians(180)), 12,
                          continuing(0.0, 0.0, radians(180)));
         std::vector<LeafInstance> upward; // from the foot of the axis
@@ -382,7 +382,7 @@ void LeafPlacerTest::flat_ofAnUprightShootKeepsItsPlane()
     parameters.leaves.arrangement = LeafArrangement::Flat;
     parameters.leaves.perNode = 1;
     TreeBuilder builder(1, parameters);
-    // It sways by a few degrees around upright.
+    // The axis sways by a few degrees around upright.
     for (int i = 0; i < 40; ++i)
         builder.grow({.parent = builder.tree.size() - 1,
                       .rotation = continuing(radians(4), static_cast<float>(i), radians(137.5))});
@@ -429,7 +429,7 @@ void LeafPlacerTest::leaves_dependOnSeedAndNodeAlone()
     TreeBuilder small = raisedTree(200, 8);
     const InternodeId node = small.tree.size() - 1;
     const std::vector<LeafInstance> before = leavesOf(small, node);
-    // The rest of the tree grows on, elsewhere; the leaves stay.
+    // The rest of the tree grows elsewhere; the leaves of this branch do not change.
     small.grow({.parent = 0, .slot = 0, .rotation = branching(0.5)});
     QCOMPARE(leavesOf(small, node), before);
     const std::vector<LeafInstance> again = leavesOf(raisedTree(200, 8), node);
@@ -473,7 +473,7 @@ void LeafPlacerTest::hue_shiftsFromGreenToRedWithWeakness()
         for (int step = 1; step <= 20; ++step) {
             const double shifted = shiftedLeafHue(radians(hue), step / 20.0);
             QVERIFY((shifted - last) * direction >= 0.0); // monotone
-            // Never through blue: leaves that are not blue do not become so.
+            // Hues do not pass through blue: leaves that are not blue do not become blue.
             if (hue < 210 || hue > 270)
                 QVERIFY(degrees(shifted) < 210.0 || degrees(shifted) > 270.0);
             last = shifted;

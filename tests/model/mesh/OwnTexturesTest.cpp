@@ -82,7 +82,7 @@ void OwnTexturesTest::leaf_onPlainPaperIsCutOut()
             QVERIFY(std::abs(leaf->width() - 80) <= 4 && std::abs(leaf->height() - 160) <= 4);
             QVERIFY2(std::abs(coverage(*leaf) - std::numbers::pi / 4) < 0.04,
                      qPrintable(QString::number(coverage(*leaf))));
-            // Nothing of the paper is left, not at the edge either.
+            // Nothing of the paper is left, not even at the edge.
             for (int y = 0; y < leaf->height(); ++y) {
                 for (int x = 0; x < leaf->width(); ++x) {
                     const QColor colour = leaf->pixelColor(x, y);
@@ -196,7 +196,7 @@ void OwnTexturesTest::bark_takesItsOwnNormalsAndRoughness()
     BarkParameters bark;
     bark.image = ImageAsset(pngOf(repeatingBark(128, 128)), QStringLiteral("bark.png"));
     const SurfaceTextures derived = barkTextures(bark, 128);
-    // What follows from light and dark is neither flat nor all the same.
+    // Normals and roughness derived from brightness are neither flat nor uniform.
     QVERIFY(derived.normal.pixel(3, 3) != derived.normal.pixel(20, 70));
     QVERIFY(derived.roughness.pixel(3, 3) != derived.roughness.pixel(20, 70));
     QImage normal(64, 64, QImage::Format_RGB888);

@@ -119,7 +119,7 @@ void TexturesTest::cells_repeatAndHaveBorders()
             const TileCells::Nearest again = cells.nearest(u + 1.0F, v - 1.0F);
             QVERIFY(std::abs(again.edge - nearest.edge) < 1e-4F);
             QVERIFY(again.value == nearest.value || nearest.edge < 1e-4F);
-            // Nearest is no farther than the point of the own cell.
+            // The nearest point is at most as far away as the point of the own cell.
             const TileCells::Sample own = cells.own(u, v);
             QVERIFY(nearest.x * nearest.x + nearest.y * nearest.y <= own.x * own.x + own.y * own.y + 1e-6F);
         }
@@ -249,7 +249,7 @@ void TexturesTest::leaf_liesWithinItsCard()
         });
         const double share = opaque / double{size * size};
         QVERIFY2(share > 0.2 && share < 0.8, qPrintable(QString::number(share)));
-        // But for the foot of the petiole, inside the shoot.
+        // Except the foot of the petiole, inside the shoot.
         QVERIFY2(cutOff < 0.002 * opaque,
                  qPrintable(QStringLiteral("shape %1: %2").arg(static_cast<int>(shape)).arg(cutOff)));
         QVERIFY(qAlpha(image.pixel(size / 2, size - 1)) > 200);
@@ -345,8 +345,8 @@ void TexturesTest::roughness_differsWithinAndBetweenBarks()
         QVERIFY2(spread > 0.12, qPrintable(QString::number(spread)));
     }
     for (const std::size_t corky : {0U, 2U, 6U}) {
-        QVERIFY(mean[corky] > mean[3] + 0.15); // oak, pine and redwood are duller than birch,
-        QVERIFY(mean[corky] > mean[4] + 0.15); // and cherry shines
+        QVERIFY(mean[corky] > mean[3] + 0.15); // oak, pine and redwood are rougher than birch,
+        QVERIFY(mean[corky] > mean[4] + 0.15); // and cherry is the smoothest
     }
 }
 

@@ -46,7 +46,7 @@ private Q_SLOTS:
 
 namespace {
 
-/// A tube and how it was made.
+/// A tube's mesh and the data it was made from.
 struct MeshedTube {
     std::vector<MeshVertex> vertices;
     std::vector<VertexIndex> indices;
@@ -393,7 +393,7 @@ void TubeMesherTest::radius_atANode_isTheWidth()
                     QCOMPARE(ring.radius, tube.radii[internode]);
                 ++internode;
             }
-            // Between nodes it lies between theirs.
+            // Between nodes the radius lies between those of the nodes.
             if (ring.path > affected && internode > 0 && internode < tube.radii.size()) {
                 QVERIFY(ring.radius <= tube.radii[internode - 1] + 1e-7F);
                 QVERIFY(ring.radius >= tube.radii[internode] - 1e-7F);
@@ -437,7 +437,7 @@ void TubeMesherTest::lateral_startsInsideItsParentAndThinner()
             const std::size_t first = tube.rings.front().path < 0.0F ? 1 : 0; // a root below the node
             QVERIFY(tube.rings[first].centre == node);
             QVERIFY(tube.rings[first].radius <= 0.9F * tube.parentRadius * (1.0F + 1e-6F));
-            // All that lies before the node is within the ball of the parent's radius around it.
+            // All points before the node lie within the ball of the parent's radius around it.
             for (std::size_t i = 0; i <= first; ++i) {
                 for (int side = 0; side < tube.rings[i].sides; ++side)
                     QVERIFY((toVec3(tube.vertex(i, side).position) - node).norm() <= tube.parentRadius);
@@ -502,13 +502,13 @@ void TubeMesherTest::sides_keepEveryChordWithinTheTolerance()
                 coarse += ring.sides == 4 ? 1 : 0;
             }
         }
-        QVERIFY(coarse > 0 || tolerance <= 0.001); // no more sides than it takes
+        QVERIFY(coarse > 0 || tolerance <= 0.001); // not more sides than needed
     }
 }
 
 void TubeMesherTest::trunkWithoutTwigs_isRound()
 {
-    // As thick as a palm's, and as thick as its own tip.
+    // Once as thick as a palm's trunk, and once as thick as its tip.
     TreeParameters parameters;
     parameters.widths.tipDiameter = 0.2;
     TreeBuilder builder(1, parameters);
@@ -582,13 +582,14 @@ void TubeMesherTest::origins_nameTheInternodeOfEachVertex()
         const auto& [id, along] = mesh.origins[i];
         QVERIFY(builder.tree.isAlive(id) && along >= 0.0F && along <= 1.0F);
         ++seen[id];
-        // The vertex is at most so far from that place: its radius, a collar, and what a curve strays by.
+        // The distance of the vertex from that place is limited: the radius, a collar, and the deviation of a
+        // curve.
         const Vec3 place = builder.index.basePosition(builder.tree, id) +
                            along * builder.tree.length(id) * builder.index.heading(id);
         const float reach = 2.0F * widths.radius(builder.index, id) + builder.tree.length(id);
         QVERIFY((toVec3(mesh.vertices[i].position) - place).norm() < reach);
     }
-    // All but those which a thick branch grows straight over.
+    // All nodes, except those that a thick branch skips.
     QVERIFY(std::ranges::count(seen, 0) * 10 < static_cast<std::ptrdiff_t>(seen.size()));
 }
 

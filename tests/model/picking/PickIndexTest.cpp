@@ -24,7 +24,7 @@ private Q_SLOTS:
 
 namespace {
 
-/// What differs between the index and the living nodes of the tree; empty if nothing.
+/// The difference between the index and the living nodes of the tree; empty if there is none.
 QString fault(const PickIndex& nodes, const Tree& tree, const TreeIndex& index)
 {
     std::map<InternodeId, Vec3> found;
@@ -88,7 +88,7 @@ void PickIndexTest::edits_areFollowedBothWays()
             else
                 builder.apply(randomGrowth(builder.tree, 12, seed + static_cast<std::uint64_t>(edit)));
             nodes.follow(builder.tree, builder.index, builder.journal.back());
-            // Several edits may pass between two questions.
+            // Several edits can happen between two queries.
             if (random.uniform() < 0.5) {
                 nodes.settle(builder.tree, builder.index);
                 QCOMPARE(fault(nodes, builder.tree, builder.index), QString());
@@ -106,12 +106,12 @@ void PickIndexTest::rowsThatAreGone_areForgotten()
     const TreeDelta& delta = longer.apply(randomGrowth(longer.tree, 50, 8));
     PickIndex nodes;
     nodes.settle(longer.tree, longer.index);
-    // The tree ends where it ended before the delta.
+    // The tree has the same end as before the delta.
     nodes.follow(shorter.tree, shorter.index, delta);
     nodes.settle(shorter.tree, shorter.index);
     QCOMPARE(fault(nodes, shorter.tree, shorter.index), QString());
 
-    // Other internodes take the ids of those that are gone, before the next question.
+    // Before the next query, other internodes get the ids of the removed ones.
     nodes = {};
     nodes.settle(longer.tree, longer.index);
     nodes.follow(shorter.tree, shorter.index, delta);
@@ -143,7 +143,7 @@ void PickIndexTest::manyChanges_costOneReading()
     nodes.settle(builder.tree, builder.index);
     while (builder.tree.size() < 12'000)
         nodes.follow(builder.tree, builder.index, builder.apply(randomGrowth(builder.tree, 300, 2)));
-    // What is noted until the next question is bounded by the size of the tree.
+    // The noted changes until the next query are limited by the size of the tree.
     QVERIFY(nodes.bytes() < 40 * builder.tree.size());
     nodes.settle(builder.tree, builder.index);
     QCOMPARE(fault(nodes, builder.tree, builder.index), QString());
@@ -151,7 +151,7 @@ void PickIndexTest::manyChanges_costOneReading()
 
 void PickIndexTest::cells_followTheDensityOfTheTree()
 {
-    // From a seedling that was asked about to a dense crown of internodes a tenth as long.
+    // From a seedling, with a query, to a dense crown of internodes a tenth as long.
     TreeBuilder builder;
     PickIndex nodes;
     nodes.settle(builder.tree, builder.index);

@@ -254,7 +254,7 @@ void ChainBendTest::pose_followsItsSegments()
         const Vector3d segment = (bend.pose().nodes[i + 1] - bend.pose().nodes[i]).normalized();
         QVERIFY((bend.pose().rotations[i] * Vector3d::UnitY() - segment).norm() < 1e-9);
         QVERIFY(std::abs(bend.pose().rotations[i].norm() - 1.0) < 1e-12);
-        // Twist: as the prism has it, but for the little that the closing of gaps turns.
+        // The twist is the prism's, except for the small turn that closes the gaps.
         const Quaterniond carried = Quaterniond(bend.prismRotation(i)) * bend.rest().rotations[i];
         QVERIFY(bend.pose().rotations[i].angularDistance(carried) < 0.15);
     }

@@ -142,7 +142,7 @@ void WidthRegionsTest::exponent_solvesItsEquationWithinItsBracket()
         }
         const WidthLaw law = solveWidths(0.0, extremities, 2.2);
         QVERIFY(law.exponent >= 0.5 && law.exponent <= 10.0);
-        // Whatever the exponent, the factor completes it.
+        // For any exponent, the factor leads to the base's diameter.
         QVERIFY(std::abs(logDiameter(law.exponent, extremities) + law.logFactor) < 1e-10);
         if (law.logFactor != 0.0 || count < 2.0)
             continue;
@@ -294,7 +294,7 @@ void WidthRegionsTest::singleTwig_tapersFromItsConstraint()
         const double step = diameterOf(widths, builder.index, id) / diameterOf(widths, builder.index, id - 1);
         QVERIFY(std::abs(step - factor) < 1e-4);
     }
-    // Below it, the one extremity carries on.
+    // Below it, there is only one extremity.
     QVERIFY(std::abs(diameterOf(widths, builder.index, 0) - 0.192) < 1e-6);
 }
 
@@ -327,7 +327,7 @@ void WidthRegionsTest::thickBranchOnAThinBase_blends()
         const Widths widths(builder.tree, builder.index, Constraints{{1, base}, {end, 0.3F}});
         QVERIFY(std::abs(widths.radius(builder.index, 1) - base / 2.0F) < 1e-6F);
         QVERIFY(std::abs(widths.radius(builder.index, end) - 0.15F) < 1e-6F);
-        // From one to the other without a leap; internodes are up to 2.4 times as long as others.
+        // The radius changes gradually; internodes are up to 2.4 times as long as others.
         const auto count = static_cast<float>(pathBetween(builder.tree, 1, end).size() - 1);
         const float most = 1.1F * std::pow(0.3F / base, 2.4F / count);
         float before = widths.radius(builder.index, end);

@@ -122,7 +122,7 @@ void WidthsTest::base_ofASingleStem_hasTheDiameterAskedForAndTapersByLength()
 
 void WidthsTest::base_ofAFewTips_hasTheDiameterAskedFor()
 {
-    // So few that no exponent within the limits leads there, or too many.
+    // So few or so many tips that no exponent within the limits leads to the base diameter.
     for (const auto& [laterals, base] : {std::pair{1, 0.5}, std::pair{3, 0.5}, std::pair{30, 0.0055}}) {
         TreeParameters parameters;
         parameters.widths.baseDiameter = base;

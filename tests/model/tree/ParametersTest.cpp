@@ -46,7 +46,7 @@ void ParametersTest::keys_areUniqueAndNameTheirGroup()
 
 void ParametersTest::everyField_isVisited()
 {
-    // The fields that a visit writes make parameters that differ in every byte that is a field's.
+    // Parameters that differ in each byte of a field differ.
     TreeParameters parameters;
     std::size_t bytes = 0;
     visitParameters(parameters, [&](const ParameterInfo&, auto& field) { bytes += sizeof(field); });

@@ -140,7 +140,7 @@ void TreeTest::undoneRows_leaveNoTrace()
     TreeDelta growth = builder.revert();
     QVERIFY(builder.tree == before);
     QVERIFY(!builder.tree.isAlive(tip));
-    // Something else grows in the meantime, under the same ids, and goes again.
+    // Meanwhile something else grows under the same ids, and is undone.
     const InternodeId other = builder.grow({.parent = 0});
     QCOMPARE(other, 1U);
     builder.revert();
