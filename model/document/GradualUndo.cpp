@@ -37,7 +37,7 @@ bool GradualUndo::advance(std::chrono::milliseconds time, std::size_t rows)
     if (!m_edit.isActive())
         return false;
     if (std::exchange(m_isIndexBehind, false)) {
-        m_document.prepareGrowthIndex(0);
+        m_document.prepareGrowthModel(0);
         return true;
     }
     QElapsedTimer timer;
