@@ -78,8 +78,9 @@ void OpeningTest::largeProject_isShownWithWhatTheWorkerMade()
     double before = 0.0;
     double showing = 0.0;
     FileController& files = m_window->files();
-    connect(&files, &FileController::aboutToReplace, this, [&] { before = threadTime(); });
-    connect(&files, &FileController::opened, this, [&] { showing = threadTime() - before; });
+    const QObject listener;
+    connect(&files, &FileController::aboutToReplace, &listener, [&] { before = threadTime(); });
+    connect(&files, &FileController::opened, &listener, [&] { showing = threadTime() - before; });
     QSignalSpy opened(&files, &FileController::opened);
     files.openFile(file);
     QVERIFY(opened.count() == 1 || opened.wait(60'000));
