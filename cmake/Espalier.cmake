@@ -17,6 +17,13 @@ endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 add_link_options(-Wl,--as-needed)
 
+# The many test programs are linked in less time by gold than by GNU ld, which links them too.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold ESPALIER_HAS_GOLD)
+if(ESPALIER_HAS_GOLD)
+    add_link_options(-fuse-ld=gold)
+endif()
+
 # The same input must give the same tree on every machine: no fused multiply-add, no fast maths, no machine tuning.
 add_compile_options(-ffp-contract=off)
 # Qt's keyword "emit" breaks TBB's headers: write Q_EMIT, Q_SIGNALS, Q_SLOTS.

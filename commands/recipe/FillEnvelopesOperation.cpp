@@ -10,7 +10,7 @@ namespace espalier {
 namespace {
 
 constexpr QLatin1StringView kEnvelopesKey("envelopes");
-constexpr QLatin1StringView kParametersKey("parameters");
+constexpr QLatin1StringView kFillParametersKey("parameters");
 
 } // namespace
 
@@ -19,13 +19,13 @@ FillEnvelopesOperation FillEnvelopesOperation::read(JsonReader& reader, RecipeRe
     FillEnvelopesOperation fill;
     fill.only = BudReference::read(reader);
     fill.steps = readSteps(reader);
-    if (reader.has(kParametersKey)) {
+    if (reader.has(kFillParametersKey)) {
         const Result<void> read =
-            reading.readParameters(reader.object(kParametersKey), reader.placeOf(kParametersKey));
+            reading.readParameters(reader.object(kFillParametersKey), reader.placeOf(kFillParametersKey));
         if (!read)
             reader.fail(read.error());
         if (!reader.has(kEnvelopesKey))
-            reader.fail(kParametersKey,
+            reader.fail(kFillParametersKey,
                         RecipeText::tr("they want “%1” beside them").arg(QString(kEnvelopesKey)));
     }
     if (!reader.has(kEnvelopesKey))
@@ -61,7 +61,7 @@ QJsonObject FillEnvelopesOperation::write(RecipeWriting& writing) const
         array.append(lassoToJson(stroke));
     json[kEnvelopesKey] = array;
     if (const QJsonObject changes = parametersToJson(parameters, writing.parameters); !changes.isEmpty())
-        json[kParametersKey] = changes;
+        json[kFillParametersKey] = changes;
     writing.parameters = parameters;
     return json;
 }

@@ -9,7 +9,7 @@ namespace espalier {
 
 namespace {
 
-constexpr QLatin1StringView kStepsKey("steps");
+constexpr QLatin1StringView kLassoStepsKey("steps");
 constexpr QLatin1StringView kPointsKey("points");
 
 struct PlaneVector {
@@ -71,15 +71,15 @@ QJsonObject lassoToJson(const LassoStroke& stroke)
 
 std::optional<int> readSteps(JsonReader& reader)
 {
-    if (!reader.has(kStepsKey))
+    if (!reader.has(kLassoStepsKey))
         return {};
-    return static_cast<int>(reader.integer(kStepsKey, 0, kMostEnvelopeSteps));
+    return static_cast<int>(reader.integer(kLassoStepsKey, 0, kMostEnvelopeSteps));
 }
 
 void writeSteps(QJsonObject& json, std::optional<int> steps)
 {
     if (steps)
-        json[kStepsKey] = *steps;
+        json[kLassoStepsKey] = *steps;
 }
 
 LassoStroke recordableLasso(LassoStroke stroke)

@@ -7,7 +7,7 @@ namespace espalier {
 
 namespace {
 
-constexpr QLatin1StringView kInternodeKey("internode");
+constexpr QLatin1StringView kWidthInternodeKey("internode");
 constexpr QLatin1StringView kDiameterKey("diameter");
 constexpr QLatin1StringView kFromKey("from");
 
@@ -15,7 +15,7 @@ constexpr QLatin1StringView kFromKey("from");
 
 SetWidthOperation SetWidthOperation::read(JsonReader& reader, RecipeReading&)
 {
-    SetWidthOperation width{InternodeReference::read(reader, kInternodeKey),
+    SetWidthOperation width{InternodeReference::read(reader, kWidthInternodeKey),
                             reader.number(kDiameterKey, 0.0, kGreatestDiameter)};
     if (reader.has(kFromKey))
         width.from = InternodeReference::read(reader, kFromKey);
@@ -24,7 +24,7 @@ SetWidthOperation SetWidthOperation::read(JsonReader& reader, RecipeReading&)
 
 QJsonObject SetWidthOperation::write(RecipeWriting&) const
 {
-    QJsonObject json{{kInternodeKey, internode.toJson()}, {kDiameterKey, diameter}};
+    QJsonObject json{{kWidthInternodeKey, internode.toJson()}, {kDiameterKey, diameter}};
     if (from)
         json[kFromKey] = from->toJson();
     return json;

@@ -9,12 +9,12 @@
 #include "model/io/project/KeptEntries.h"
 #include "model/io/project/ProjectDescription.h"
 #include "model/io/project/ProjectImages.h"
-#include "model/io/project/ProjectText.h"
 #include "model/io/project/ProjectVersion1.h"
 #include "model/io/project/TreeEntries.h"
 #include "model/tree/TreeIndex.h"
 
 #include <QBuffer>
+#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
@@ -30,10 +30,14 @@ constexpr qint64 kMaximumFile = qint64{2} << 30;
 constexpr std::uint64_t kMaximumThumbnail = 16 << 20;
 constexpr int kMaximumThumbnailEdge = 4096;
 
+struct ProjectFileText {
+    Q_DECLARE_TR_FUNCTIONS(ProjectFile)
+};
+
 Error farAway(InternodeId id)
 {
-    return inputError(ProjectText::tr("internode %1").arg(id),
-                      ProjectText::tr("it lies further than %1 m away").arg(kFarthestNode));
+    return inputError(ProjectFileText::tr("internode %1").arg(id),
+                      ProjectFileText::tr("it lies further than %1 m away").arg(kFarthestNode));
 }
 
 /// Fails if a node lies beyond the limits of coordinates.
@@ -138,7 +142,7 @@ Result<QByteArray> packProject(const Project& project)
 {
     if (!isWithinLimits(project))
         return Error{Error::Kind::Output,
-                     ProjectText::tr("the tree or its history is too large for a project file")};
+                     ProjectFileText::tr("the tree or its history is too large for a project file")};
     const TreeContent& content = project.tree.content();
     if (const QString fault = treeFault(content); !fault.isEmpty())
         return Error{Error::Kind::Output, fault};
@@ -181,7 +185,7 @@ Result<Project> unpackProject(const QByteArray& bytes)
         return sound.error();
     if (!project->warning.isEmpty()) {
         project->warning =
-            ProjectText::tr(
+            ProjectFileText::tr(
                 "the image “%1” is missing in it or broken; the look that was drawn for it shows instead")
                 .arg(project->warning);
     }
@@ -205,7 +209,7 @@ Result<Project> loadProject(const QString& fileName)
     if (!file.open(QIODevice::ReadOnly))
         return inputError(name, file.errorString());
     if (file.size() > kMaximumFile)
-        return inputError(name, ProjectText::tr("it is larger than %1 GB").arg(kMaximumFile >> 30));
+        return inputError(name, ProjectFileText::tr("it is larger than %1 GB").arg(kMaximumFile >> 30));
     Result<Project> project = unpackProject(file.readAll());
     if (!project)
         return inputError(name, project.error().message);
