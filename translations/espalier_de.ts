@@ -319,6 +319,14 @@
         <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
         <translation>Größe des Pinsels, Druck des Stifts und der Wuchsraum, den der Pinsel verteilt.</translation>
     </message>
+    <message>
+        <source>Save as Recipe…</source>
+        <translation>Als Rezept speichern …</translation>
+    </message>
+    <message>
+        <source>Write down what was done to the tree, so that it can be done again.</source>
+        <translation>Aufschreiben, was mit dem Baum gemacht wurde, damit es sich wiederholen lässt.</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -381,10 +389,6 @@
         <translation>--ground-shadow verlangt --transparent</translation>
     </message>
     <message>
-        <source>replay wants at least one recipe</source>
-        <translation>replay verlangt mindestens ein Rezept</translation>
-    </message>
-    <message>
         <source>%1 wants one project</source>
         <translation>%1 verlangt ein Projekt</translation>
     </message>
@@ -401,6 +405,14 @@
         <translation>ein Fenster zeigt eine Datei, was ist also &quot;%1&quot;?</translation>
     </message>
     <message>
+        <source>%1: its history, played again, gives another tree than it holds</source>
+        <translation>%1: Seine Geschichte ergibt, noch einmal abgespielt, einen anderen Baum als den gespeicherten</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe or project</source>
+        <translation>replay braucht mindestens ein Rezept oder Projekt</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -409,11 +421,12 @@ espalier [PROJECT]
 espalier --demo [RECIPE]
     Opens the window and brushes a tree in it; then it is yours.
 
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats FILE] [--threads N] [--seed N] [--strict]
     Does what a recipe says, without a window, and writes what comes of it.
+    Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
     says the seed, and each begins by putting its parameters in force.
     What operations do not find in the tree is printed; with --strict it is an
@@ -445,11 +458,12 @@ espalier [PROJEKT]
 espalier --demo [REZEPT]
     Öffnet das Fenster und pinselt einen Baum darin; danach gehört er Ihnen.
 
-espalier replay REZEPT... [-o AUSGABE]... [--png DATEI] [--size BxH]
+espalier replay REZEPT|PROJEKT... [-o AUSGABE]... [--png DATEI] [--size BxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats DATEI] [--threads N] [--seed N] [--strict]
     Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
+    Bei einem Projekt wird alles noch einmal getan, was mit seinem Baum geschah.
     Von mehreren Rezepten setzt jedes den Baum des vorigen fort: das erste
     bestimmt den Startwert, und jedes setzt zu Beginn seine Parameter in Kraft.
     Was Operationen im Baum nicht finden, wird ausgegeben; mit --strict ist es
@@ -643,6 +657,14 @@ geschrieben werden konnte.
     <message>
         <source>Overwrite</source>
         <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Save as Recipe</source>
+        <translation>Als Rezept speichern</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Rezepte (*.json)</translation>
     </message>
 </context>
 <context>
@@ -897,6 +919,10 @@ geschrieben werden konnte.
     <message>
         <source>There is no envelope to fill.</source>
         <translation>Es gibt keine Hülle zum Ausfüllen.</translation>
+    </message>
+    <message>
+        <source>There is no room for more parameter sets.</source>
+        <translation>Für weitere Parametersätze ist kein Platz.</translation>
     </message>
 </context>
 <context>
@@ -1905,6 +1931,26 @@ geschrieben werden konnte.
         <source>indices of strokes are expected</source>
         <translation>Indizes von Strichen werden erwartet</translation>
     </message>
+    <message>
+        <source>internode %1</source>
+        <translation>Internodium %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>liegt weiter als %1 m entfernt</translation>
+    </message>
+    <message>
+        <source>the record of what was done</source>
+        <translation>die Aufzeichnung dessen, was getan wurde</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>Schritt %1 der Geschichte</translation>
+    </message>
+    <message>
+        <source>the record of what was done is not a JSON object</source>
+        <translation>die Aufzeichnung dessen, was getan wurde, ist kein JSON-Objekt</translation>
+    </message>
 </context>
 <context>
     <name>PruneTool</name>
@@ -2087,6 +2133,46 @@ geschrieben werden konnte.
         <source>there are %1 commands to undo only, not %2</source>
         <translation>Befehle zum Rückgängigmachen: nur %1, nicht %2</translation>
     </message>
+    <message>
+        <source>a target for each handle is expected</source>
+        <translation>für jeden Griff wird ein Ziel erwartet</translation>
+    </message>
+    <message>
+        <source>arrays of three numbers within ±%1 are expected</source>
+        <translation>Felder aus drei Zahlen innerhalb von ±%1 werden erwartet</translation>
+    </message>
+    <message>
+        <source>there are more than %1</source>
+        <translation>es sind mehr als %1</translation>
+    </message>
+    <message>
+        <source>they want “%1” beside them</source>
+        <translation>dazu gehört „%1“</translation>
+    </message>
+    <message>
+        <source>1 to %1 envelopes are expected</source>
+        <translation>1 bis %1 Hüllen werden erwartet</translation>
+    </message>
+    <message>
+        <source>the tree&apos;s history cannot become a recipe: of its %1 steps, %2 (%3) were made by a version of Espalier that did not record how</source>
+        <translation>die Geschichte des Baums kann kein Rezept werden: von ihren %1 Schritten stammen %2 (%3) von einer Version von Espalier, die nicht aufzeichnete, wie sie entstanden</translation>
+    </message>
+    <message>
+        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling</source>
+        <translation>die Geschichte des Baums kann kein Rezept werden: sie beginnt nicht mit einem Sämling</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>Schritt %1 der Geschichte</translation>
+    </message>
+    <message>
+        <source>another file of this name lies where the recipe&apos;s image belongs</source>
+        <translation>dort, wo das Bild des Rezepts hingehört, liegt eine andere Datei dieses Namens</translation>
+    </message>
+    <message>
+        <source>the recipe&apos;s numbers cannot be written exactly</source>
+        <translation>die Zahlen des Rezepts lassen sich nicht genau schreiben</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2115,14 +2201,6 @@ geschrieben werden konnte.
 </context>
 <context>
     <name>Text</name>
-    <message>
-        <source>internode %1</source>
-        <translation>Internodium %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>liegt weiter als %1 m entfernt</translation>
-    </message>
 </context>
 <context>
     <name>Tree</name>

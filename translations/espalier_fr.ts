@@ -319,6 +319,14 @@
         <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
         <translation>Taille du pinceau, pression du stylet, et place que répand le pinceau.</translation>
     </message>
+    <message>
+        <source>Save as Recipe…</source>
+        <translation>Enregistrer comme recette…</translation>
+    </message>
+    <message>
+        <source>Write down what was done to the tree, so that it can be done again.</source>
+        <translation>Noter ce qui a été fait à l’arbre, pour pouvoir le refaire.</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -381,10 +389,6 @@
         <translation>--ground-shadow attend --transparent</translation>
     </message>
     <message>
-        <source>replay wants at least one recipe</source>
-        <translation>replay attend au moins une recette</translation>
-    </message>
-    <message>
         <source>%1 wants one project</source>
         <translation>%1 attend un projet</translation>
     </message>
@@ -401,6 +405,14 @@
         <translation>une fenêtre montre un seul fichier&#xa0;; qu’est donc «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
+        <source>%1: its history, played again, gives another tree than it holds</source>
+        <translation>%1 : son historique, rejoué, donne un autre arbre que celui qu’il contient</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe or project</source>
+        <translation>replay demande au moins une recette ou un projet</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -409,11 +421,12 @@ espalier [PROJECT]
 espalier --demo [RECIPE]
     Opens the window and brushes a tree in it; then it is yours.
 
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats FILE] [--threads N] [--seed N] [--strict]
     Does what a recipe says, without a window, and writes what comes of it.
+    Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
     says the seed, and each begins by putting its parameters in force.
     What operations do not find in the tree is printed; with --strict it is an
@@ -445,11 +458,12 @@ espalier [PROJET]
 espalier --demo [RECETTE]
     Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
 
-espalier replay RECETTE... [-o SORTIE]... [--png FICHIER] [--size LxH]
+espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats FICHIER] [--threads N] [--seed N] [--strict]
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
+    D’un projet, tout ce qui a été fait à son arbre est refait.
     De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
     Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
@@ -642,6 +656,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Overwrite</source>
         <translation>Écraser</translation>
+    </message>
+    <message>
+        <source>Save as Recipe</source>
+        <translation>Enregistrer comme recette</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Recettes (*.json)</translation>
     </message>
 </context>
 <context>
@@ -896,6 +918,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>There is no envelope to fill.</source>
         <translation>Il n’y a pas d’enveloppe à remplir.</translation>
+    </message>
+    <message>
+        <source>There is no room for more parameter sets.</source>
+        <translation>Il n’y a plus de place pour d’autres jeux de paramètres.</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1930,26 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>indices of strokes are expected</source>
         <translation>des indices de tracés sont attendus</translation>
     </message>
+    <message>
+        <source>internode %1</source>
+        <translation>entre-nœud %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>il se trouve à plus de %1 m</translation>
+    </message>
+    <message>
+        <source>the record of what was done</source>
+        <translation>l’enregistrement de ce qui a été fait</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>étape %1 de l’historique</translation>
+    </message>
+    <message>
+        <source>the record of what was done is not a JSON object</source>
+        <translation>l’enregistrement de ce qui a été fait n’est pas un objet JSON</translation>
+    </message>
 </context>
 <context>
     <name>PruneTool</name>
@@ -2086,6 +2132,46 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>there are %1 commands to undo only, not %2</source>
         <translation>commandes à annuler&#xa0;: %1 seulement, pas %2</translation>
     </message>
+    <message>
+        <source>a target for each handle is expected</source>
+        <translation>une cible pour chaque poignée est attendue</translation>
+    </message>
+    <message>
+        <source>arrays of three numbers within ±%1 are expected</source>
+        <translation>des tableaux de trois nombres dans ±%1 sont attendus</translation>
+    </message>
+    <message>
+        <source>there are more than %1</source>
+        <translation>il y en a plus de %1</translation>
+    </message>
+    <message>
+        <source>they want “%1” beside them</source>
+        <translation>il leur faut « %1 » à côté</translation>
+    </message>
+    <message>
+        <source>1 to %1 envelopes are expected</source>
+        <translation>1 à %1 enveloppes sont attendues</translation>
+    </message>
+    <message>
+        <source>the tree&apos;s history cannot become a recipe: of its %1 steps, %2 (%3) were made by a version of Espalier that did not record how</source>
+        <translation>l’historique de l’arbre ne peut pas devenir une recette : de ses %1 étapes, %2 (%3) viennent d’une version d’Espalier qui n’enregistrait pas comment</translation>
+    </message>
+    <message>
+        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling</source>
+        <translation>l’historique de l’arbre ne peut pas devenir une recette : il ne commence pas par un semis</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>étape %1 de l’historique</translation>
+    </message>
+    <message>
+        <source>another file of this name lies where the recipe&apos;s image belongs</source>
+        <translation>un autre fichier de ce nom se trouve à la place de l’image de la recette</translation>
+    </message>
+    <message>
+        <source>the recipe&apos;s numbers cannot be written exactly</source>
+        <translation>les nombres de la recette ne peuvent pas être écrits exactement</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2114,14 +2200,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 </context>
 <context>
     <name>Text</name>
-    <message>
-        <source>internode %1</source>
-        <translation>entre-nœud %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>il se trouve à plus de %1 m</translation>
-    </message>
 </context>
 <context>
     <name>Tree</name>

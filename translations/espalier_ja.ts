@@ -319,6 +319,14 @@
         <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
         <translation>ブラシの大きさ、筆圧、ブラシが広げる余地を決めます。</translation>
     </message>
+    <message>
+        <source>Save as Recipe…</source>
+        <translation>レシピとして保存…</translation>
+    </message>
+    <message>
+        <source>Write down what was done to the tree, so that it can be done again.</source>
+        <translation>木に対して行ったことを書き留めて、もう一度行えるようにします。</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -381,10 +389,6 @@
         <translation>--ground-shadow には --transparent が必要です</translation>
     </message>
     <message>
-        <source>replay wants at least one recipe</source>
-        <translation>replay には 1 つ以上のレシピが必要です</translation>
-    </message>
-    <message>
         <source>%1 wants one project</source>
         <translation>%1 にはプロジェクトを 1 つ指定します</translation>
     </message>
@@ -401,6 +405,14 @@
         <translation>1 つのウィンドウで開けるファイルは 1 つです。&quot;%1&quot; は余分です</translation>
     </message>
     <message>
+        <source>%1: its history, played again, gives another tree than it holds</source>
+        <translation>%1: 履歴をもう一度再生すると、保存されている木と違う木になります</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe or project</source>
+        <translation>replay にはレシピかプロジェクトが少なくとも 1 つ必要です</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -409,11 +421,12 @@ espalier [PROJECT]
 espalier --demo [RECIPE]
     Opens the window and brushes a tree in it; then it is yours.
 
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats FILE] [--threads N] [--seed N] [--strict]
     Does what a recipe says, without a window, and writes what comes of it.
+    Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
     says the seed, and each begins by putting its parameters in force.
     What operations do not find in the tree is printed; with --strict it is an
@@ -445,11 +458,12 @@ espalier [PROJECT]
 espalier --demo [RECIPE]
     ウィンドウを開いて木を 1 本描きます。その木は自由に使えます。
 
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats FILE] [--threads N] [--seed N] [--strict]
     ウィンドウなしでレシピを実行し、結果を書き出します。
+    プロジェクトのときは、その木に対して行ったことをすべてもう一度行います。
     レシピが複数あるときは、それぞれが前の木の続きになります。シードは
     最初のレシピのものを使い、パラメーターは各レシピの最初に切り替わります。
     操作の対象が木に見つからないときは、それを表示します。--strict を付けると
@@ -642,6 +656,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Overwrite</source>
         <translation>上書き</translation>
+    </message>
+    <message>
+        <source>Save as Recipe</source>
+        <translation>レシピとして保存</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>レシピ (*.json)</translation>
     </message>
 </context>
 <context>
@@ -896,6 +918,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>There is no envelope to fill.</source>
         <translation>満たす外形がありません。</translation>
+    </message>
+    <message>
+        <source>There is no room for more parameter sets.</source>
+        <translation>これ以上パラメーターの組を加える余地がありません。</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1930,26 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>indices of strokes are expected</source>
         <translation>ストロークの番号が必要です</translation>
     </message>
+    <message>
+        <source>internode %1</source>
+        <translation>節間 %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>%1 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>the record of what was done</source>
+        <translation>行ったことの記録</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>履歴のステップ %1</translation>
+    </message>
+    <message>
+        <source>the record of what was done is not a JSON object</source>
+        <translation>行ったことの記録が JSON オブジェクトではありません</translation>
+    </message>
 </context>
 <context>
     <name>PruneTool</name>
@@ -2086,6 +2132,46 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>there are %1 commands to undo only, not %2</source>
         <translation>元に戻せるのは %1 回までで、%2 回はできません</translation>
     </message>
+    <message>
+        <source>a target for each handle is expected</source>
+        <translation>ハンドルごとに目標が 1 つ必要です</translation>
+    </message>
+    <message>
+        <source>arrays of three numbers within ±%1 are expected</source>
+        <translation>±%1 以内の 3 つの数の配列が必要です</translation>
+    </message>
+    <message>
+        <source>there are more than %1</source>
+        <translation>%1 個を超えています</translation>
+    </message>
+    <message>
+        <source>they want “%1” beside them</source>
+        <translation>一緒に「%1」が必要です</translation>
+    </message>
+    <message>
+        <source>1 to %1 envelopes are expected</source>
+        <translation>1～%1 個の外形が必要です</translation>
+    </message>
+    <message>
+        <source>the tree&apos;s history cannot become a recipe: of its %1 steps, %2 (%3) were made by a version of Espalier that did not record how</source>
+        <translation>木の履歴をレシピにできません。全 %1 ステップのうち %2 ステップ（%3）は、やり方を記録しない版の Espalier で作られました</translation>
+    </message>
+    <message>
+        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling</source>
+        <translation>木の履歴をレシピにできません。苗木から始まっていません</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>履歴のステップ %1</translation>
+    </message>
+    <message>
+        <source>another file of this name lies where the recipe&apos;s image belongs</source>
+        <translation>レシピの画像を置く場所に、同じ名前の別のファイルがあります</translation>
+    </message>
+    <message>
+        <source>the recipe&apos;s numbers cannot be written exactly</source>
+        <translation>レシピの数を正確に書けません</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2114,14 +2200,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 </context>
 <context>
     <name>Text</name>
-    <message>
-        <source>internode %1</source>
-        <translation>節間 %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>%1 m より遠くにあります</translation>
-    </message>
 </context>
 <context>
     <name>Tree</name>

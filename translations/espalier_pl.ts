@@ -319,6 +319,14 @@
         <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
         <translation>Rozmiar pędzla, nacisk pióra i miejsce, które rozsiewa pędzel.</translation>
     </message>
+    <message>
+        <source>Save as Recipe…</source>
+        <translation>Zapisz jako przepis…</translation>
+    </message>
+    <message>
+        <source>Write down what was done to the tree, so that it can be done again.</source>
+        <translation>Zapisz, co zrobiono z drzewem, aby można było to powtórzyć.</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -381,10 +389,6 @@
         <translation>--ground-shadow wymaga --transparent</translation>
     </message>
     <message>
-        <source>replay wants at least one recipe</source>
-        <translation>replay wymaga co najmniej jednego przepisu</translation>
-    </message>
-    <message>
         <source>%1 wants one project</source>
         <translation>%1 wymaga jednego projektu</translation>
     </message>
@@ -401,6 +405,14 @@
         <translation>okno pokazuje jeden plik, czym więc jest „%1”?</translation>
     </message>
     <message>
+        <source>%1: its history, played again, gives another tree than it holds</source>
+        <translation>%1: jego historia odtworzona ponownie daje inne drzewo niż zapisane</translation>
+    </message>
+    <message>
+        <source>replay wants at least one recipe or project</source>
+        <translation>replay wymaga co najmniej jednego przepisu lub projektu</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -409,11 +421,12 @@ espalier [PROJECT]
 espalier --demo [RECIPE]
     Opens the window and brushes a tree in it; then it is yours.
 
-espalier replay RECIPE... [-o OUT]... [--png FILE] [--size WxH]
+espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats FILE] [--threads N] [--seed N] [--strict]
     Does what a recipe says, without a window, and writes what comes of it.
+    Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
     says the seed, and each begins by putting its parameters in force.
     What operations do not find in the tree is printed; with --strict it is an
@@ -445,11 +458,12 @@ espalier [PROJEKT]
 espalier --demo [PRZEPIS]
     Otwiera okno i maluje w nim drzewo, po czym je oddaje.
 
-espalier replay PRZEPIS... [-o WYNIK]... [--png PLIK] [--size SxW]
+espalier replay PRZEPIS|PROJEKT... [-o WYNIK]... [--png PLIK] [--size SxW]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
                 [--stats PLIK] [--threads N] [--seed N] [--strict]
     Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
+    Z projektu powtarza wszystko, co zrobiono z jego drzewem.
     Przy kilku przepisach każdy prowadzi dalej drzewo poprzedniego: pierwszy
     podaje ziarno, a każdy na początku wprowadza swoje parametry.
     To, czego operacje nie znajdują w drzewie, jest wypisywane; z --strict jest
@@ -642,6 +656,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Overwrite</source>
         <translation>Nadpisz</translation>
+    </message>
+    <message>
+        <source>Save as Recipe</source>
+        <translation>Zapisz jako przepis</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Przepisy (*.json)</translation>
     </message>
 </context>
 <context>
@@ -896,6 +918,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>There is no envelope to fill.</source>
         <translation>Nie ma obwiedni, którą drzewo mogłoby wypełnić.</translation>
+    </message>
+    <message>
+        <source>There is no room for more parameter sets.</source>
+        <translation>Nie ma miejsca na więcej zestawów parametrów.</translation>
     </message>
 </context>
 <context>
@@ -1904,6 +1930,26 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>indices of strokes are expected</source>
         <translation>oczekiwano indeksów obrysów</translation>
     </message>
+    <message>
+        <source>internode %1</source>
+        <translation>międzywęźle %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>leży dalej niż %1 m od początku układu</translation>
+    </message>
+    <message>
+        <source>the record of what was done</source>
+        <translation>zapis wykonanych czynności</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>krok %1 historii</translation>
+    </message>
+    <message>
+        <source>the record of what was done is not a JSON object</source>
+        <translation>zapis wykonanych czynności nie jest obiektem JSON</translation>
+    </message>
 </context>
 <context>
     <name>PruneTool</name>
@@ -2086,6 +2132,46 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>there are %1 commands to undo only, not %2</source>
         <translation>poleceń do cofnięcia jest tylko %1, a nie %2</translation>
     </message>
+    <message>
+        <source>a target for each handle is expected</source>
+        <translation>oczekiwano celu dla każdego uchwytu</translation>
+    </message>
+    <message>
+        <source>arrays of three numbers within ±%1 are expected</source>
+        <translation>oczekiwano tablic trzech liczb w zakresie ±%1</translation>
+    </message>
+    <message>
+        <source>there are more than %1</source>
+        <translation>jest ich więcej niż %1</translation>
+    </message>
+    <message>
+        <source>they want “%1” beside them</source>
+        <translation>wymagają obok siebie „%1”</translation>
+    </message>
+    <message>
+        <source>1 to %1 envelopes are expected</source>
+        <translation>oczekiwano od 1 do %1 obwiedni</translation>
+    </message>
+    <message>
+        <source>the tree&apos;s history cannot become a recipe: of its %1 steps, %2 (%3) were made by a version of Espalier that did not record how</source>
+        <translation>historii drzewa nie da się zamienić w przepis: z jej %1 kroków %2 (%3) pochodzi z wersji Espaliera, która nie zapisywała, jak powstały</translation>
+    </message>
+    <message>
+        <source>the tree&apos;s history cannot become a recipe: it does not begin with a seedling</source>
+        <translation>historii drzewa nie da się zamienić w przepis: nie zaczyna się od siewki</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>krok %1 historii</translation>
+    </message>
+    <message>
+        <source>another file of this name lies where the recipe&apos;s image belongs</source>
+        <translation>w miejscu obrazu przepisu leży inny plik o tej nazwie</translation>
+    </message>
+    <message>
+        <source>the recipe&apos;s numbers cannot be written exactly</source>
+        <translation>liczb przepisu nie da się zapisać dokładnie</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2114,14 +2200,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 </context>
 <context>
     <name>Text</name>
-    <message>
-        <source>internode %1</source>
-        <translation>międzywęźle %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>leży dalej niż %1 m od początku układu</translation>
-    </message>
 </context>
 <context>
     <name>Tree</name>

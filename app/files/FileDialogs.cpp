@@ -46,8 +46,8 @@ QString askForSaving(QWidget& window, const QString& start)
 
 QString askForRecipe(QWidget& window, const QString& start)
 {
-    QFileDialog dialog(&window, Text::tr("Save as Recipe"), QFileInfo(start).path(),
-                       Text::tr("Recipes (*.json)"));
+    QFileDialog dialog(&window, DialogText::tr("Save as Recipe"), QFileInfo(start).path(),
+                       DialogText::tr("Recipes (*.json)"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kRecipeSuffix);
     dialog.selectFile(QFileInfo(start).completeBaseName());

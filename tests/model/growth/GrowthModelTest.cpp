@@ -52,14 +52,6 @@ private:
     int m_rebuilds = 0;
 };
 
-void grow(TreeDocument& document, int steps)
-{
-    GrowGesture gesture(document);
-    for (int i = 0; i < steps; ++i)
-        gesture.step();
-    gesture.finish();
-}
-
 } // namespace
 
 void GrowthModelTest::document_growsByTheModelThatItHas()
