@@ -4,6 +4,7 @@
 #include "commands/DocumentProject.h"
 #include "commands/TimeGesture.h"
 #include "commands/recipe/RecipePlayer.h"
+#include "model/document/EditCommand.h"
 #include "tests/soak/Hand.h"
 #include "tests/support/Documents.h"
 
@@ -127,14 +128,14 @@ QString Soak::saveAndReload()
 
     const QUndoStack& stack = m_document.undoStack();
     if (stack.index() > 0)
-        m_floor = stack.command(stack.index() - 1)->id() == -1 ? 0 : 1;
+        m_floor = EditCommand::at(stack, stack.index() - 1).isTravel() ? 1 : 0;
     const Tree tree = m_document.tree();
     const std::size_t journal = m_document.journal().size();
     showProject(m_document, std::move(*project));
     if (!(m_document.tree() == tree) || m_document.journal().size() != journal)
         return QStringLiteral("the tree that was read is not the one that was saved");
     QFile file(fileName);
-    const Result<QByteArray> again = packed(m_document);
+    const Result<QByteArray> again = packProject(projectOf(m_document, QStringLiteral("soak")));
     if (!file.open(QIODevice::ReadOnly) || !again || file.readAll() != *again)
         return QStringLiteral("what was read, saved again, gives another file");
     ++m_reloads;

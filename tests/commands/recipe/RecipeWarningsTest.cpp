@@ -119,7 +119,7 @@ std::vector<Case> cases()
          QStringLiteral("There is no envelope to fill.")},
         {"filling of what encloses nothing",
          FillEnvelopesOperation{
-             std::vector{LassoStroke{{}, Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {0, 1}, {0, 1}}}}},
+             std::vector{LassoStroke{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {0, 1}, {0, 1}}}}},
          QStringLiteral("The lasso is too small to enclose anything.")},
         {"removeLasso without an envelope", RemoveLassoOperation{}, QStringLiteral("there is no envelope")},
     };
