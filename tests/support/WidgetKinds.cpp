@@ -13,6 +13,7 @@
 #include "panels/library/LibraryView.h"
 #include "views/Viewport.h"
 
+#include <QStyleHints>
 #include <QtTest>
 #include <QtWidgets>
 
@@ -96,8 +97,14 @@ void driveChoice(WindowHand& hand, QWidget& widget, Way way)
         WindowHand::key(widget, next > box.currentIndex() ? Qt::Key_Down : Qt::Key_Up);
         return;
     }
+    // A list takes the release of the press that opened it for a choice, unless it comes within a double
+    // click.
+    const int interval = QApplication::doubleClickInterval();
+    QGuiApplication::styleHints()->setMouseDoubleClickInterval(2000);
     hand.tap(way, widget);
-    if (!QTest::qWaitFor([&] { return box.view()->isVisible(); }, 1000))
+    const bool isOpen = QTest::qWaitFor([&] { return box.view()->isVisible(); }, 1000);
+    QGuiApplication::styleHints()->setMouseDoubleClickInterval(interval);
+    if (!isOpen)
         return;
     // For a moment a list mistakes a release for that of the press which opened it.
     QTest::qWait(30);
