@@ -247,6 +247,10 @@ void MainWindow::followDocument()
     });
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateEnabled);
     connect(&stack, &QUndoStack::indexChanged, this, &MainWindow::updateTip);
+    connect(&m_document, &TreeDocument::changed, this, [this](const TreeChange& change) {
+        if (change.kind == TreeChange::Kind::Reset)
+            updateTip();
+    });
 }
 
 void MainWindow::updateTitle()

@@ -102,7 +102,7 @@ void MainWindow::takeTool()
 
 void MainWindow::updateTip()
 {
-    // Whoever has a tree in hand knows.
+    // The tip is for the first stroke only.
     const bool isNew = m_document.index().livingCount() <= 1 || m_recipeRunner.isRunning();
     m_workspace->setTip(isNew ? m_workspace->viewport().tool().tip() : QString());
 }

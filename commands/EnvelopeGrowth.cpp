@@ -81,8 +81,8 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
     options.sheds = false;
     options.competitors = m_competitors;
     const double margin = marginOf(tree.parameters());
-    // Whoever stands outside may come in; once somebody is in, the others stay where they are: a stem remains
-    // bare.
+    // Shoots may grow into the envelope from outside until a bud is inside; after that, shoots outside stay
+    // as they are, so that a stem remains bare.
     m_hasEntered = m_hasEntered || isInside(tree, index);
     options.admits = [&](const Vec3& from, const Vec3& to) {
         return m_envelopes.containsWithin(to, margin) || (!m_hasEntered && !m_envelopes.contains(from));

@@ -11,7 +11,8 @@
 namespace espalier {
 
 /// Undoes and redoes for a window: a command that changes few rows at once, a large one in slices between
-/// which the window draws and listens. Whoever changes the document meanwhile finds all of it done.
+/// which the window draws and listens. Code that changes the document
+/// meanwhile finds all of it done.
 class UndoRunner : public QObject {
     Q_OBJECT
 

@@ -27,7 +27,7 @@ struct BendOperation {
         Vec3 target = Vec3::Zero(); ///< m
         bool operator==(const Handle&) const = default;
     };
-    /// A place of the hands on their way.
+    /// Where the handles were pulled to at one moment of the drag.
     struct Move {
         std::vector<Vec3> targets; ///< m, of the handles in their order
         /// How often the branch was pulled there (BendGesture::moveTo), 1...kMostCalls; nothing for until it

@@ -249,7 +249,7 @@ void CardView::mouseMoveEvent(QMouseEvent* event)
     const QPoint way = event->position().toPoint() - m_pressedAt;
     if (way.manhattanLength() > QGuiApplication::styleHints()->startDragDistance())
         m_longPress.stop();
-    // A drag over the cards selects none of them.
+    // A drag over the cards must not select cards.
     if (event->buttons() == Qt::NoButton)
         QListView::mouseMoveEvent(event);
 }
