@@ -10,9 +10,9 @@
 
 namespace espalier {
 
-/// Visits marked internodes and all their ancestors, each once, children before parents. Because a parent's
-/// id is smaller than its children's, that is one pass down a bit set: its cost is the number of ancestors
-/// plus a 64th of the ids.
+/// Visits marked internodes and all their ancestors, each once, children before parents. A parent's id is
+/// smaller than its children's, so this is one pass down a bit set. Its cost is the number of ancestors plus
+/// a 64th of the ids.
 class AncestorSweep {
 public:
     void mark(InternodeId id)
@@ -24,7 +24,7 @@ public:
         m_end = std::max(m_end, word + 1);
     }
 
-    /// Forgets the marks of ids from @p size on.
+    /// Removes the marks of the ids from @p size on.
     void truncate(InternodeId size)
     {
         const std::size_t words = (std::size_t{size} + 63) / 64;
@@ -35,8 +35,8 @@ public:
         m_end = std::min(m_end, words);
     }
 
-    /// Calls @p visit(id, parent) from the highest id down, then forgets the marks; parent is kNoInternode at
-    /// the base.
+    /// Calls @p visit(id, parent) from the highest id down and removes the marks. @p parents has the parent
+    /// of each id; kNoInternode for a root.
     template <class Visit>
     void run(std::span<const InternodeId> parents, Visit&& visit)
     {

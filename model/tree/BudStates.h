@@ -39,7 +39,7 @@ constexpr BudKind budKind(int slot)
 
 enum class BudState : std::uint8_t {
     None,    ///< There is no bud, or it has become a branch
-    Dormant, ///< It lives but does not compete until something wakes it
+    Dormant, ///< It lives, but does not compete until its state becomes Active
     Active,  ///< It competes for light and space
     Dead,
 };
@@ -49,7 +49,7 @@ struct BudStates {
     BudMask living = 0; ///< Active or dormant
     BudMask other = 0;  ///< Dormant or dead
 
-    /// All of @p mask are active, the others are not there.
+    /// All buds of @p mask are active; the other slots have no bud.
     static constexpr BudStates active(BudMask mask) { return {mask, 0}; }
 
     constexpr BudMask active() const { return static_cast<BudMask>(living & ~other); }

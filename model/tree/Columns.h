@@ -13,17 +13,17 @@
 
 namespace espalier {
 
-/// What is wrong with a value, as a text to be translated in the context "Tree" ("its length is out of
-/// range"); null for nothing.
+/// Checks a value. Returns what is wrong, as a text to be translated in the context "Tree" ("its length is
+/// out of range"), or null.
 template <class T>
 using FaultOf = const char* (*)(const T& value);
 
-/// One column of a table: all that applying, comparing, saving, reading and migrating need to know of it.
+/// One column of a table, as applying, comparing, saving, reading and migrating see it.
 template <class T>
 struct ColumnInfo {
-    const char* name;          ///< In files; never changes
-    std::optional<T> fallback; ///< For files that lack the column; none if every file must have it
-    FaultOf<T> faultOf;        ///< For values that come from a file
+    const char* name;          ///< The name in files; never changes
+    std::optional<T> fallback; ///< The value for files that lack the column; empty if every file must have it
+    FaultOf<T> faultOf;        ///< The check for values from files
 };
 
 template <class T>
@@ -32,7 +32,7 @@ constexpr const char* noFault(const T& /*value*/)
     return nullptr;
 }
 
-/// What a column of a new row holds where its maker does not say: the column's fallback, or the type's zero.
+/// The value of a cell in a new row that is not given explicitly: the column's fallback, or the type's zero.
 template <class T>
 T initialValue(const std::optional<T>& fallback)
 {
@@ -42,7 +42,7 @@ T initialValue(const std::optional<T>& fallback)
         return fallback.value_or(T{});
 }
 
-/// Exact equality. (Eigen's rotations have none of their own.)
+/// Exact equality. (Eigen's quaternions have no operator== before version 3.4.)
 template <class T>
 bool isSame(const T& a, const T& b)
 {
@@ -52,7 +52,7 @@ bool isSame(const T& a, const T& b)
         return a == b;
 }
 
-/// What an edit did to a cell.
+/// The change of one cell.
 template <class T>
 struct CellChange {
     std::uint32_t row;
@@ -65,8 +65,8 @@ struct CellChange {
     }
 };
 
-/// The changed cells of one column, each row at most once. Takes a pointer's room while there are none: a
-/// delta has one for every column, and most of them are empty.
+/// The changed cells of one column, each row at most once. As long as it is empty it takes the memory of a
+/// pointer: a delta has one for every column, and most of them are empty.
 template <class T>
 class CellChanges {
 public:
@@ -125,7 +125,7 @@ struct SparseCell {
     bool operator==(const SparseCell&) const = default;
 };
 
-/// A rare thing about some internodes: (id, value) by ascending id.
+/// A property that few internodes have: (id, value) by ascending id.
 template <class T>
 class SparseColumn {
 public:
@@ -143,7 +143,7 @@ public:
         const T* const value = find(id);
         return value ? std::optional<T>(*value) : std::nullopt;
     }
-    /// Sets or, without a value, takes away.
+    /// Sets the value of @p id, or removes it if @p value is empty.
     void set(std::uint32_t id, const std::optional<T>& value)
     {
         const auto place = std::ranges::lower_bound(m_cells, id, {}, &Cell::id);
@@ -155,7 +155,7 @@ public:
         else if (isThere)
             m_cells.erase(place);
     }
-    /// From cells that a file has; the caller checks that their ids ascend.
+    /// A column with cells from a file; the caller checks that their ids ascend.
     static SparseColumn fromCells(std::vector<Cell> cells)
     {
         SparseColumn column;
@@ -171,11 +171,11 @@ private:
 
 } // namespace espalier
 
-// A table is made of one list of columns, LIST(COLUMN), of lines COLUMN(type, name, fallback, fault). The
-// macro makes of it the struct <Table>Columns (a QList a column), the struct <Table>Row (a value a column),
-// the struct <Table>Changes (a CellChanges a column), and <Table>Table::visit(visitor, parts…), which calls
-// visitor(ColumnInfo, part.name…) for each column in the list's order. So a new column costs one line, and
-// what it means.
+// A table is described by one list of columns, LIST(COLUMN), of lines COLUMN(type, name, fallback, fault).
+// The macros make from it the members of the struct <Table>Columns (a QList a column), <Table>Row (a value a
+// column) and <Table>Changes (a CellChanges a column), and <Table>Table::visit(visitor, parts…), which calls
+// visitor(ColumnInfo, part.name…) for each column in the list's order. So a new column needs one line in the
+// list, and the code that uses it.
 #define ESPALIER_COLUMN_MEMBER(Type, name, fallback, fault) QList<Type> name;
 #define ESPALIER_ROW_MEMBER(Type, name, fallback, fault) Type name = initialValue<Type>(fallback);
 #define ESPALIER_CHANGES_MEMBER(Type, name, fallback, fault) CellChanges<Type> name;

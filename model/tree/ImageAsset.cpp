@@ -34,7 +34,7 @@ QImage unpack(const QByteArray& file)
     return std::move(pixels).convertToFormat(format);
 }
 
-/// The images that were unpacked last.
+/// A cache of the images that were decoded last, for all threads.
 class UnpackedImages {
 public:
     static UnpackedImages& instance()

@@ -9,28 +9,28 @@
 
 namespace espalier {
 
-/// An image of the person's own, for leaves or bark; or none. A value: what it holds never changes and is
-/// shared by all who hold it, the undo stack among them, so an image lives as long as somebody may come back
-/// to it. Two are the same if their files have the same bytes.
+/// An image that the user has chosen for leaves or bark, or none. A value type: its data never change and are
+/// shared by all copies, so an image that the undo stack refers to stays in memory. Two images are equal if
+/// their files have the same bytes.
 class ImageAsset {
 public:
-    /// px; pixels() of larger images are made that large.
+    /// The longest edge of pixels(), px; larger images are scaled down to it.
     static constexpr int kLargestEdge = 2048;
 
     ImageAsset() = default;
-    /// @p file are the bytes of a PNG or JPEG file; see readImage(), which makes sound ones only. @p name is
-    /// the file's, as a recipe may say it.
+    /// @p file: the bytes of a PNG or JPEG file; readImage() (model/io) checks them. @p name: the name of
+    /// that file, for recipes.
     ImageAsset(const QByteArray& file, const QString& name);
 
     bool isNull() const { return m_data == nullptr; }
-    /// SHA-256 of the file, in 64 hexadecimal digits; empty for none.
+    /// SHA-256 of the file's bytes, in 64 hexadecimal digits; empty if there is no image.
     QString hash() const { return m_data ? m_data->hash : QString(); }
     QString name() const { return m_data ? m_data->name : QString(); }
     QByteArray file() const { return m_data ? m_data->file : QByteArray(); }
-    /// "png" or "jpg", as the file is.
+    /// The suffix for a file with these bytes: "png" or "jpg".
     QString suffix() const;
-    /// What is in the file, upright as its camera says: Format_RGBA8888 or Format_RGB888; null if it is
-    /// broken. The last few are kept, others are unpacked again. On any thread.
+    /// The decoded image, turned upright by its orientation tag: Format_RGBA8888 or Format_RGB888; null if
+    /// the file cannot be decoded. A cache keeps the last few decoded images. Can be called on any thread.
     QImage pixels() const;
 
     bool operator==(const ImageAsset& other) const
@@ -47,7 +47,7 @@ private:
     std::shared_ptr<const Data> m_data;
 };
 
-/// "png" or "jpeg", as the bytes of a file begin; or nothing.
+/// The format of an image file, from its first bytes: "png", "jpeg", or empty if it is neither.
 QByteArray imageFormat(const QByteArray& file);
 
 } // namespace espalier

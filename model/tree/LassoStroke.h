@@ -18,15 +18,15 @@ struct LassoStroke {
     bool operator==(const LassoStroke&) const = default;
 };
 
-/// No more points than this are left of a stroke.
+/// The greatest number of points of a stroke; simplification removes the rest (model/envelope/LassoLoop.h).
 inline constexpr std::size_t kMostLassoPoints = 2000;
-/// Points farther than this from the plane's origin are taken for mistakes of a device, m.
+/// The greatest coordinate of a point, m, along right and up. Greater ones are errors of an input device.
 inline constexpr float kFarthestLassoPoint = 1e7F;
-/// The plane's origin is within this of the world's, each way, m.
+/// The greatest coordinate of the plane's origin, m, along each axis of the world.
 inline constexpr float kFarthestLassoPlane = 1e6F;
 
-/// Whether a document may keep such a stroke: a plane that is one, and points that are few enough and near
-/// enough.
+/// Whether a document may contain @p stroke: right and up are orthogonal unit vectors, and the coordinates
+/// and the number of points are within the limits above.
 bool isLasso(const LassoStroke& stroke);
 
 } // namespace espalier

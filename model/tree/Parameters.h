@@ -8,18 +8,18 @@
 
 namespace espalier {
 
-/// How a tree grows (TreeSketch 2012 §3.2; symbols in the comments are the paper's). Lengths that say "in
-/// internodes" are multiples of internodeLength. Any field may change at any step; what has grown stays as it
-/// grew.
+/// How a tree grows (TreeSketch 2012 §3.2; symbols in the comments are the paper's). Lengths "in internodes"
+/// are multiples of internodeLength. Any field may change at any step; a change applies to later growth, not
+/// to internodes that exist.
 struct GrowthParameters {
     // Form of a shoot
     double internodeLength = 0.1;        ///< l, m
     double phyllotaxis = radians(137.5); ///< φ, rad, roll between successive nodes
-    int lateralsPerNode = 1;             ///< lateral buds at a node, 1...6, evenly around it
+    int lateralsPerNode = 1;             ///< lateral buds at a node, 1...6, evenly spaced around it
     double branchingAngle = radians(60); ///< ψ, rad, between the axis and a lateral bud
     double deflectionAngle = radians(8); ///< δ, rad, the axis turns away from a lateral that starts to grow
-    double irregularity = 0.6; ///< 0...1, spread of angles and lengths, as in real trees (0 = a diagram)
-    int maxShootLength = 5;    ///< n_max, internodes of the strongest shoot of a step
+    double irregularity = 0.6;           ///< 0...1, random spread of angles and lengths (0 = none)
+    int maxShootLength = 5; ///< n_max, internodes that the shoot with the greatest vigour grows in a step
 
     // Competition for space
     double occupancyRadius = 2.0;         ///< r, in internodes
@@ -40,7 +40,7 @@ struct GrowthParameters {
     double spaceWeight = 0.3;           ///< γ, weight of the free space E
     double setPointAngle = radians(38); ///< θ, rad, gravitropic set-point angle: 0 up, π/2 level, π down
     bool tropismFromStroke = false;     ///< θ follows the direction of the brush stroke
-    bool uprightTrunk = false;          ///< the trunk keeps θ = 0, whatever the branches do
+    bool uprightTrunk = false;          ///< θ of the trunk is 0; other settings of θ are for branches only
 
     // Gravimorphism (eq. 1 and figure 10)
     double ellipseVertical = 1.0; ///< s_v
@@ -60,7 +60,7 @@ struct WidthParameters {
     double exponent = 2.2;      ///< n, used when baseDiameter is 0
     double tipDiameter = 0.003; ///< d_e, m
     double baseDiameter = 0.0;  ///< d_b, m; 0 = follows from the exponent
-    double flare = 0.5;         ///< how much thicker the trunk is at the ground, as a share of itself
+    double flare = 0.5;         ///< by how much the trunk is thicker at the ground, as a share of itself
 
     bool operator==(const WidthParameters&) const = default;
 };
@@ -76,17 +76,17 @@ enum class LeafShape : int {
     Willow,
     Fascicle,
     Frond,
-    Own ///< That of an image of the person's own; no parameter has this value
+    Own ///< The shape of the user's own image; no parameter has this value
 };
-/// Of those that are drawn.
+/// The number of shapes that the program draws itself: all but Own.
 inline constexpr int kLeafShapeCount = 10;
 
-/// How leaves stand around their shoot.
+/// How leaves are arranged around their shoot.
 enum class LeafArrangement : int {
-    Shoot,    ///< As its buds do, evenly around each node
-    Spiral,   ///< One by one along the shoot, the golden angle apart
+    Shoot,    ///< At the buds: evenly spaced around each node
+    Spiral,   ///< One after another along the shoot, the golden angle apart
     Opposite, ///< Together at the node, each pair or whorl in the gaps of the one before (decussate)
-    Flat,     ///< One by one, left and right, in the plane of the twig (distichous)
+    Flat,     ///< One after another, left and right, in the plane of the twig (distichous)
 };
 inline constexpr int kLeafArrangementCount = 4;
 
@@ -97,8 +97,8 @@ struct LeafParameters {
     double length = 0.09;        ///< m, petiole to tip
     double aspect = 0.6;         ///< width / length
     int perNode = 2;             ///< leaves at a node, 0...8
-    int maxTips = 3;             ///< an internode bears leaves while it carries at most this many twig tips
-    int reach = 1000;            ///< and at most this many internodes, itself among them
+    int maxTips = 3;             ///< an internode bears leaves only if it carries at most this many twig tips
+    int reach = 1000;            ///< and if its subtree has at most this many internodes, itself included
     double angle = radians(50);  ///< rad, between the shoot and the petiole
     double droop = 0.25;         ///< 0...1, how far gravity turns a leaf down
     double upward = 0.6;         ///< 0...1, how far the blade turns its face to the sky
@@ -109,8 +109,8 @@ struct LeafParameters {
     double brightness = 1.0;          ///< of the texture's
     double vigourHue = 0.25;          ///< 0...1, shift of weak shoots' leaves toward yellow and red
     LeafArrangement arrangement = LeafArrangement::Shoot;
-    /// Takes the place of the shape's drawing: petiole below, tip above. Its alpha, or what its plain
-    /// background leaves, is the leaf; see cutLeaf().
+    /// Replaces the drawing of the shape: petiole below, tip above. Its alpha channel cuts the leaf out, or,
+    /// if it has none, its plain background is removed; see cutLeaf().
     ImageAsset image{};
 
     bool operator==(const LeafParameters&) const = default;
@@ -122,15 +122,15 @@ inline constexpr int kBarkKindCount = 8;
 struct BarkParameters {
     BarkKind kind = BarkKind::Furrowed;
     double scale = 0.5; ///< m of trunk length that one tile of texture covers
-    // Take the place of the kind's drawing. The other two follow from the first where they are not given.
+    // Images that replace the drawing of the kind. Missing normals and roughness follow from the colours.
     ImageAsset image{};          ///< Colours
     ImageAsset normalImage{};    ///< Normals in tangent space, green up
-    ImageAsset roughnessImage{}; ///< 0 a mirror, white chalk
+    ImageAsset roughnessImage{}; ///< Grey: 0 is a mirror, white is matte
 
     bool operator==(const BarkParameters&) const = default;
 };
 
-/// All that shapes a tree but the hand.
+/// All parameters of a tree.
 struct TreeParameters {
     GrowthParameters growth;
     WidthParameters widths;
@@ -140,11 +140,11 @@ struct TreeParameters {
     bool operator==(const TreeParameters&) const = default;
 };
 
-/// A parameter's quantity: how it is written at the surface.
+/// The kind of a parameter's value, which decides how files, recipes and panels write it.
 enum class Quantity { Number, Metres, Angle, Count, Switch, Choice };
 
-/// What the file, the recipe, the help and the panels need to know of one parameter. Limits are in surface
-/// units: degrees for angles, the number of the choice for choices.
+/// Describes one parameter for files, recipes, help and panels. Limits are in surface units, those of files
+/// and panels: degrees for angles, the number of the choice for choices.
 struct ParameterInfo {
     const char* key; ///< "group.name", stable: it is in files
     Quantity quantity;
@@ -153,8 +153,8 @@ struct ParameterInfo {
     const char* choices = nullptr; ///< names of a Choice, in order, separated by spaces
 };
 
-/// Calls @p visit(info, field) for each field; the one list of parameters that there is, but for
-/// the images. Works on const and mutable parameters.
+/// Calls @p visit(info, field) for each parameter except the images (visitImages()). This is the only list of
+/// the parameters. Works on const and mutable parameters.
 template <class Parameters, class Visit>
 void visitParameters(Parameters& p, Visit&& visit)
 {

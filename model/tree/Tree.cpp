@@ -119,7 +119,7 @@ void Tree::revert(TreeDelta& delta)
     if (delta.bringsRows() && !delta.rows) {
         const TreeContent& c = m_content;
         delta.rows = std::make_shared<TreeRows>();
-        // The deltas after it have been reverted: its rows are the last ones, as changed by itself alone.
+        // Later deltas have been reverted, so its rows are the last ones and have only its own changes.
         revertChanges(delta);
         const auto takeFrom = [](std::uint32_t first) {
             return [first](const auto&, const auto& column, auto& rows) { rows = column.mid(first); };
@@ -161,7 +161,7 @@ void Tree::revertChanges(const TreeDelta& delta)
     c.step = delta.stepBefore;
 }
 
-/// Takes out the rows and values that @p delta brought.
+/// Removes the rows and values that @p delta added.
 void Tree::truncate(const TreeDelta& delta)
 {
     if (!delta.bringsRows())

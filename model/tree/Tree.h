@@ -9,7 +9,7 @@
 
 namespace espalier {
 
-/// All that a tree is made of.
+/// All data of a tree.
 struct TreeContent {
     std::uint64_t seed = 1;
     Step step = 0;
@@ -23,9 +23,9 @@ struct TreeContent {
     bool operator==(const TreeContent& other) const;
 };
 
-/// The plant graph. An internode is a row of the columns; its upper end is a node, which carries buds; an
-/// axis is a chain of internodes that each continue the one before (slot kTerminalSlot). What is shed or
-/// pruned gets a death step; only undo takes rows out. Internode 0 is the seedling: it is a root, stands
+/// The plant graph. An internode is a row of the columns; its upper end is a node, which has buds. An axis is
+/// a chain of internodes of which each continues the one before (slot kTerminalSlot). Internodes that are
+/// shed or pruned get a death step; only undo removes rows. Internode 0 is the seedling: it is a root, stands
 /// upright and never dies; other roots may stand beside it.
 ///
 /// A Tree is a value: copies share their columns until one of them changes.
@@ -34,7 +34,7 @@ public:
     /// A seedling at the world's origin.
     explicit Tree(std::uint64_t seed = 1, const TreeParameters& parameters = {});
 
-    /// A tree read from elsewhere. Fails, naming the row, unless treeFault() finds nothing.
+    /// A tree with data from a file. Fails with the text of treeFault() if that finds a fault (Kind::Input).
     static Result<Tree> fromContent(TreeContent content);
 
     const TreeContent& content() const { return m_content; }
@@ -45,60 +45,62 @@ public:
     const InternodeColumns& columns() const { return m_content.internodes; }
     const LeafColumns& placedLeaves() const { return m_content.leaves; }
 
+    // Values of columns; see TreeTables.h for their units and ranges.
     InternodeId parent(InternodeId id) const { return columns().parent[id]; }
     float length(InternodeId id) const { return columns().length[id]; }
     float vigour(InternodeId id) const { return columns().vigour[id]; }
-    /// Its active buds.
+    /// The active buds at its node.
     BudMask buds(InternodeId id) const { return columns().buds[id].active(); }
     BudStates budStates(InternodeId id) const { return columns().buds[id]; }
     Step birth(InternodeId id) const { return columns().birth[id]; }
     InternodeKey key(InternodeId id) const { return columns().key[id]; }
-    /// False, too, for ids beyond the rows.
+    /// Also false for ids beyond the last row.
     bool isAlive(InternodeId id) const { return id < size() && columns().death[id] == kNever; }
     bool continuesAxis(InternodeId id) const { return columns().slot[id] == kTerminalSlot; }
-    /// Where a root stands, m.
+    /// World position of a root's lower end, m.
     Vec3 rootPosition(InternodeId id) const
     {
         const Vec3* const position = m_content.sparse.rootPosition.find(id);
         return position ? *position : Vec3(Vec3::Zero());
     }
 
-    /// The widths that a person has set, by ascending id; those of dead internodes count for nothing.
+    /// The diameters that the user has set, by ascending id; those of dead internodes have no effect.
     std::span<const WidthConstraint> widthConstraints() const { return m_content.sparse.width.cells(); }
-    /// m; 0 if none is set there.
+    /// The diameter that the user has set at @p id, m; 0 if there is none.
     float widthConstraint(InternodeId id) const { return m_content.sparse.width.at(id).value_or(0.0F); }
 
     const QList<TreeParameters>& parameterSets() const { return m_content.kept.parameters; }
     std::uint32_t currentParameterSet() const { return m_content.currentParameters; }
-    /// The parameters in force now.
+    /// The parameters in force.
     const TreeParameters& parameters() const { return parameterSets()[m_content.currentParameters]; }
-    /// The parameters that an internode was grown with.
+    /// The parameters that the internode grew with.
     const TreeParameters& parametersOf(InternodeId id) const
     {
         return parameterSets()[columns().parameterSet[id]];
     }
-    /// Whether a delta may put @p parameters in force: they are known, or there are few enough different
-    /// sets.
+    /// Whether a delta may put @p parameters in force: the tree has this set already, or has fewer than
+    /// kMostParameterSets.
     bool hasRoomFor(const TreeParameters& parameters) const;
 
-    /// The lasso strokes that were ever in force.
+    /// All lasso strokes that were ever in force.
     const QList<LassoStroke>& lassos() const { return m_content.kept.lassos; }
-    /// Indices of those in force now, ascending: the tree's envelopes.
+    /// Indices of the strokes in force, ascending: the tree's envelopes.
     const std::vector<std::uint32_t>& lassoIndicesInForce() const { return m_content.lassosInForce; }
     /// Copies of the strokes in force.
     std::vector<LassoStroke> lassosInForce() const;
 
-    /// Appends the delta's rows and makes its changes. Precondition: the delta starts at this tree and has
-    /// its rows.
+    /// Appends the delta's rows and makes its changes. Precondition: the delta starts at the state of this
+    /// tree and has its rows.
     void apply(const TreeDelta& delta);
-    /// The inverse; moves the rows that go into the delta, if it has none.
+    /// Undoes apply(); moves the removed rows into the delta if it has none. Precondition: @p delta is the
+    /// last one that was applied.
     void revert(TreeDelta& delta);
-    /// Likewise, and drops the rows that go.
+    /// The same, but drops the removed rows.
     void revertDropping(const TreeDelta& delta);
 
     bool operator==(const Tree&) const = default;
 
-    /// Memory of the columns, in bytes.
+    /// Memory of the columns, the sparse columns and the kept values, in bytes.
     std::size_t bytes() const;
 
 private:
@@ -109,21 +111,22 @@ private:
     TreeContent m_content;
 };
 
-/// A delta that changes nothing, to be filled in, at the moment that @p tree is in.
+/// An empty delta that starts at the present state of @p tree; the caller adds changes.
 TreeDelta deltaStartingAt(const Tree& tree);
-/// The index of a parameter set in @p tree, where @p delta starts; the delta brings the set along if the tree
-/// does not know it. Precondition: the tree has room for it (Tree::hasRoomFor).
+/// The index of a parameter set in @p tree, where @p delta starts. If the tree does not have the set, the set
+/// is added to the delta. Precondition: the tree has room for it (Tree::hasRoomFor).
 std::uint32_t keepParameters(TreeDelta& delta, const Tree& tree, const TreeParameters& parameters);
-/// The index that a stroke will have; @p delta brings it along. Precondition: isLasso(stroke).
+/// Adds @p stroke to @p delta and returns the index that it will have. Precondition: isLasso(stroke).
 std::uint32_t keepLasso(TreeDelta& delta, const Tree& tree, const LassoStroke& stroke);
 
-/// What is wrong with @p content, in a sentence without a full stop; empty if it may be a tree: equal sizes,
-/// parents before children, at most one living continuation a node, living parents of living internodes,
-/// values within their limits, known parameter sets, different keys. Serves the reader and the writer of
-/// files.
+/// Describes the first fault of @p content in a sentence without a full stop; empty if there is none. Checks
+/// that columns have equal sizes, parents come before children, a node has at most one living continuation,
+/// living internodes have living parents, values are within their limits, parameter sets exist, and keys
+/// differ. Both the reader and the writer of files use it.
 QString treeFault(const TreeContent& content);
 
-/// Whether an internode may have such a local frame and length.
+/// Whether an internode may have this local frame (a unit quaternion) and length (0 < length <=
+/// kGreatestLength, m).
 bool isFrame(const Rotation& rotation, float length);
 
 } // namespace espalier

@@ -18,25 +18,25 @@ struct TreeRows {
     KeptValues kept;
 };
 
-/// What made the deltas of one edit, as text that the model keeps and does not read.
+/// The operation that made the deltas of one edit. The model stores this text and does not interpret it.
 struct EditRecord {
-    /// A longer operation is not kept, bytes.
+    /// The greatest size of an operation, bytes; longer ones are not recorded.
     static constexpr qsizetype kMostBytes = 64 << 20;
 
-    QByteArray operation;     ///< Compact JSON of a recipe's operation; empty if it is not known
-    std::uint32_t deltas = 1; ///< Of the whole edit; a journal that was cut within it has fewer
+    QByteArray operation;     ///< Compact JSON of a recipe's operation; empty if it is unknown
+    std::uint32_t deltas = 1; ///< Of the whole edit; a journal that ends within the edit has fewer
 
-    /// The record of an edit of which nothing is known (yet).
+    /// The record of an edit whose operation is not known, or not known yet.
     static const std::shared_ptr<const EditRecord>& unknown();
     bool operator==(const EditRecord&) const = default;
 };
 
-/// What one edit did to a tree. Tree::apply and Tree::revert of deltas are the only ways to change one.
+/// A set of changes to a tree. Tree::apply and Tree::revert of deltas are the only ways to change a tree.
 struct TreeDelta {
-    /// An envelope that came into force or was taken away.
+    /// A lasso stroke that came into force or went out of force.
     struct LassoChange {
-        std::uint32_t index; ///< Of the tree's lassos
-        bool isInForce;      ///< Afterwards; before, the opposite
+        std::uint32_t index; ///< Into Tree::lassos()
+        bool isInForce;      ///< After the delta; before it, the opposite
         bool operator==(const LassoChange&) const = default;
     };
 
@@ -44,35 +44,36 @@ struct TreeDelta {
     Step stepAfter = 0;
     std::uint32_t parametersBefore = 0; ///< Index of the parameter set in force
     std::uint32_t parametersAfter = 0;
-    IdRange born;                    ///< Internodes; they are the tree's last rows
-    IdRange bornLeaves;              ///< Placed leaves, likewise
-    KeptCounts kept;                 ///< Values that are new to the tree, likewise
-    std::vector<InternodeId> died;   ///< At stepAfter; the whole of each shed or pruned branch
-    InternodeChanges internodes;     ///< Of internodes that were there before
-    LeafChanges leaves;              ///< Of placed leaves that were there before
+    IdRange born;                    ///< New internodes; the last rows of the tree
+    IdRange bornLeaves;              ///< New placed leaves; the last rows of their table
+    KeptCounts kept;                 ///< Numbers of new kept values; the last ones of the tree
+    std::vector<InternodeId> died;   ///< Internodes that died at stepAfter; all of each shed or pruned branch
+    InternodeChanges internodes;     ///< Of internodes that existed before
+    LeafChanges leaves;              ///< Of placed leaves that existed before
     SparseChanges sparse;            ///< Each id at most once a column
     std::vector<LassoChange> lassos; ///< Each index at most once
-    /// The new rows and values while they are not in the document's tree: reverting moves them here and
-    /// applying moves them back, so a row is stored once. Null in a delta that stands applied, or brings
-    /// none.
+    /// The new rows and values while the tree does not have them: reverting moves them here, and applying
+    /// moves them back, so that each row is stored once. Null while the delta is applied, and in a delta
+    /// that adds nothing.
     std::shared_ptr<TreeRows> rows;
-    /// What made the edit that begins with this delta. Null in its other deltas, and in those of files that
-    /// are older than records.
+    /// The record of the edit that begins with this delta. Null in the edit's other deltas, and in deltas
+    /// from files that are older than records.
     std::shared_ptr<const EditRecord> record;
 
-    /// Notes that an internode was bent or stretched (lengths in m), with all that hangs on it.
+    /// Adds the change of an internode that is bent or stretched (lengths in m). Descendants move with it.
     void addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,
                   float lengthAfter);
 
     bool isEmpty() const;
     bool bringsRows() const { return born.count > 0 || bornLeaves.count > 0 || kept != KeptCounts(); }
+    /// Memory in bytes, without rows.
     std::size_t bytes() const;
-    /// Equal in all but where the rows are.
+    /// Compares everything except rows, which depend on whether the delta is applied.
     bool operator==(const TreeDelta& other) const;
 
-    /// Calls @p visit(id) for each internode whose birth, life or buds differ; not for their neighbours, nor
-    /// for those that only moved. After the delta was reverted, ids from the tree's size on are the rows that
-    /// went.
+    /// Calls @p visit(id) for each internode that the delta creates, or whose death or buds it changes; not
+    /// for neighbours of these internodes, nor for internodes that only move. After a revert, ids from the
+    /// tree's size on are those of rows that are no longer in the tree.
     template <class Visit>
     void forEachTouched(Visit&& visit) const
     {
@@ -80,7 +81,7 @@ struct TreeDelta {
             visit(id);
         forEachTouchedRow(visit);
     }
-    /// The same without the births.
+    /// The same without the new internodes.
     template <class Visit>
     void forEachTouchedRow(Visit&& visit) const
     {
@@ -91,8 +92,8 @@ struct TreeDelta {
         for (const auto& change : internodes.death)
             visit(change.row);
     }
-    /// Calls @p visit(id), maybe more than once, for each internode that has another place on its parent,
-    /// frame or length.
+    /// Calls @p visit(id), possibly more than once, for each internode whose place on its parent, frame,
+    /// length or root position changes.
     template <class Visit>
     void forEachReframed(Visit&& visit) const
     {
@@ -112,7 +113,7 @@ struct TreeDelta {
     }
 };
 
-/// The history of a tree in simulation time: every delta that made it what it is.
+/// The history of a tree in simulation time: all deltas that led to its present state, first to last.
 using Journal = std::vector<std::shared_ptr<TreeDelta>>;
 
 } // namespace espalier

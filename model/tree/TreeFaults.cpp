@@ -14,7 +14,7 @@ struct TreeText {
     Q_DECLARE_TR_FUNCTIONS(Tree)
 };
 
-/// What is wrong with the values of row @p row, each seen alone; empty for nothing.
+/// Checks each value of row @p row by itself; returns the first fault, or an empty text.
 template <class Table, class Columns>
 QString valueFault(const Columns& columns, std::uint32_t row)
 {
@@ -40,7 +40,7 @@ bool haveEqualSizes(const Columns& columns)
     return areEqual;
 }
 
-/// How row @p id fits the others.
+/// Checks row @p id against other rows.
 QString internodeFault(const TreeContent& t, InternodeId id)
 {
     const InternodeColumns& c = t.internodes;

@@ -67,7 +67,7 @@ void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
         m_pending[id].internodes += one;
         m_sweep.mark(id);
     });
-    // A birth or a death may make or unmake a tip of the internode itself and of its parent.
+    // A birth or a death can change whether the internode or its parent is a tip.
     forEachTouched([&](InternodeId id) {
         refreshOwn(tree, id);
         if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
@@ -122,12 +122,12 @@ void TreeIndex::appendRows(const Tree& tree)
     }
 }
 
-/// Takes out the rows that @p delta bore. What they carried are rows that have gone, too.
+/// Removes the rows that @p delta added. All descendants of a removed row are removed rows, too.
 void TreeIndex::removeRows(const Tree& tree, const TreeDelta& delta)
 {
     const std::uint32_t end = tree.size();
     const QList<InternodeId>& parents = delta.rows->internodes.parent;
-    std::vector<InternodeId> stems; // what carried them
+    std::vector<InternodeId> stems; // remaining parents of removed rows
     for (InternodeId id = size(); id-- > end;) {
         const InternodeId parent = parents[id - end];
         if ((m_own[id] & kOwnAlive) != 0)
@@ -194,7 +194,7 @@ void TreeIndex::place(const Tree& tree, InternodeId id)
     m_greatestLength = std::max(m_greatestLength, c.length[id]);
 }
 
-/// What hangs on a bent internode follows it, the dead as well: they may come back.
+/// Places changed internodes and all their descendants again; dead ones as well, since undo can revive them.
 void TreeIndex::moveAll(const Tree& tree, const TreeDelta& delta)
 {
     m_moved.clear();

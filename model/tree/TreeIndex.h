@@ -9,47 +9,50 @@
 
 namespace espalier {
 
-/// What follows from a tree and is asked for all the time: who hangs on whom, where everything stands, how
-/// much each internode carries. Updated by the same deltas as the tree, forwards and backwards, in proportion
-/// to what they touch and its ancestors. Equal trees have equal indices, however they came about.
+/// Data derived from a tree that most algorithms need: children, axes, world positions and frames, and sums
+/// over subtrees. The index follows the tree's deltas, forwards and backwards. An update costs in proportion
+/// to the touched internodes and their ancestors; if the delta moves internodes, also one pass over the tree.
+/// Equal trees have equal links, positions and sums, no matter which deltas led to them.
 class TreeIndex {
 public:
     TreeIndex() = default;
     explicit TreeIndex(const Tree& tree) { rebuild(tree); }
 
     void rebuild(const Tree& tree);
-    /// Follows @p delta, which @p tree has just applied or reverted (then it has its rows).
+    /// Follows @p delta, which @p tree has just applied or reverted. Precondition: after a revert, the delta
+    /// has its rows.
     void update(const Tree& tree, const TreeDelta& delta);
 
     std::uint32_t size() const { return static_cast<std::uint32_t>(m_firstChild.size()); }
 
-    /// Living children, by ascending id; kNoInternode ends the list.
+    /// The living children by ascending id; kNoInternode ends the list.
     InternodeId firstChild(InternodeId id) const { return m_firstChild[id]; }
     InternodeId nextSibling(InternodeId id) const { return m_nextSibling[id]; }
     /// The living internode that continues the axis, or kNoInternode.
     InternodeId mainChild(InternodeId id) const { return m_mainChild[id]; }
-    /// The first internode of the axis that @p id is on: the axis's name. 0 is the trunk.
+    /// The first internode of the axis that @p id is on. It serves as the axis's id; 0 is the trunk.
     InternodeId axis(InternodeId id) const { return m_axis[id]; }
 
-    /// World position of the node at the upper end, m; of the lower end, where it is attached to its parent.
+    /// World position of the node, which is at the upper end, m.
     const Vec3& nodePosition(InternodeId id) const { return m_position[id]; }
+    /// World position of the lower end, where the internode is attached to its parent, m.
     Vec3 basePosition(const Tree& tree, InternodeId id) const;
     /// World frame: +Y along the internode.
     const Rotation& rotation(InternodeId id) const { return m_rotation[id]; }
     Vec3 heading(InternodeId id) const { return m_rotation[id] * Vec3(Vec3::UnitY()); }
 
-    /// Living internodes of the subtree that @p id carries, itself included; 0 for the dead.
+    /// Number of living internodes in the subtree of @p id, with itself; 0 if it is dead.
     std::uint32_t subtreeSize(InternodeId id) const { return m_sums[id].internodes; }
-    /// Living twig tips (internodes without a living child) of that subtree; 0 for the dead.
+    /// Number of living twig tips (internodes without a living child) in that subtree; 0 if @p id is dead.
     std::uint32_t tipCount(InternodeId id) const { return m_sums[id].tips; }
-    /// Of all roots together.
+    /// Number of living internodes of all roots together.
     std::uint32_t livingCount() const;
     /// Internodes without a parent, the dead included, ascending; 0 is the seedling.
     std::span<const InternodeId> roots() const { return m_roots; }
-    /// The root that @p id stands on.
+    /// The root that @p id descends from; @p id itself if it is a root.
     InternodeId rootOf(const Tree& tree, InternodeId id) const;
 
-    /// No internode is longer, m; after longer ones have gone it may be more than need be.
+    /// An upper limit of the lengths of all internodes, m. It does not fall when long internodes are removed.
     float greatestLength() const { return m_greatestLength; }
 
     /// Ids whose subtreeSize or tipCount changed in the last update, descending.
@@ -57,7 +60,8 @@ public:
     /// Ids, the dead included, that the last update moved to another place or turned, ascending.
     std::span<const InternodeId> recentlyMoved() const { return m_moved; }
 
-    /// Holds the nodes of the living internodes whose rows the last update took out, m; empty if none went.
+    /// A box around the nodes of the living internodes whose rows the last update removed, m; empty if it
+    /// removed none.
     const Box3& recentlyRemoved() const { return m_removed; }
 
     std::size_t bytes() const;
@@ -86,21 +90,22 @@ private:
     std::vector<Vec3> m_position;
     std::vector<Rotation> m_rotation;
     std::vector<Sums> m_sums;
-    std::vector<std::uint8_t> m_own; ///< Bit 0: counted as living, bit 1: as a tip
-    std::vector<Sums> m_pending;     ///< Differences on their way down, modulo 2^32
+    std::vector<std::uint8_t> m_own; ///< Bit 0: counted as living; bit 1: counted as a tip
+    std::vector<Sums> m_pending;     ///< Differences on their way to the base, modulo 2^32
     float m_greatestLength = 0.0F;
     AncestorSweep m_sweep;
     std::vector<InternodeId> m_changed;
     std::vector<InternodeId> m_moved;
     Box3 m_removed;
-    std::vector<std::uint8_t> m_moves; ///< Scratch
+    std::vector<std::uint8_t> m_moves; ///< Scratch of moveAll(): whether an internode moves
 };
 
-/// World frame and node position of an internode that stands on the given base with the given local row.
+/// World position of an internode's node, m, and its world frame.
 struct Placement {
     Vec3 node;
     Rotation rotation;
 };
+/// The placement of an internode with its lower end at @p base, the local frame @p local and @p length, m.
 Placement placeOn(const Vec3& base, const Rotation& parentRotation, const Rotation& local, float length);
 
 } // namespace espalier

@@ -9,18 +9,19 @@
 
 namespace espalier {
 
-/// Limits of what a tree may hold, m.
+/// Limits of values in a tree, m.
 inline constexpr float kGreatestLength = 1000.0F;  ///< Of an internode
 inline constexpr float kGreatestDiameter = 100.0F; ///< Of a width constraint
 inline constexpr float kFarthestRoot = 1'000.0F;   ///< Of a root from the world's origin, along an axis
-inline constexpr float kFarthestNode = 10'000.0F;  ///< Of any node, likewise: what no bend may go beyond
+inline constexpr float kFarthestNode = 10'000.0F;  ///< Of any node, along an axis; bends stop there
 inline constexpr float kGreatestLeaf = 100.0F;     ///< Of a placed leaf
-/// Different parameter sets that one tree may know; columns name them by 16 bits.
+/// The greatest number of different parameter sets of one tree; columns refer to them with 16 bits.
 inline constexpr qsizetype kMostParameterSets = 65'535;
 
-/// What a placed leaf is.
+/// The kind of a placed leaf.
 enum class LeafKind : std::uint8_t { Leaf, Flower, Fruit };
 
+/// Checks of single values from files; see FaultOf.
 namespace faults {
 const char* ofShare(const float& value);
 const char* ofRotation(const Rotation& value);
@@ -39,12 +40,12 @@ const char* ofRootPosition(const Vec3& value);
 //   along         where on the parent it is attached: 0 at its lower end, 1 at its node
 //   rotation      local frame against the parent's; +Y along the internode, +X to its first lateral bud
 //   length        m
-//   vigour        of its bud when it grew, 0...1 of the strongest of the step
+//   vigour        of the bud that it grew from, relative to the strongest bud of that step, 0...1
 //   slot          bud of the parent's node that it grew from; kTerminalSlot continues the axis
 //   buds          at its node, the upper end
 //   birth, death  steps; kNever while it lives
-//   parameterSet  what it was grown with
-//   key           its random numbers, and its name in recipes
+//   parameterSet  index of the parameter set that it grew with
+//   key           seed of its random numbers, and its name in recipes
 #define ESPALIER_INTERNODE_COLUMNS(COLUMN)                                                                   \
     COLUMN(InternodeId, parent, std::nullopt, noFault)                                                       \
     COLUMN(float, along, 1.0F, faults::ofShare)                                                              \
@@ -58,14 +59,14 @@ const char* ofRootPosition(const Vec3& value);
     COLUMN(std::uint16_t, parameterSet, std::uint16_t{0}, noFault)                                           \
     COLUMN(InternodeKey, key, std::nullopt, noFault)
 
-// The columns of leaves (flowers, fruit) that a person placed; leaves by rule are a function of the
+// The columns of leaves (flowers, fruit) that the user has placed; leaves by rule are a function of the
 // parameters:
-//   internode     that it hangs on
-//   along         where on it, 0...1
+//   internode     the one that bears it
+//   along         place on that internode, 0...1
 //   rotation      frame against the internode's; +Y along the midrib, +Z the upper side
-//   length        m, from its foot to its tip
+//   length        m, from base to tip
 //   kind
-//   birth, death  steps; kNever while it is there
+//   birth, death  steps; kNever while it exists
 #define ESPALIER_LEAF_COLUMNS(COLUMN)                                                                        \
     COLUMN(InternodeId, internode, std::nullopt, noFault)                                                    \
     COLUMN(float, along, 1.0F, faults::ofShare)                                                              \
@@ -75,14 +76,14 @@ const char* ofRootPosition(const Vec3& value);
     COLUMN(Step, birth, std::nullopt, noFault)                                                               \
     COLUMN(Step, death, kNever, noFault)
 
-// Rare things about an internode:
-//   width         diameter that a person has set, m (TreeSketch §3.3); sleeps while the internode is dead
-//   rootPosition  where a root stands, m; the world's origin for those that have none
+// Properties that few internodes have:
+//   width         diameter that the user has set, m (TreeSketch §3.3); no effect while the internode is dead
+//   rootPosition  world position of a root, m; roots without one stand at the origin
 #define ESPALIER_SPARSE_COLUMNS(COLUMN)                                                                      \
     COLUMN(float, width, std::nullopt, faults::ofDiameter)                                                   \
     COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition)
 
-// Values that are kept once and referred to by index; see KeptEntries (model/io/project) for how files hold
+// Values that are stored once and referred to by index; see KeptEntries (model/io/project) for how files hold
 // them:
 //   parameters    every set that was ever in force
 //   lassos        every stroke that was ever in force
@@ -95,7 +96,7 @@ ESPALIER_VISITOR(LeafTable, ESPALIER_LEAF_COLUMNS)
 ESPALIER_VISITOR(SparseTable, ESPALIER_SPARSE_COLUMNS)
 ESPALIER_VISITOR(KeptTable, ESPALIER_KEPT_VALUES)
 
-/// An internode, or a placed leaf, that is to become a row.
+/// The values of a new row: an internode, or a placed leaf.
 struct InternodeRow {
     ESPALIER_INTERNODE_COLUMNS(ESPALIER_ROW_MEMBER)
 };
@@ -104,7 +105,7 @@ struct LeafRow {
 };
 
 /// Internodes as columns: row i of each belongs to internode i (or, in a delta, to the i-th one that it
-/// bears). QList shares implicitly: a copy is a snapshot that costs nothing until one side writes.
+/// adds). QList shares its data implicitly: a copy is a snapshot and costs nothing until one side changes.
 struct InternodeColumns {
     ESPALIER_INTERNODE_COLUMNS(ESPALIER_COLUMN_MEMBER)
     std::uint32_t size() const { return static_cast<std::uint32_t>(parent.size()); }
@@ -131,28 +132,29 @@ struct SparseColumns {
     ESPALIER_SPARSE_COLUMNS(ESPALIER_SPARSE_MEMBER)
 };
 
-/// The kept values of a tree, or those that a delta brings; never changed once they are there.
+/// The kept values of a tree, or those that a delta adds. A value that is stored does not change.
 struct KeptValues {
     ESPALIER_KEPT_VALUES(ESPALIER_COLUMN_MEMBER)
 };
 
+/// The changed cells of each column.
 struct InternodeChanges {
     ESPALIER_INTERNODE_COLUMNS(ESPALIER_CHANGES_MEMBER)
 };
 struct LeafChanges {
     ESPALIER_LEAF_COLUMNS(ESPALIER_CHANGES_MEMBER)
 };
-/// No value: the internode has none.
+/// A cell without a value means that the internode has none.
 struct SparseChanges {
     ESPALIER_SPARSE_COLUMNS(ESPALIER_SPARSE_CHANGES_MEMBER)
 };
-/// How many values of each kind.
+/// The number of values of each kind.
 struct KeptCounts {
     ESPALIER_KEPT_VALUES(ESPALIER_COUNT_MEMBER)
     bool operator==(const KeptCounts&) const = default;
 };
 
-/// A diameter that a person has given to an internode, m.
+/// A diameter that the user has set for an internode, m.
 using WidthConstraint = SparseCell<float>;
 
 } // namespace espalier
