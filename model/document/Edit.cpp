@@ -51,7 +51,8 @@ void Edit::apply(TreeDelta delta)
         return;
     if (m_deltas.empty() && m_replaced.empty())
         m_future = m_document.takeFuture();
-    // So that no delta counts as one of the edit before, should that have been cut in its middle.
+    // The record marks the beginning of this edit. Without it, the delta would count as one of the edit
+    // before if the journal has that edit only in part.
     if (m_deltas.empty() && !delta.record)
         delta.record = EditRecord::unknown();
     m_deltas.push_back(std::make_shared<TreeDelta>(std::move(delta)));
@@ -103,7 +104,7 @@ void Edit::record(const QByteArray& operation)
 {
     if (operation.isEmpty() || operation.size() > EditRecord::kMostBytes || m_deltas.empty())
         return;
-    // A copy: a snapshot of the journal may be read on another thread.
+    // A copy, since another thread may read the delta in a snapshot of the journal.
     auto first = std::make_shared<TreeDelta>(*m_deltas.front());
     first->record = std::make_shared<const EditRecord>(
         EditRecord{operation, static_cast<std::uint32_t>(m_deltas.size())});
@@ -120,10 +121,10 @@ void Edit::commit(const QString& text, const QByteArray& operation)
     if (!hasChanges())
         return;
     QUndoStack& stack = m_document.undoStack();
-    // A travel, and what follows at the moment that it led to, are one step: one undo brings back the future
-    // that was lost. Travels in a row are one, too, and none if they led back; but the steps that can be
-    // redone count from where the last travel led to, so then it stays on the stack until a new one clears
-    // them.
+    // A travel and an edit at the moment that it led to are one step: one undo restores the future that the
+    // edit ended. Consecutive travels are one step, too, and none if they lead back. But the commands that
+    // can be redone begin at the moment that the last travel led to. So if there are any, a travel that leads
+    // back is a step of its own, which clears them.
     std::size_t from = m_from;
     const bool isTravel = m_deltas.empty() && m_replaced.empty();
     if (stack.index() > 0 && lastCommand(stack).isTravel() && (isTravel || !m_future.empty())) {

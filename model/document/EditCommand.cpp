@@ -67,7 +67,7 @@ bool EditCommand::stepForward()
     return true;
 }
 
-/// Travels by one delta; returns false if the document is there already.
+/// Travels by one delta; returns false if the document is at @p position already.
 bool EditCommand::travelOneTowards(std::size_t position)
 {
     const std::size_t here = m_document.journal().size();

@@ -7,40 +7,41 @@
 
 namespace espalier {
 
-/// What an Edit did, as a step of the undo stack: a travel in time, the replacement of the journal's end, and
-/// new deltas, each of them optional. It was computed once: undo reverts and redo applies.
+/// The changes of an Edit as a step of the undo stack: a travel in time, the replacement of the journal's
+/// end, and new deltas, each of them optional. Undo reverts and redo applies deltas; nothing is computed
+/// again.
 ///
-/// stepBack() and stepForward() undo and redo one delta at a time; undo() and redo() do what is left of that
-/// (see GradualUndo).
+/// stepBack() and stepForward() undo and redo one delta at a time (see GradualUndo); undo() and redo() do all
+/// that is left.
 class EditCommand : public QUndoCommand {
 public:
     struct Content {
-        std::size_t from = 0; ///< Position in the history before
+        std::size_t from = 0; ///< Position in the history before the command
         std::size_t to = 0;   ///< Position that was travelled to
-        Journal replaced;     ///< Taken out of the journal's end there
-        Journal deltas;       ///< Applied then
-        Journal future;       ///< That the first delta ended, the last of it first
+        Journal replaced;     ///< Deltas taken out of the journal's end at that position
+        Journal deltas;       ///< Deltas applied then
+        Journal future;       ///< The future that ended with the first change, its last delta first
     };
 
-    /// All of it stands applied: the first redo does nothing.
+    /// All of @p content is applied already, so the first redo does nothing.
     EditCommand(TreeDocument& document, const QString& text, Content content);
-    /// The command at @p index of a document's stack. (QUndoStack gives its commands as const; these are the
-    /// document's.)
+    /// The command at @p index of a document's stack. (QUndoStack returns const commands, although the
+    /// document may change its own.)
     static EditCommand& at(const QUndoStack& stack, int index);
 
     void undo() override;
     void redo() override;
     /// Reverts or applies one delta on the way to the state before the command; returns false if the document
-    /// was there already. Until it is there, its future is not valid.
+    /// is there already. Until it is there, TreeDocument::future() is not valid.
     bool stepBack();
     /// The same on the way to the state after the command.
     bool stepForward();
 
-    /// Whether it does nothing but travel in time: what is done at the moment that it led to joins it.
+    /// Whether it only travels in time. Edit::commit() merges it with an edit at the moment that it led to.
     bool isTravel() const { return m_content.deltas.empty() && m_content.replaced.empty(); }
     const Content& content() const { return m_content; }
-    /// The next undo only takes the command off the stack: what it did belongs to another command from now
-    /// on.
+    /// Makes the next undo() only remove the command from the stack: its deltas belong to another command
+    /// from now on.
     void handOver();
 
 private:
@@ -48,8 +49,8 @@ private:
 
     TreeDocument& m_document;
     Content m_content;
-    std::size_t m_applied;  ///< The first of content().deltas, so many, stand applied
-    std::size_t m_takenOut; ///< The last of content().replaced, so many, are out of the journal
+    std::size_t m_applied;  ///< Number of content().deltas that are applied, counted from the first
+    std::size_t m_takenOut; ///< Number of content().replaced out of the journal, counted from the last
     bool m_isHandedOver = false;
 };
 

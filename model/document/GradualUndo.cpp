@@ -14,7 +14,7 @@ GradualUndo::GradualUndo(TreeDocument& document, int index, std::function<void()
       m_index(index),
       m_edit(document,
              [this, interrupted = std::move(interrupted)] {
-                 const auto told = interrupted; // may destroy this object and the function
+                 const auto told = interrupted; // a copy: the call may destroy this object
                  finish();
                  if (told)
                      told();
@@ -53,7 +53,8 @@ bool GradualUndo::advance(std::chrono::milliseconds time, std::size_t rows)
     return true;
 }
 
-/// Reverts or applies one delta, or leaves a command that is done; returns false if no delta is left.
+/// Reverts or applies one delta, or moves the stack past a command that is done; returns false if no delta is
+/// left.
 bool GradualUndo::step()
 {
     QUndoStack& stack = m_document.undoStack();
@@ -64,8 +65,8 @@ bool GradualUndo::step()
     EditCommand& command = EditCommand::at(stack, isBack ? here - 1 : here);
     if (isBack ? command.stepBack() : command.stepForward())
         return true;
-    // The stack leaves the last command when the edit has ended, so that its listeners find the document
-    // free.
+    // finish() moves the stack past the last command after it has ended the edit, so that the stack's
+    // listeners find no edit under way.
     if (std::abs(here - m_index) == 1)
         return false;
     if (isBack)

@@ -8,30 +8,30 @@
 
 namespace espalier {
 
-/// Takes a document's undo stack to another index in slices of time, so that no event waits for all of a
-/// command with many deltas. It holds the document's edit until it is there. What interrupts it (another
-/// edit, saving, TreeDocument::undo() and redo()) finds the stack at the wanted index.
+/// Takes a document's undo stack to another index in slices of time, so that events do not wait for a whole
+/// command with many deltas. It holds the document's edit until it is done. An interruption (another edit,
+/// saving, TreeDocument::undo() and redo()) makes it do the rest first.
 class GradualUndo {
 public:
-    /// A command that changes fewer rows is undone in one slice, on a slow machine as well. A row counts if
-    /// it is born, dies or moves; each delta counts as another one.
+    /// A slice changes at least this many rows, on a slow machine as well, so a command that changes fewer is
+    /// undone in one slice. A row counts if it is born, dies or moves; each delta counts as another row.
     static constexpr std::size_t kLeastRows = 1'000;
-    /// A slice ends when more rows have changed: the growth index has as much to do with them as the tree.
+    /// A slice ends when more rows have changed: the next one must update the growth index for all of them.
     static constexpr std::size_t kMostRows = 6'000;
 
-    /// Interrupts the edit that is under way, and begins. @p interrupted is called after the rest has been
-    /// done because of an interruption; it may destroy this object.
+    /// Interrupts the edit that is under way, and begins. @p interrupted is called after an interruption has
+    /// made it do the rest; it may destroy this object.
     GradualUndo(TreeDocument& document, int index, std::function<void()> interrupted = {});
-    /// Does all that is left.
+    /// Calls finish().
     ~GradualUndo();
     GradualUndo(const GradualUndo&) = delete;
     GradualUndo& operator=(const GradualUndo&) = delete;
 
-    /// Reverts or applies deltas, at least one, until @p time has passed and @p rows have changed, or brings
-    /// the growth index up to date with what the slice before has taken out; returns whether any deltas are
-    /// left.
+    /// Does one slice; returns whether more slices are needed. Slices alternate: one reverts or applies
+    /// deltas, at least one, until @p time has passed and @p rows rows have changed; the next updates the
+    /// growth index for these rows.
     bool advance(std::chrono::milliseconds time, std::size_t rows = kLeastRows);
-    /// Does all that is left.
+    /// Takes the stack to the wanted index without further slices, and ends the edit.
     void finish();
 
 private:
@@ -39,9 +39,9 @@ private:
 
     TreeDocument& m_document;
     int m_index;
-    Edit m_edit;                  ///< Changes nothing by itself
-    std::size_t m_rows = 0;       ///< Changed in this slice
-    bool m_isIndexBehind = false; ///< The growth index, by the last slice
+    Edit m_edit;                  ///< Keeps other edits out; changes nothing itself
+    std::size_t m_rows = 0;       ///< Number of rows changed in this slice
+    bool m_isIndexBehind = false; ///< Whether the growth index must follow the last slice
     QMetaObject::Connection m_counting;
 };
 

@@ -12,10 +12,10 @@ namespace espalier {
 /// A tree with its history and all that a document derives from it, ready for TreeDocument::reset(). It
 /// belongs to no document, so a worker thread can make it.
 struct PreparedTree {
-    /// @p journal: all deltas of @p tree, of which the last @p ahead lie ahead of the moment to be shown.
+    /// @p journal: all deltas that led to @p tree. The last @p ahead of them will be the document's future.
     /// Precondition: ahead <= journal.size().
     PreparedTree(Tree tree, Journal journal, std::size_t ahead = 0);
-    /// Makes the index for picking as well, which a document otherwise makes at the first question.
+    /// Also makes the index for picking, which a document otherwise makes at the first query.
     void preparePicking() { pickIndex.settle(tree, index); }
 
     Tree tree;

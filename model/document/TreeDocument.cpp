@@ -26,7 +26,7 @@ void TreeDocument::reset(PreparedTree prepared)
 {
     interruptEdit();
     m_undoStack.clear();
-    // An empty stack that was unclean stays so when it is cleared.
+    // clear() does not make an empty stack clean.
     m_undoStack.setClean();
     m_tree = std::move(prepared.tree);
     m_journal = std::move(prepared.journal);
@@ -48,7 +48,7 @@ void TreeDocument::interruptEdit()
 {
     if (!m_edit)
         return;
-    const EditHooks hooks = m_editHooks; // the owner may destroy the edit
+    const EditHooks hooks = m_editHooks; // a copy: the owner may destroy the edit
     if (hooks.interrupted)
         hooks.interrupted();
     if (m_edit)
@@ -70,7 +70,7 @@ void TreeDocument::redo()
 void TreeDocument::apply(std::shared_ptr<TreeDelta> delta)
 {
     m_tree.apply(*delta);
-    delta->rows.reset(); // they are the tree's now
+    delta->rows.reset(); // the tree has them now
     m_index.update(m_tree, *delta);
     m_growthModel->follow(m_tree, m_index, *delta);
     m_pickIndex.follow(m_tree, m_index, *delta);

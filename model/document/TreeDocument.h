@@ -18,12 +18,12 @@
 
 namespace espalier {
 
-/// What happened to the document's tree.
+/// A change of the document's tree.
 struct TreeChange {
     enum class Kind {
         Applied,  ///< delta was applied
         Reverted, ///< delta was reverted
-        Reset,    ///< another tree stands here now; delta is null
+        Reset,    ///< the tree was replaced; delta is null
     };
 
     Kind kind = Kind::Reset;
@@ -44,73 +44,76 @@ public:
 
     const Tree& tree() const { return m_tree; }
     const TreeIndex& index() const { return m_index; }
-    /// Not for other threads: it is brought up to date when it is asked for.
+    /// The growth model, up to date. Only for the document's thread, since the call may update the model.
     const GrowthModel& growthModel() const
     {
         m_growthModel->settle(m_tree, m_index);
         return *m_growthModel;
     }
-    /// Brings its index a part of the way, about @p nodes nodes; returns whether it is up to date.
+    /// Updates the growth model by about @p nodes nodes; returns whether it is up to date.
     bool prepareGrowthModel(std::size_t nodes) const
     {
         return m_growthModel->settleSome(m_tree, m_index, nodes);
     }
     /// A model of the same kind for a copy of the tree.
     std::unique_ptr<GrowthModel> freshGrowthModel() const { return m_growthModel->fresh(); }
-    /// From now on the tree grows by @p model, which is not null. What has grown stays.
+    /// The tree grows by @p model (not null) from now on. Internodes that exist stay as they are. reset()
+    /// makes the model a SelfOrganisingModel again.
     void setGrowthModel(std::unique_ptr<GrowthModel> model);
-    /// Where the living nodes are; brought up to date like growthModel().
+    /// The living nodes, for picking; brought up to date like growthModel().
     const PickIndex& pickIndex() const
     {
         m_pickIndex.settle(m_tree, m_index);
         return m_pickIndex;
     }
     const TreeParameters& parameters() const { return m_tree.parameters(); }
-    /// All that was done up to the moment shown, first to last.
+    /// All deltas up to the moment shown, first to last.
     const Journal& journal() const { return m_journal; }
-    /// What lies ahead of the moment shown, after a travel to an earlier one: the last of it first.
+    /// The deltas after the moment shown, if the document has travelled back; the last one first.
     const Journal& future() const { return m_future; }
-    /// Which buds growth is limited to (selective growth, TreeSketch §3.2): all of them, or one bud and what
-    /// comes of it. A mode, not part of the tree; it ends when its node dies.
+    /// The buds that growth is limited to (selective growth, TreeSketch §3.2): all buds, or one bud and its
+    /// descendants. This is a mode, not part of the tree; it ends when the bud's node dies.
     const Competitors& competitors() const { return m_competitors; }
     void setCompetitors(const Competitors& competitors);
-    /// Whether hands are trying parameters out. What grows by itself waits meanwhile: the trials of a hand
-    /// are one undo step, and only what grows afterwards is grown with them.
+    /// Whether the user is trying parameters out. Growth that runs by itself waits meanwhile, so that the
+    /// trials are one undo step and only later growth uses them.
     bool areParametersHeld() const { return m_parameterHolds > 0; }
-    /// One hand more or less.
+    /// Adds a hold of the parameters (true) or removes one; each caller removes what it added.
     void holdParameters(bool held);
     QUndoStack& undoStack() { return m_undoStack; }
     const QUndoStack& undoStack() const { return m_undoStack; }
 
-    /// Starts anew from a seedling; clears the undo stack.
+    /// Replaces the tree by a seedling; clears the undo stack.
     void reset(std::uint64_t seed, const TreeParameters& parameters = {});
-    /// Takes over a tree that was read from a file, with its journal, whose last @p ahead deltas lie ahead of
-    /// the moment to be shown; clears the undo stack.
+    /// Replaces the tree by one that was read from a file, with its journal. The last @p ahead deltas of the
+    /// journal become the future; clears the undo stack.
     void reset(Tree tree, Journal journal, std::size_t ahead = 0);
-    /// The same, in constant time but for those who listen to changed().
+    /// The same; apart from the listeners of changed() and the old tree's destruction, in constant time.
     void reset(PreparedTree prepared);
 
     /// The edit that is under way, or null.
     const Edit* edit() const { return m_edit; }
-    /// Changes with every change of the tree.
+    /// A number that increases with every change of the tree.
     std::uint64_t revision() const { return m_revision; }
-    /// Lets the owner of the edit that is under way end it, which keeps what was done unless the owner has
-    /// reasons not to. To be called before the document is saved, replaced or closed, and before undo and
-    /// redo.
+    /// Makes the owner of the edit that is under way end it, usually by a commit; cancels the edit if the
+    /// owner does not. To be called before the document is saved, replaced or closed. Undo and redo of this
+    /// class call it themselves.
     void interruptEdit();
-    /// Undo and redo of the stack, after interruptEdit(). An interrupted edit is the step that undo() takes
-    /// back.
+    /// Calls interruptEdit(), then undo or redo of the stack. If an edit was interrupted and committed,
+    /// undo() takes that one back.
     void undo();
     void redo();
 
-    /// Bytes of the tree, its indices and its journal.
+    /// Memory in bytes: of the tree, its indices, its journal and its future (without the rows in it).
     std::size_t bytes() const;
 
 Q_SIGNALS:
     /// An edit began or ended.
     void editChanged();
+    /// A delta was applied or reverted, or the tree was replaced. Tree, indices and journal are up to date.
     void changed(const espalier::TreeChange& change);
     void competitorsChanged();
+    /// The first hold of the parameters was added, or the last one was removed.
     void parametersHeld(bool held);
 
 private:
@@ -131,7 +134,7 @@ private:
     /// Goes back or forth in the history, to where @p position deltas of it have been applied.
     /// Precondition: position <= journal().size() + future().size().
     void travelTo(std::size_t position);
-    /// Takes the future away, since another one begins, or puts it (back) in its place. The caller keeps it.
+    /// Removes the future and returns it, or sets it. EditCommand and Edit keep a future that has ended.
     Journal takeFuture() { return std::exchange(m_future, {}); }
     void setFuture(Journal future) { m_future = std::move(future); }
     void tell(const TreeChange& change);
