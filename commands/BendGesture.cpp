@@ -12,7 +12,7 @@ namespace espalier {
 
 namespace {
 
-/// What @p first and then @p second do, both ascending.
+/// The changes of @p first and then @p second as one list; all are by ascending id.
 std::vector<FrameChange> joined(const std::vector<FrameChange>& first, const std::vector<FrameChange>& second)
 {
     std::vector<FrameChange> all;
@@ -119,14 +119,14 @@ std::vector<Vec3> BendGesture::note(std::span<const Vec3> targets, bool settles)
 
 BendOperation BendGesture::operation() const
 {
-    // A grip that did not pull has changed nothing.
+    // A grip without moves has changed nothing.
     std::vector<BendOperation::Grip> grips;
     for (const BendOperation::Grip& grip : m_grips) {
         if (grip.moves.empty())
             continue;
         grips.push_back(grip);
         if (grip.moves.size() == 1 && !grip.moves.front().calls)
-            grips.back().moves.clear(); // the handles say it
+            grips.back().moves.clear(); // the handles' targets suffice
     }
     BendOperation bend{.base = grips.front().base,
                        .handles = grips.front().handles,
@@ -160,7 +160,7 @@ void BendGesture::show()
 {
     std::vector<FrameChange> changes = joined(m_done, m_bend.changes());
     apply(changes);
-    // A branch that is stretched out of the world stays as it was before.
+    // If a bend moves nodes beyond the limit, the branch keeps the form of the call before.
     const TreeDocument& document = m_edit.document();
     const bool isInWorld = std::ranges::all_of(document.index().recentlyMoved(), [&](InternodeId id) {
         return document.index().nodePosition(id).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kFarthestNode;

@@ -10,7 +10,7 @@ namespace espalier {
 
 namespace {
 
-/// The sample as a recipe keeps it.
+/// The sample as a recipe has it.
 BrushSample recordable(BrushSample sample)
 {
     sample.position = withoutNegativeZeros(sample.position);

@@ -12,36 +12,37 @@ namespace espalier {
 
 /// A brush stroke while it is made: the tree grows as samples come in, at a fixed number of growth steps a
 /// second of the stroke's own time, so that the same samples give the same tree, live or replayed. finish()
-/// makes it one undo step, and so does another edit that begins; cancel() takes it back; a gesture that is
-/// destroyed unfinished is cancelled.
+/// makes it one undo step, and another edit that begins finishes it; cancel() takes it back, and so does the
+/// destructor of an unfinished gesture.
 class BrushGesture {
 public:
     BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors = {});
 
-    /// Grows up to the sample's time. While the hand rests, send samples of the resting place (a timer does):
-    /// growth goes on. Samples earlier than the last one are ignored.
+    /// Grows up to the sample's time. While the pointer rests, growth continues only if samples of the
+    /// resting place are added (by a timer). A sample that is not later than the last one is ignored.
     void add(const BrushSample& sample);
-    /// Grows up to @p time on the way to @p next, a sample yet to be added: the same growth in pieces.
+    /// Grows up to @p time on the way to @p next, the sample to be added next: the same growth in smaller
+    /// parts.
     void moveToward(const BrushSample& next, double time);
     void finish();
     void cancel() { m_edit.cancel(); }
 
-    /// The living markers of free space, for showing them.
+    /// The living markers of free space, m, for display.
     std::span<const Vec3> markers() const { return m_growth.markers(); }
-    /// Where the brush has been, for showing the stroke: the samples, and the ends of pieces between them.
+    /// The path of the brush, for display: the samples, and the ends of the parts between them.
     const std::vector<BrushSample>& path() const { return m_path; }
 
 private:
-    /// The stroke as it was made.
+    /// The stroke so far as an operation.
     BrushStrokeOperation operation() const;
 
     Edit m_edit;
     BrushGrowth m_growth;
     BudReference m_only;
     std::vector<BrushSample> m_path;
-    std::vector<BrushSample> m_samples; ///< Those added
-    BrushSample m_next;                 ///< That the brush was on its way to last
-    BrushSample m_last;                 ///< Where the last growth step was made
+    std::vector<BrushSample> m_samples; ///< Samples added so far
+    BrushSample m_next;                 ///< The sample that moveToward() had last
+    BrushSample m_last;                 ///< The brush at the last growth step
     std::uint64_t m_stepsDone = 0;
 };
 

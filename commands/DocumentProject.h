@@ -7,9 +7,9 @@
 
 namespace espalier {
 
-/// What of a document goes into a file: all of its history, also what lies ahead of the moment shown.
+/// The content of a project file: the document's whole history, with the future.
 Project projectOf(const TreeDocument& document, const QString& name);
-/// What a document derives from a project that was read; may run on any thread.
+/// Makes all that a document derives from a project that was read. Can be called on any thread.
 PreparedTree prepared(Project project);
 /// Shows a project that was read, at the moment that was shown when it was written.
 void showProject(TreeDocument& document, Project project);

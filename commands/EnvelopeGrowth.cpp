@@ -9,20 +9,21 @@ namespace espalier {
 
 namespace {
 
-/// More markers than this bring nothing but waiting; fewer leave thin parts to luck.
+/// More markers only cost time; with fewer, it depends on chance whether thin parts are filled.
 constexpr double kMostMarkers = 120'000;
 constexpr double kFewestMarkers = 400;
-/// In densities of a brush's living markers: a brush brings ever new ones, here all are there at once.
+/// In units of the density of a brush's living markers: a brush adds markers all the time, here all are there
+/// from the start.
 constexpr double kDensity = 10.0;
 /// Nodes keep this far from the surface, in leaf lengths, so that leaves end about there.
 constexpr double kMargin = 0.8;
-/// Leaders of one growth: pockets that are left after so many are not worth the waiting.
+/// Number of leaders of one growth; the pockets that are left after these are not worth the time.
 constexpr int kMostLeaders = 200;
-/// Of the markers left, so many are asked whether a bud is near; they are in no order.
+/// Number of remaining markers that are checked for a bud nearby; markers are in random order.
 constexpr std::size_t kAsked = 300;
 
-/// What rises less than this above the drawing plane, in occupancy radii, is filled a second time, by nodes
-/// that keep less space for themselves.
+/// Parts that rise less than this above the drawing plane, in occupancy radii, are filled a second time, with
+/// the occupancy radius multiplied by kThinOccupancy.
 constexpr double kThin = 1.5;
 constexpr float kThinOccupancy = 0.5F;
 
@@ -32,7 +33,7 @@ double marginOf(const TreeParameters& p)
     return kMargin * leaf;
 }
 
-/// The living bud at a node that points at @p target best.
+/// The living bud of a node whose direction is nearest to that of @p target.
 BudRef bestBud(const Tree& tree, const TreeIndex& index, InternodeId id, const Vec3& target,
                GrowthWorkspace& workspace)
 {
@@ -66,7 +67,7 @@ void EnvelopeGrowth::layMarkers(const Tree& tree)
     const double count = std::clamp(kDensity * p.markerDensity * volume, kFewestMarkers, kMostMarkers);
     m_markers.positions =
         m_envelopes.sampleUniform(static_cast<std::size_t>(count), tree.seed(), tree.step());
-    // Below the ground is no free space.
+    // There is no free space below the ground.
     const double thin = kThin * p.occupancyRadius * p.internodeLength;
     std::erase_if(m_markers.positions, [&](const Vec3& marker) {
         return marker.y() < 0.0F || (m_isInThinParts && m_envelopes.riseAt(marker) > thin);
@@ -77,12 +78,12 @@ void EnvelopeGrowth::layMarkers(const Tree& tree)
 TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const GrowthModel& model)
 {
     GrowthStepOptions options = GrowthStepOptions::of(tree.parameters().growth);
-    // The lasso says where the crown is; what would be shed would leave holes in it.
+    // The envelope sets the form of the crown; shed branches would leave holes in it.
     options.sheds = false;
     options.competitors = m_competitors;
     const double margin = marginOf(tree.parameters());
-    // Shoots may grow into the envelope from outside until a bud is inside; after that, shoots outside stay
-    // as they are, so that a stem remains bare.
+    // Shoots may grow into the envelope from outside until a bud is inside. After that, shoots outside stop,
+    // so that the stem remains bare.
     m_hasEntered = m_hasEntered || isInside(tree, index);
     options.admits = [&](const Vec3& from, const Vec3& to) {
         return m_envelopes.containsWithin(to, margin) || (!m_hasEntered && !m_envelopes.contains(from));
@@ -96,7 +97,7 @@ TreeDelta EnvelopeGrowth::step(const Tree& tree, const TreeIndex& index, const G
             TreeDelta delta = model.growToward(tree, index, m_markers, options, m_workspace);
             if (!delta.isEmpty())
                 return delta;
-            if (m_markers.size() < before) // those that buds may not follow have gone: it is others' turn
+            if (m_markers.size() < before) // markers were removed: other buds may grow now
                 continue;
             m_leader = nextLeader(tree, index, options.perception);
             if (!m_leader && !std::exchange(m_isInThinParts, true)) {
@@ -133,7 +134,7 @@ std::optional<EnvelopeGrowth::Leader> EnvelopeGrowth::nextLeader(const Tree& tre
         if (tree.isAlive(id) && tree.buds(id) != 0)
             nodes.push_back(id);
     }
-    // The nearest marker that is out of every bud's reach.
+    // The nearest marker that no bud perceives.
     float least = std::numeric_limits<float>::infinity();
     InternodeId from = kNoInternode;
     Vec3 target = Vec3::Zero();
@@ -169,14 +170,14 @@ TreeDelta EnvelopeGrowth::lead(const Tree& tree, const TreeIndex& index, const P
 {
     Leader& leader = *m_leader;
     const int count = std::min(tree.parameters().growth.maxShootLength, leader.remaining);
-    // The first goes all the way in, so that its branches begin there.
+    // The first leader goes deep into the envelope, so that its branches begin there.
     const float sight = 0.5F * (perception.occupancy + (m_hasEntered ? perception.reach : 0.0F));
     TreeDelta delta = growLeader(tree, index, leader.tip, leader.target, sight, count, m_workspace);
     leader.remaining -= count;
     if (delta.born.count > 0)
         leader.tip = {delta.born.end() - 1, kTerminalSlot};
     if (delta.born.count < static_cast<std::uint32_t>(count) || leader.remaining == 0) {
-        // It is there, or it will never be: either way, that marker does not call again.
+        // The leader has arrived or cannot arrive; either way, no other leader grows to this marker.
         std::erase(m_markers.positions, leader.target);
         m_markers.born.resize(m_markers.positions.size());
         m_leader.reset();

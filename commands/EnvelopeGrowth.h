@@ -8,14 +8,14 @@
 
 namespace espalier {
 
-/// Growth into envelopes (TreeSketch §3.2): markers fill them uniformly, and the tree grows until nothing is
-/// left to grow into; branches do not leave the envelopes. Thin parts and rims are then filled a second time,
-/// more densely: there are no branches behind that would close the gaps. Where no bud perceives the markers
-/// that are left, a bare shoot leads there from the nearest bud: a seedling's trunk into a crown above it, a
-/// branch from one part of a topiary to the next.
+/// Growth into envelopes (TreeSketch §3.2): markers fill them uniformly, and the tree grows until it reaches
+/// no more markers; branches do not leave the envelopes. Thin parts and rims are then filled a second time,
+/// more densely, because there are no branches behind them that would close gaps. Where no bud perceives the
+/// remaining markers, a bare shoot grows there from the nearest bud: the trunk of a seedling into a crown
+/// above it, a branch from one part of a topiary to the next.
 class EnvelopeGrowth : public GrowthProcess {
 public:
-    /// Growth ends after that many steps, whatever is left.
+    /// Growth ends after this number of steps, even if markers are left.
     static constexpr int kMostSteps = 600;
 
     /// Only the buds that @p competitors names may grow.
@@ -42,8 +42,8 @@ private:
     MarkerSet m_markers;
     GrowthWorkspace m_workspace;
     std::optional<Leader> m_leader;
-    bool m_hasEntered = false;    ///< A bud stands in an envelope
-    bool m_isInThinParts = false; ///< The second filling
+    bool m_hasEntered = false;    ///< Whether a bud is inside an envelope
+    bool m_isInThinParts = false; ///< Whether this is the second filling
     int m_steps = 0;
     int m_leaders = 0;
 };

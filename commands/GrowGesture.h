@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// Growth into whatever space and light there is, by the parameters in force.
+/// Growth into free space and light, by the parameters in force.
 class GrowGesture : public GrowthGesture {
 public:
     /// Only the buds that @p competitors names may grow.

@@ -9,7 +9,7 @@ GrowthGesture::GrowthGesture(TreeDocument& document, QString text, const std::fu
     : m_text(std::move(text)),
       m_interrupted([this] { finish(); }),
       m_edit(std::make_unique<Edit>(document, [this] {
-          const auto interrupted = m_interrupted; // may destroy the gesture
+          const auto interrupted = m_interrupted; // a copy: the call may destroy the gesture
           interrupted();
       }))
 {

@@ -11,41 +11,44 @@
 
 namespace espalier {
 
-/// Growth without a hand, as long as somebody lets it go on: each step shows at once; finish() makes all of
-/// them one undo step, whether growth has come to its end or not, and so does another edit that begins;
-/// cancel() takes them back, and so does destroying the gesture unfinished. The steps are worked out here and
-/// now by step(); or elsewhere, by the process that was taken out, and added in their order.
+/// Growth without a brush, step by step; each step shows at once. finish() makes all steps one undo step,
+/// whether growth has come to its end or not, and another edit that begins finishes the gesture. cancel()
+/// takes the steps back, and so does the destructor of an unfinished gesture. Either step() computes the
+/// steps, or the caller takes the process out, lets it compute them elsewhere, and adds them in their order.
 class GrowthGesture {
 public:
     virtual ~GrowthGesture() = default;
 
-    /// Grows one step; false, and nothing changed, if growth has come to its end or its process is elsewhere.
+    /// Grows one step. Returns false, and does not change the tree, if growth has come to its end or the
+    /// process was taken out.
     bool step();
 
-    /// Lets the steps be worked out elsewhere from now on.
+    /// Takes the process out, so that its steps can be computed elsewhere.
     std::unique_ptr<GrowthProcess> takeProcess() { return std::move(m_process); }
-    /// Grows the step that the process has come to, from the tree as it is now; false, and nothing changed,
-    /// if that is empty.
+    /// Applies the next step of the process, which starts at the present tree. Returns false, and does not
+    /// change the tree, if the step is empty: growth has come to its end.
     bool add(GrownStep grown);
 
     void finish();
     void cancel() { m_edit->cancel(); }
-    /// What to do when another edit begins, instead of finish(); it must finish or cancel the gesture.
+    /// Sets what is called in place of finish() when another edit begins; it must finish or cancel the
+    /// gesture.
     void setInterrupted(Edit::Interrupted interrupted) { m_interrupted = std::move(interrupted); }
 
     /// Whether growth has come to its end.
     bool isExhausted() const { return m_isExhausted; }
-    /// Steps that stand applied.
+    /// Number of steps applied.
     std::size_t stepCount() const { return m_stepCount; }
-    /// The living markers of free space, for showing them.
+    /// The living markers of free space, m, for display.
     std::span<const Vec3> markers() const { return m_markers; }
 
 protected:
-    /// @p prepare makes what the undo step begins with, such as a new envelope, through the gesture's edit.
+    /// @p prepare makes the first changes of the undo step, such as a new envelope, through the gesture's
+    /// edit.
     GrowthGesture(TreeDocument& document, QString text, const std::function<void(Edit&)>& prepare = {});
-    /// Precondition: called once, before the first step. The process starts from the tree as it is prepared.
+    /// To be called once, before the first step. The process starts at the tree that @p prepare left.
     void setProcess(std::unique_ptr<GrowthProcess> process);
-    /// The recipe's operation that does what was done so far.
+    /// The recipe's operation that makes the steps applied so far.
     virtual RecipeOperation operation() const = 0;
 
 private:

@@ -7,16 +7,17 @@
 
 namespace espalier {
 
-/// A copy of a tree that grows ahead of its document on another thread, so that no hand waits for it. Made
-/// from a snapshot it shares nothing that is written; its steps are those that the document would make.
-/// Precondition for that: the document's tree is changed by these steps alone, all of them, in their order.
+/// A copy of a tree that grows ahead of its document on another thread, so that the interface does not wait
+/// for it. It is made from a snapshot and shares no data that is written. Its steps are those that the
+/// document would make. Precondition: the document's tree changes only by these steps, by all of them, in
+/// their order.
 class GrowthReplica {
 public:
-    /// Costs nothing: what there is to be worked out is left to the first step.
+    /// Takes constant time: the first step makes the indices.
     GrowthReplica(const Tree& tree, std::unique_ptr<GrowthModel> model,
                   std::unique_ptr<GrowthProcess> process);
 
-    /// The next step. Calls must not overlap, but may come from different threads.
+    /// The next step. Calls may come from different threads, but must not overlap.
     GrownStep grow();
 
 private:

@@ -21,7 +21,7 @@ struct LassoGestureText {
     Q_DECLARE_TR_FUNCTIONS(Lasso)
 };
 
-/// The journal's first delta that brought an envelope in that is in force still.
+/// Position of the journal's first delta that put an envelope in force that is still in force.
 std::size_t firstFilling(const TreeDocument& document)
 {
     const std::vector<std::uint32_t>& inForce = document.tree().lassoIndicesInForce();
@@ -47,7 +47,8 @@ LassoGesture::Begun LassoGesture::fill(TreeDocument& document, const LassoStroke
     if (!isLasso(kept))
         return Error{Error::Kind::Input, LassoGestureText::tr("The lasso's drawing plane is not valid.")};
     std::vector<LassoStroke> strokes = document.tree().lassosInForce();
-    // Among others it must enclose something by itself, or it would be kept for nothing.
+    // Beside other envelopes, the new one must enclose something by itself; otherwise it would have no
+    // effect.
     if (!strokes.empty()) {
         if (const Result<Envelope> alone = Envelope::fromStrokes(std::span(&kept, 1)); !alone)
             return alone.error();
@@ -119,7 +120,7 @@ LassoGesture::Begun LassoGesture::regrow(TreeDocument& document)
     document.interruptEdit();
     if (document.tree().lassoIndicesInForce().empty())
         return Error{Error::Kind::Input, LassoGestureText::tr("There is no envelope to regrow.")};
-    // What the journal's end brought in goes with it and comes again, the parameters in force too.
+    // The strokes and the parameters in force, which the replaced deltas brought in, are put in force again.
     const TreeParameters parameters = document.parameters();
     return fillAll(document, LassoGestureText::tr("Regrow"), document.tree().lassosInForce(), parameters, {},
                    [from = firstFilling(document)](Edit& edit) { edit.replaceFrom(from); });

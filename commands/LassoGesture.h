@@ -10,30 +10,30 @@
 
 namespace espalier {
 
-/// Growth into what lassos enclose. A new envelope and what grows into it are one undo step.
+/// Growth into envelopes drawn by lassos. A new envelope and the growth into it are one undo step.
 class LassoGesture : public GrowthGesture {
 public:
     using Begun = Result<std::unique_ptr<LassoGesture>>;
 
-    /// Adds the envelope that @p stroke stands for, and starts to fill all that are in force. The stroke may
-    /// be raw; its ends are joined. An Error, and nothing changed, if it encloses nothing.
+    /// Adds the envelope of @p stroke and starts to fill all envelopes in force. The stroke need not be
+    /// simplified; its ends are joined. An Error, and no change, if it encloses nothing.
     static Begun fill(TreeDocument& document, const LassoStroke& stroke, Competitors competitors = {});
-    /// Puts the envelopes of @p strokes, which are simplified, in force in place of those that are, and
-    /// @p parameters as well, and starts to fill them. An Error, and nothing changed, if they enclose
+    /// Puts the envelopes of @p strokes, which are simplified, in force in place of the present ones, and
+    /// @p parameters as well, and starts to fill the envelopes. An Error, and no change, if they enclose
     /// nothing, or if the document has no room for another parameter set.
     static Begun fillAll(TreeDocument& document, const std::vector<LassoStroke>& strokes,
                          const TreeParameters& parameters, Competitors competitors = {});
-    /// Takes the tree back to where it stood before the first of the envelopes in force was drawn, and starts
-    /// to fill them all with the parameters that are in force now. What has been done to the tree since goes
-    /// too. An Error, and nothing changed, if there is no envelope.
+    /// Takes the tree back to the state before the first of the envelopes in force was drawn, and starts to
+    /// fill all of them with the parameters in force. All later changes of the tree are removed, too. An
+    /// Error, and no change, if there is no envelope.
     static Begun regrow(TreeDocument& document);
 
-    /// Goes on filling the envelopes in force, with the parameters that are in force now. An Error, and
-    /// nothing changed, if there is no envelope.
+    /// Continues to fill the envelopes in force, with the parameters in force. An Error, and no change, if
+    /// there is no envelope.
     static Begun goOn(TreeDocument& document, Competitors competitors = {});
 
 private:
-    /// The operation of so many steps, or of all that there are.
+    /// Makes the operation for a number of steps, or, without one, for growth to its end.
     using OperationOfSteps = std::function<RecipeOperation(std::optional<int> steps)>;
 
     LassoGesture(TreeDocument& document, const QString& text, EnvelopeSet envelopes, Competitors competitors,
@@ -46,7 +46,7 @@ private:
     OperationOfSteps m_operation;
 };
 
-/// Takes the envelopes in force away, as one undo step; the tree stays as it grew. False if there are none.
+/// Puts the envelopes out of force, as one undo step; the tree stays as it is. False if there are none.
 bool removeEnvelopes(TreeDocument& document);
 
 } // namespace espalier

@@ -8,29 +8,29 @@
 
 namespace espalier {
 
-/// A drag of a slider: parameters are tried out live, and all that one gesture tries is one undo step.
-/// Nothing is left hanging between two trials: each leaves a whole command on the undo stack, which the next
-/// one replaces, provided that nobody has done or undone anything since.
+/// A drag of a slider: parameters are tried out live, and all trials of one gesture are one undo step. No
+/// edit is open between two trials: each leaves a complete command on the undo stack, which the next one
+/// replaces if the document has not changed since.
 class ParameterGesture {
 public:
     explicit ParameterGesture(TreeDocument& document) : m_document(document) {}
     ParameterGesture(const ParameterGesture&) = delete;
     ParameterGesture& operator=(const ParameterGesture&) = delete;
 
-    /// Puts @p parameters in force, in place of those that the gesture tried before. @p text names the undo
-    /// step. Does nothing if the document has no room for another parameter set.
+    /// Puts @p parameters in force, in place of those that the gesture tried before, as an undo step named
+    /// @p text. Does nothing if the document has no room for another parameter set.
     void tryOut(const TreeParameters& parameters, const QString& text);
-    /// The next trial begins another gesture.
+    /// Ends the gesture: the next trial begins another undo step.
     void finish() { m_revision.reset(); }
-    /// Takes back what the gesture has put in force, undo step and all.
+    /// Reverts the last trial and removes its undo step, if the document has not changed since.
     void cancel();
 
 private:
-    /// Goes on with the undo step of the last trial, if nothing else has changed the document since.
+    /// Resumes the undo step of the last trial, or begins a new edit if the document has changed since.
     std::unique_ptr<Edit> takeEdit();
 
     TreeDocument& m_document;
-    /// Of the document, after the last trial; none before the first.
+    /// The document's revision after the last trial; empty before the first.
     std::optional<std::uint64_t> m_revision;
 };
 

@@ -7,8 +7,8 @@
 
 namespace espalier {
 
-/// Takes the internodes @p cuts away with all that they carry, as one undo step (TreeSketch §3.3); the widths
-/// of what is left become as if they had never been. Does nothing if nothing falls.
+/// Removes the internodes @p cuts with all that they carry, as one undo step (TreeSketch §3.3); the widths of
+/// the rest become as if the removed branches had never existed. Does nothing if no internode is removed.
 void pruneBranches(TreeDocument& document, std::span<const InternodeId> cuts);
 
 } // namespace espalier

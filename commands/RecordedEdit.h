@@ -6,8 +6,9 @@
 
 namespace espalier {
 
-/// Ends @p edit as one undo step, named @p text, that a recipe can repeat: @p operation() is the recipe's
-/// operation that does the same to the tree before the edit. It is called only if the edit did anything.
+/// Ends @p edit as one undo step named @p text, with a record for recipes: @p operation() returns the
+/// operation that does the same to the tree before the edit. It is called only if the edit has applied
+/// deltas.
 template <class MakeOperation>
 void commitRecorded(Edit& edit, const QString& text, const MakeOperation& operation)
 {

@@ -32,7 +32,7 @@ void TimeGesture::moveTo(std::size_t position)
 bool TimeGesture::grow()
 {
     const TreeDocument& document = m_edit.document();
-    // The first step decides for all of them, as in a GrowGesture.
+    // The document's competitors at the first step apply to all steps, as in a GrowGesture.
     if (m_edit.deltaCount() == 0) {
         m_competitors = document.competitors();
         m_only = BudReference::to(document, m_competitors);

@@ -7,24 +7,23 @@
 
 namespace espalier {
 
-/// The hand on the slider of time (TreeSketch §3.1, §3.3): back, the tree ungrows, edit by edit and growth
-/// step by growth step; forward, it comes back, and beyond the present it grows on its own. Nothing is lost
-/// by looking: only what is done at an earlier moment starts another future. finish() makes all of it one
-/// undo step (travel and growth are two), cancel() takes it back, and so does destroying the gesture
-/// unfinished.
+/// A drag of the time slider (TreeSketch §3.1, §3.3). Backward, the tree ungrows, edit by edit and growth
+/// step by growth step; forward, it returns, and beyond the history it grows freely. Travelling loses
+/// nothing: only a change at an earlier moment ends the future. finish() makes the gesture one undo step;
+/// cancel() takes it back, and so does the destructor of an unfinished gesture.
 class TimeGesture {
 public:
-    /// @p interrupted: what to do when another edit begins, instead of finish(); it must finish or cancel the
-    /// gesture.
+    /// @p interrupted is called when another edit begins; it must finish or cancel the gesture. If it is
+    /// empty, the gesture finishes.
     explicit TimeGesture(TreeDocument& document, Edit::Interrupted interrupted = {});
 
-    /// Goes to where @p position deltas have been applied; positions beyond the history grow as many steps,
-    /// until there is no more room to grow in.
+    /// Travels to where @p position deltas are applied. A position beyond the history is reached by growth
+    /// steps, as far as there is space to grow in.
     void moveTo(std::size_t position);
     void finish();
     void cancel() { m_edit.cancel(); }
 
-    /// Deltas of the history when the gesture began, the future included.
+    /// Number of deltas in the history when the gesture began, with the future.
     std::size_t historyLength() const { return m_historyLength; }
 
 private:
@@ -32,7 +31,7 @@ private:
 
     Edit m_edit;
     std::size_t m_historyLength;
-    Competitors m_competitors; ///< Of the steps that have grown beyond the history
+    Competitors m_competitors; ///< For the steps beyond the history
     BudReference m_only;       ///< The same
     GrowthWorkspace m_workspace;
 };

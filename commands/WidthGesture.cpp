@@ -23,7 +23,7 @@ void WidthGesture::set(InternodeId place, double diameter)
     const auto isThere = [&](InternodeId id) { return id < tree.size() && tree.isAlive(id); };
     if (!m_edit.isActive() || std::isnan(diameter) || !isThere(m_id) || !isThere(place))
         return;
-    // What is taken back first is what the next counts from.
+    // Each call replaces the one before: it starts at the tree before the drag.
     m_edit.takeBack();
     std::optional<float> after;
     if (diameter > 0.0)

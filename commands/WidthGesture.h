@@ -7,22 +7,22 @@
 
 namespace espalier {
 
-/// Diameters that a constraint may have, m.
+/// The least diameter of a constraint, m; the greatest is kGreatestDiameter.
 inline constexpr double kLeastDiameter = 0.0002;
 
-/// A width constraint in the hand of a person who sets, moves or removes it (TreeSketch §3.3). The tree
-/// follows at each call; finish() makes the whole drag one undo step, cancel() takes it back, and so does the
-/// end of an unfinished gesture.
+/// A drag that sets, moves or removes a width constraint (TreeSketch §3.3). The tree follows at each call.
+/// finish() makes the whole drag one undo step; cancel() takes it back, and so does the destructor of an
+/// unfinished gesture. Another edit that begins finishes it.
 class WidthGesture {
 public:
-    /// @p id: whose constraint it is, or will be. A dead internode has none, and nothing happens.
+    /// @p id: the internode that has or will have the constraint. If it is dead, set() does nothing.
     WidthGesture(TreeDocument& document, InternodeId id);
 
-    /// @p diameter, m, is moved into kLeastDiameter...kGreatestDiameter; 0 or less removes the constraint,
-    /// and one that is no number leaves all as it stands.
+    /// @p diameter, m, is clamped to kLeastDiameter...kGreatestDiameter; 0 or less removes the constraint.
+    /// NaN changes nothing.
     void set(double diameter) { set(m_id, diameter); }
-    /// The same, with the constraint moved to internode @p place; one that is there gives way to it. A dead
-    /// place is none.
+    /// The same, with the constraint moved to internode @p place, where it replaces another one. Does nothing
+    /// if @p place is dead.
     void set(InternodeId place, double diameter);
 
     void finish();
@@ -31,12 +31,12 @@ public:
 private:
     Edit m_edit;
     InternodeId m_id;
-    /// Of the last call of set().
+    /// The arguments of the last call of set().
     InternodeId m_place;
     std::optional<float> m_diameter{};
 };
 
-/// Sets a width, or removes it (0), as one undo step: see WidthGesture::set.
+/// Sets a width, m, or removes it (0), as one undo step: see WidthGesture::set.
 void setWidth(TreeDocument& document, InternodeId id, double diameter);
 
 } // namespace espalier

@@ -9,11 +9,11 @@ namespace espalier {
 
 namespace {
 
-/// A grip whose internodes were found.
+/// A grip with the internodes that were found.
 struct FoundGrip {
     InternodeId base = kNoInternode;
     std::vector<BranchBend::Handle> handles{};
-    std::vector<std::size_t> indices{}; ///< Of the handles among the operation's
+    std::vector<std::size_t> indices{}; ///< Index of each handle among the operation's
     bool isThere() const { return base != kNoInternode; }
 };
 
@@ -42,7 +42,7 @@ FoundGrip find(const TreeDocument& document, const InternodeReference& base,
 void pull(BendGesture& gesture, const FoundGrip& grip, std::span<const BendOperation::Handle> handles,
           std::span<const BendOperation::Move> moves, QStringList& faults)
 {
-    // The path begins with the base, which no handle moves.
+    // The path begins with the base, which no handle can move.
     const std::span<const InternodeId> path = gesture.path();
     for (const BranchBend::Handle& handle : grip.handles) {
         if (path.empty() || std::ranges::find(path.subspan(1), handle.id) == path.end())

@@ -10,7 +10,7 @@ namespace espalier {
 
 namespace {
 
-/// A stroke that takes its own time.
+/// A stroke in its own time.
 class StrokePerformance : public Performance {
 public:
     StrokePerformance(TreeDocument& document, const BrushStrokeOperation& operation, BudReference::Found only)
@@ -49,8 +49,8 @@ private:
     QString m_warning;
     std::size_t m_historyBefore;
     BrushGesture m_gesture;
-    double m_end;  ///< s of the stroke; infinite if it goes to its last sample
-    double m_time; ///< s of the stroke
+    double m_end;  ///< s of the stroke's time; infinity if it ends at its last sample
+    double m_time; ///< s of the stroke's time
     std::size_t m_next = 1;
 };
 

@@ -26,7 +26,7 @@ private:
     QString m_warning;
 };
 
-/// For what cannot be done at all.
+/// Stands for an operation that cannot be started.
 class NoPerformance : public Performance {
 public:
     explicit NoPerformance(QString warning) : m_warning(std::move(warning)) {}
@@ -38,8 +38,8 @@ private:
     QString m_warning;
 };
 
-/// Growth into envelopes. @p begun is the gesture, or an Error, which becomes the warning. @p warning is what
-/// is known to be wrong beforehand.
+/// Growth into envelopes. @p begun is the gesture, or an Error, which becomes the warning. @p warning is
+/// another fault, found before the gesture began.
 std::unique_ptr<Performance> performanceOf(LassoGesture::Begun begun, std::optional<int> steps = {},
                                            const QString& warning = {})
 {

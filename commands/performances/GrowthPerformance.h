@@ -9,7 +9,7 @@
 
 namespace espalier {
 
-/// Growth that goes twelve steps a second.
+/// Performs a growth gesture, twelve steps a second.
 class GrowthPerformance : public Performance {
 public:
     explicit GrowthPerformance(std::unique_ptr<GrowthGesture> gesture,
@@ -24,7 +24,7 @@ private:
     std::unique_ptr<GrowthGesture> m_gesture;
     int m_mostSteps;
     int m_steps = 0;
-    double m_due = 0.0; ///< Steps, with what is left of one
+    double m_due = 0.0; ///< Steps that are due, with a fraction
 };
 
 } // namespace espalier

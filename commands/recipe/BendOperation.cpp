@@ -42,7 +42,7 @@ QJsonArray targetsToJson(std::span<const Vec3> targets)
     return array;
 }
 
-/// Reads what is at @p index of the array @p key of @p parent: an object with the members that @p read takes.
+/// Reads element @p index of the array @p key of @p parent: an object whose members @p read reads.
 template <class Read>
 void readMember(JsonReader& parent, QLatin1StringView key, const QJsonArray& array, qsizetype index,
                 const Read& read)

@@ -9,13 +9,13 @@
 
 namespace espalier {
 
-/// Bends the branch from a base, which stays, to the uppermost handle. A recipe that a person writes says
-/// where the handles end up. One that was recorded has the way of the hands as well: the form that a branch
-/// settles in depends on it.
+/// Bends the branch from a base, which stays, to the uppermost handle. A recipe that a person writes gives
+/// only the final places of the handles. A recorded one also has their moves, because the form in which a
+/// branch settles depends on them.
 struct BendOperation {
     static constexpr QLatin1StringView kName{"bend"};
     static constexpr qsizetype kMostHandles = 100;
-    static constexpr qsizetype kMostMoves = 100'000; ///< Of a grip
+    static constexpr qsizetype kMostMoves = 100'000; ///< Of each grip
     static constexpr int kMostCalls = 100'000;
     static constexpr qsizetype kMostGrips = 1000;
     static constexpr double kLeastWeight = 0.01;
@@ -23,30 +23,30 @@ struct BendOperation {
 
     struct Handle {
         InternodeReference internode;
-        double along = 1.0;         ///< 0...1 from its lower to its upper node
+        double along = 1.0;         ///< place on the internode, 0 (lower end)...1 (node)
         Vec3 target = Vec3::Zero(); ///< m
         bool operator==(const Handle&) const = default;
     };
-    /// Where the handles were pulled to at one moment of the drag.
+    /// The places to which the handles were pulled at one moment of the drag.
     struct Move {
-        std::vector<Vec3> targets; ///< m, of the handles in their order
-        /// How often the branch was pulled there (BendGesture::moveTo), 1...kMostCalls; nothing for until it
+        std::vector<Vec3> targets; ///< m, in the order of the handles
+        /// How often the branch was pulled there (BendGesture::moveTo), 1...kMostCalls; if empty, until it
         /// has settled.
         std::optional<int> calls{};
         bool operator==(const Move&) const = default;
     };
-    /// How the branch is held, and pulled.
+    /// A base, handles, and how they are pulled.
     struct Grip {
         InternodeReference base;
         std::vector<Handle> handles; ///< 1...kMostHandles
-        /// To the handles' targets in the end; none if it goes there at once.
+        /// In their order, up to the handles' targets; if empty, the handles are pulled there at once.
         std::vector<Move> moves{};
         bool operator==(const Grip&) const = default;
     };
     InternodeReference base;
     std::vector<Handle> handles; ///< 1...kMostHandles
-    std::vector<Move> moves{};   ///< With the base and the handles, the first grip
-    std::vector<Grip> regrips{}; ///< Those that followed, on the form that stood then
+    std::vector<Move> moves{};   ///< Of the first grip, which has this base and these handles
+    std::vector<Grip> regrips{}; ///< The following grips, each from the form that the one before left
     double bending = 1.0;        ///< kLeastWeight...kGreatestWeight
     double stretching = 1.0;     ///< kLeastWeight...kGreatestWeight
 

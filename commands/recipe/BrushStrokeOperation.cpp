@@ -12,7 +12,7 @@ namespace {
 constexpr QLatin1StringView kSamplesKey("samples");
 constexpr QLatin1StringView kUntilKey("until");
 
-/// What is wrong with the sample, or nothing; then @p sample is the one that @p value says.
+/// Reads @p value into @p sample; returns what is wrong with it, if anything.
 std::optional<QString> readSample(const QJsonValue& value, double previousTime, BrushSample& sample)
 {
     const QJsonArray array = value.toArray();

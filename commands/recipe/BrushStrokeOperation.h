@@ -16,15 +16,15 @@ struct BrushStrokeOperation {
     static constexpr double kGreatestTime = 600.0;   ///< s
     static constexpr double kGreatestRadius = 100.0; ///< m
 
-    std::vector<BrushSample> samples; ///< At least one, times ascending
+    std::vector<BrushSample> samples; ///< At least one, by ascending time
     BudReference only{};              ///< Which buds grow
-    /// When the stroke was broken off on the way to the last sample, s; nothing if it was not.
+    /// The time at which the stroke ended on the way to the last sample, s; empty if it ended at that sample.
     std::optional<double> until{};
 
     static BrushStrokeOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;
     std::unique_ptr<Performance> begin(TreeDocument& document) const;
-    /// What the brush covers.
+    /// The space that the brush passes through, m.
     Box3 reach() const;
     bool operator==(const BrushStrokeOperation&) const = default;
 };

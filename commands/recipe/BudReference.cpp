@@ -11,7 +11,7 @@ constexpr QLatin1StringView kOnlyKey("only");
 constexpr QLatin1StringView kBudInternodeKey("internode");
 constexpr QLatin1StringView kBudKey("bud");
 
-/// Whether the bud is there, or a living branch that it has grown into. @p node is alive.
+/// Whether the bud exists, or has grown into a branch that lives. @p node is alive.
 bool hasBud(const TreeDocument& document, InternodeId node, int slot)
 {
     const Tree& tree = document.tree();
@@ -43,7 +43,7 @@ BudReference::Found BudReference::resolve(const TreeDocument& document) const
 {
     if (!internode)
         return {};
-    // Where it is missing, a node that no tree has: then no bud may grow.
+    // If the internode is missing, the number is one that no tree has, so no bud may grow.
     Found found{{internode->number(), slot}, {}};
     const Result<InternodeId> node = internode->resolve(document);
     if (!node) {

@@ -8,22 +8,22 @@
 
 namespace espalier {
 
-/// Which buds a recipe lets grow: all, or the one that the member "only" names, with what comes of it.
+/// The buds that a recipe lets grow: all, or the one that the member "only" names, with its descendants.
 struct BudReference {
-    std::optional<InternodeReference> internode; ///< At whose upper end the bud sits; nothing for all buds
+    std::optional<InternodeReference> internode; ///< The one at whose node the bud is; empty for all buds
     int slot = kTerminalSlot;
 
-    /// What stands for @p competitors.
+    /// The reference to @p competitors.
     static BudReference to(const TreeDocument& document, const Competitors& competitors);
 
-    /// What growth is to be told, and what is wrong with it.
+    /// The buds that may grow, and a warning.
     struct Found {
         Competitors competitors;
-        QString warning; ///< Why nothing can grow: internode or bud are missing; empty if they are there
+        QString warning; ///< Why nothing can grow: the internode or the bud is missing; empty if both exist
     };
     Found resolve(const TreeDocument& document) const;
 
-    /// Reads the member "only" of @p parent, which keeps what is wrong with it.
+    /// Reads the member "only" of @p parent, which gets the error if there is one.
     static BudReference read(JsonReader& parent);
     /// Adds the member "only" unless all buds may grow.
     void write(QJsonObject& json) const;

@@ -10,19 +10,19 @@
 
 namespace espalier {
 
-/// Lets the tree that stands fill envelopes: those in force, or others, which take their place.
+/// Lets the present tree fill envelopes: those in force, or others, which replace them.
 struct FillEnvelopesOperation {
     static constexpr QLatin1StringView kName{"fillEnvelopes"};
     static constexpr qsizetype kMostEnvelopes = 10'000;
 
-    std::optional<std::vector<LassoStroke>> envelopes; ///< Simplified; nothing for those in force
-    /// Complete; those that the envelopes come into force with. Of no meaning without envelopes.
+    std::optional<std::vector<LassoStroke>> envelopes; ///< Simplified; empty for those in force
+    /// The complete parameters that come into force with the envelopes; ignored without envelopes.
     TreeParameters parameters{};
     BudReference only{};        ///< Which buds grow
-    std::optional<int> steps{}; ///< At most so many; nothing for all there are
+    std::optional<int> steps{}; ///< At most this many; empty for growth to its end
 
     static FillEnvelopesOperation read(JsonReader& reader, RecipeReading& reading);
-    /// Only what differs from the parameters before; @p writing has these from then on.
+    /// Writes only what differs from @p writing's parameters, and sets these to its own.
     QJsonObject write(RecipeWriting& writing) const;
     std::unique_ptr<Performance> begin(TreeDocument& document) const;
     bool operator==(const FillEnvelopesOperation&) const = default;

@@ -6,7 +6,7 @@
 
 namespace espalier {
 
-/// Growth without a hand. It ends early when nothing grows any more.
+/// Growth without a brush. It ends early when nothing grows any more.
 struct GrowOperation {
     static constexpr QLatin1StringView kName{"grow"};
     static constexpr int kMostSteps = 10'000;

@@ -25,7 +25,7 @@ std::optional<InternodeId> livingWithKey(const Tree& tree, InternodeKey key)
     return {};
 }
 
-/// The living internode whose node is nearest to @p place, within @p reach, m.
+/// The living internode whose node is nearest to @p place, within @p reach, both in m.
 std::optional<InternodeId> nearestLiving(const TreeDocument& document, const Vec3& place, float reach)
 {
     std::optional<InternodeId> nearest;

@@ -8,18 +8,18 @@
 
 namespace espalier {
 
-/// How a recipe names an internode: by its key, by the place of its node, or both; in old recipes by the
-/// number of its row. The key is looked for first, and the place if no living internode has the key: so an
-/// operation finds what it meant when an earlier step of the recipe was changed.
+/// How a recipe names an internode: by its key, by the place of its node, or both; in old recipes by its row
+/// number. The key is looked for first; if no living internode has it, the place. So an operation finds the
+/// internode that was meant although an earlier step of the recipe was changed.
 class InternodeReference {
 public:
     static constexpr std::int64_t kGreatestNumber = 0xffff'fffe;
-    /// How far from the place an internode may be, in internode lengths.
+    /// The greatest distance of an internode from the place, in internode lengths.
     static constexpr float kReach = 6.0F;
 
-    /// @p number is 0 (the seedling)...kGreatestNumber; the tree need not have such an internode.
+    /// @p number: 0 (the seedling)...kGreatestNumber; the tree need not have this internode.
     InternodeReference(InternodeId number = 0) : m_number(number) {}
-    /// @p place is the world position of the internode's node, m.
+    /// @p place: the world position of the internode's node, m.
     InternodeReference(std::optional<InternodeKey> key, std::optional<Vec3> place)
         : m_number(static_cast<InternodeId>(kGreatestNumber)),
           m_hasKey(key.has_value()),
@@ -28,7 +28,7 @@ public:
           m_place(place.value_or(Vec3(Vec3::Zero())))
     {
     }
-    /// By key and, unless it is too far away for a recipe, by place. Precondition: the document has the
+    /// By key, and by place if it is within recipeLimits::kCoordinate. Precondition: the document has the
     /// internode.
     static InternodeReference to(const TreeDocument& document, InternodeId id);
 
@@ -36,12 +36,12 @@ public:
     InternodeId number() const { return m_number; }
     bool isNumber() const { return !m_hasKey && !m_hasPlace; }
 
-    /// The living internode, or an Error that says which one is missing.
+    /// The living internode, or an Error that names the missing one.
     Result<InternodeId> resolve(const TreeDocument& document) const;
 
-    /// The Error says what is expected, without a place.
+    /// The Error says what is expected, but not where.
     static Result<InternodeReference> fromJson(const QJsonValue& value);
-    /// A member that must be there; @p reader keeps what is wrong with it.
+    /// Reads a required member; @p reader gets the error if there is one.
     static InternodeReference read(JsonReader& reader, QLatin1StringView key);
     /// A number, or {"key": 16 hexadecimal digits, "at": [x, y, z]}.
     QJsonValue toJson() const;

@@ -12,16 +12,16 @@ namespace espalier {
 
 namespace {
 
-/// Runs of unknown steps that an error names.
+/// The number of runs of unknown steps that an error names.
 constexpr std::size_t kRunsNamed = 3;
 
-/// Deltas of one edit that stand in a journal: [first, end).
+/// The deltas of one edit in a journal: [first, end).
 struct Run {
     std::size_t first;
     std::size_t end;
 };
 
-/// Whether what made the edit that begins with @p delta is known.
+/// Whether the operation of the edit that begins with @p delta is known.
 bool isKnown(const TreeDelta& delta)
 {
     return delta.record && !delta.record->operation.isEmpty();
@@ -37,7 +37,7 @@ Run editAt(const Journal& journal, std::size_t first)
     return {first, end};
 }
 
-/// The steps of which nothing is known, joined where they follow each other.
+/// The steps without a known operation; consecutive ones are joined.
 std::vector<Run> unknownSteps(const Journal& journal)
 {
     std::vector<Run> unknown;
@@ -76,7 +76,7 @@ Error notKnown(const std::vector<Run>& unknown, std::size_t steps)
             .arg(runs.join(QLatin1String(", "))));
 }
 
-/// Adds travels by @p deltas, which may be more than one may go.
+/// Adds travels by @p deltas in total; one travel has a limit.
 void addTravel(Recipe& recipe, std::int64_t deltas)
 {
     while (deltas != 0) {
@@ -119,7 +119,7 @@ Result<Recipe> recipeOf(const Project& project)
     for (std::size_t i = 0; i < journal.size();) {
         const Run edit = editAt(journal, i);
         const TreeDelta& first = *journal[edit.first];
-        // An edit changes parameters with its first delta, if at all.
+        // If an edit changes parameters, its first delta does.
         reading.setParameters(sets[first.parametersAfter]);
         Result<RecipeOperation> operation =
             readOperation(QJsonDocument::fromJson(first.record->operation).object(),

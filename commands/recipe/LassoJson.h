@@ -10,22 +10,22 @@
 
 namespace espalier {
 
-// What the operations that fill envelopes have in common in JSON.
+// JSON that all operations on envelopes have in common.
 
 inline constexpr qsizetype kLeastLassoPoints = 3;
 
-/// The members of a stroke of the lasso: "origin", "right", "up" (which may be missing) and "points",
-/// kLeastLassoPoints or more. @p reader keeps what is wrong with them.
+/// Reads the members of a lasso stroke: "origin", "right", "up" (each may be missing) and "points", at least
+/// kLeastLassoPoints. @p reader gets the errors.
 LassoStroke readLasso(JsonReader& reader, RecipeReading& reading);
-/// An object that readLasso() turns into the same stroke.
+/// The object from which readLasso() reads the same stroke.
 QJsonObject lassoToJson(const LassoStroke& stroke);
 
-/// The member "steps": the most growth steps that are made; nothing if it is missing.
+/// The member "steps": the greatest number of growth steps, 0...kMostEnvelopeSteps; empty if it is missing.
 std::optional<int> readSteps(JsonReader& reader);
 void writeSteps(QJsonObject& json, std::optional<int> steps);
 inline constexpr int kMostEnvelopeSteps = 10'000;
 
-/// The stroke as a recipe keeps it: without negative zeros.
+/// The stroke as a recipe has it: without negative zeros.
 LassoStroke recordableLasso(LassoStroke stroke);
 
 } // namespace espalier

@@ -13,9 +13,9 @@ namespace espalier {
 struct LassoOperation {
     static constexpr QLatin1StringView kName{"lasso"};
 
-    LassoStroke stroke;         ///< Raw: any number of points from kLeastLassoPoints on
+    LassoStroke stroke;         ///< Not simplified: kLeastLassoPoints points or more
     BudReference only{};        ///< Which buds grow
-    std::optional<int> steps{}; ///< At most so many; nothing for all there are
+    std::optional<int> steps{}; ///< At most this many; empty for growth to its end
 
     static LassoOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;

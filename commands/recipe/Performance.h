@@ -12,11 +12,10 @@ namespace espalier {
 class BrushGesture;
 class LassoGesture;
 
-/// An operation of a recipe while it is done to a document. One that is destroyed before its end leaves the
-/// document as it was.
+/// An operation of a recipe while it changes a document. Destroying it before its end restores the document.
 ///
-/// The performances are in commands/performances: they use the gestures, which know the operations, since
-/// they record themselves as such.
+/// The performances are in commands/performances: they use the gestures, and the gestures use the operations
+/// to record themselves.
 class Performance {
 public:
     Performance() = default;
@@ -24,14 +23,14 @@ public:
     Performance(const Performance&) = delete;
     Performance& operator=(const Performance&) = delete;
 
-    /// Goes on by @p seconds of a demonstration, infinity for all that is left; true when the operation is
-    /// done.
+    /// Advances by @p seconds of a demonstration, or to the end if that is infinity. Returns whether the
+    /// operation is done.
     virtual bool advance(double seconds) = 0;
-    /// What the operation, now done, did not find or could not do ("there is no internode 712"); empty if
-    /// there is no such thing.
+    /// What the operation, when it is done, did not find or could not do ("there is no internode 712"); empty
+    /// if nothing.
     virtual QString warning() const { return {}; }
 
-    /// Where the brush is, while a stroke is made.
+    /// The brush while a stroke is made.
     virtual std::optional<BrushSample> brush() const { return {}; }
     /// The stroke that is being made, or null.
     virtual const BrushGesture* stroke() const { return nullptr; }
@@ -39,7 +38,7 @@ public:
     virtual const LassoGesture* lasso() const { return nullptr; }
 };
 
-/// One sentence of several faults: the first three, and how many more there are.
+/// One sentence about several faults: the first three, and how many more there are.
 QString joinedFaults(const QStringList& faults);
 
 } // namespace espalier

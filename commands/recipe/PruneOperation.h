@@ -8,12 +8,12 @@
 
 namespace espalier {
 
-/// Takes branches off.
+/// Removes branches.
 struct PruneOperation {
     static constexpr QLatin1StringView kName{"prune"};
     static constexpr qsizetype kMostCuts = 100'000;
 
-    std::vector<InternodeReference> internodes; ///< 1...kMostCuts; each goes with all that it carries
+    std::vector<InternodeReference> internodes; ///< 1...kMostCuts; each is removed with all that it carries
 
     static PruneOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;

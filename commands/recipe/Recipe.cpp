@@ -95,7 +95,7 @@ Result<Recipe> readRecipe(const QString& fileName)
     QFile file(fileName);
     if (!file.open(QIODevice::ReadOnly))
         return inputError(name, file.errorString());
-    // One byte too many is enough to know that a file is too large; a pipe has no size.
+    // Reading one byte more than the limit is enough to find that a file is too large; a pipe has no size.
     const qint64 size =
         file.isSequential() ? recipeLimits::kBytes : std::min<qint64>(file.size(), recipeLimits::kBytes);
     Result<Recipe> recipe = parseRecipe(file.read(size + 1), QFileInfo(fileName).path());

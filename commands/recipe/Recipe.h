@@ -10,13 +10,13 @@
 
 namespace espalier {
 
-/// From where a picture is taken.
+/// The view from which pictures of the recipe's tree are taken.
 struct RecipeCamera {
-    QString view; ///< front, side, top, three-quarter; empty for none said
+    QString view; ///< front, side, top or three-quarter; empty if the recipe has none
     bool operator==(const RecipeCamera&) const = default;
 };
 
-/// What a person did to a tree, from the seedling on.
+/// All operations that make a tree, from the seedling on.
 struct Recipe {
     QString name;
     QString description;
@@ -27,19 +27,19 @@ struct Recipe {
     bool operator==(const Recipe&) const = default;
 };
 
-/// Reads a recipe. Unknown keys, wrong types, values beyond the limits and JSON that is none give an error
-/// that names the place, such as "operations[3].samples[17]: the time does not go forwards".
+/// Reads a recipe. Unknown keys, wrong types, values beyond the limits and invalid JSON give an error that
+/// names the place, such as "operations[3].samples[17]: the time does not go forwards".
 ///
-/// Images are files, named relative to @p folder; without one a recipe can have none. Leaves that get an
-/// image have it as it is (see adoptImage()), but for what the same parameters say.
+/// Images are files, named relative to @p folder; if that is empty, a recipe can have none. Leaves with a new
+/// image take its aspect and colours (see adoptImage()), except where the same parameters say otherwise.
 Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder = {});
-/// The same from a file, whose name the error begins with.
+/// The same from a file; the error begins with the file's name.
 Result<Recipe> readRecipe(const QString& fileName);
 
-/// The JSON that parseRecipe turns into the same recipe, to the last bit, but for the sign of zeros.
+/// JSON from which parseRecipe() reads the same recipe, to the last bit except the sign of zeros.
 /// Precondition: the recipe is within the limits, and its direction weights sum to 1 (see
-/// normaliseDirectionWeights). Images are named, not written: their files must lie where they are looked for.
-/// A short recipe is indented, a long one (see recipeLimits::kIndentedBytes) is a single line.
+/// normaliseDirectionWeights). Images are named, not written (see saveRecipe()). A short recipe is indented,
+/// a longer one (see recipeLimits::kIndentedBytes) is a single line.
 QByteArray writeRecipe(const Recipe& recipe);
 
 } // namespace espalier

@@ -17,14 +17,14 @@ namespace espalier {
 
 namespace {
 
-constexpr qsizetype kHashDigits = 8; ///< Of an image, in the name of its file
+constexpr qsizetype kHashDigits = 8; ///< Of an image's hash, in the name of its file
 
 Error notWritten(const QString& fileName, const QString& reason)
 {
     return {Error::Kind::Output, inputError(QFileInfo(fileName).fileName(), reason).message};
 }
 
-/// The same image under the name that its file has beside the recipe.
+/// The same image under the name of its file beside the recipe.
 ImageAsset renamed(const ImageAsset& image)
 {
     static const QRegularExpression unusual(QStringLiteral("[^\\w.-]+"),
@@ -34,7 +34,7 @@ ImageAsset renamed(const ImageAsset& image)
             QStringLiteral("%1-%2.%3").arg(image.hash().left(kHashDigits), base, image.suffix())};
 }
 
-using Images = QHash<QString, ImageAsset>; ///< Renamed, by hash
+using Images = QHash<QString, ImageAsset>; ///< Renamed images by hash
 
 void rename(TreeParameters& parameters, Images& images)
 {

@@ -11,7 +11,7 @@ double shortestDouble(float number)
     const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
     double shortest = 0.0;
     std::from_chars(digits, end, shortest);
-    // Rounding to double first, then to float, might end beside the number.
+    // Rounding to double and then to float can give another float.
     return static_cast<float>(shortest) == number ? shortest : static_cast<double>(number);
 }
 

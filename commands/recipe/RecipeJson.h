@@ -10,11 +10,11 @@
 
 namespace espalier {
 
-/// The double with the fewest digits that leads back to @p number when it is read as a float. Qt writes a
-/// double with the fewest digits that lead back to the double: 0.1F would be 0.10000000149011612.
+/// The double with the fewest digits that gives @p number when it is read as a float. Qt writes the fewest
+/// digits that give the same double: it would write 0.1F as 0.10000000149011612.
 double shortestDouble(float number);
 
-/// The vector with 0 in place of -0, which JSON does not keep.
+/// The vector with 0 in place of -0, because JSON does not keep the sign of zeros.
 template <int Count>
 Eigen::Matrix<float, Count, 1> withoutNegativeZeros(Eigen::Matrix<float, Count, 1> vector)
 {
@@ -23,7 +23,7 @@ Eigen::Matrix<float, Count, 1> withoutNegativeZeros(Eigen::Matrix<float, Count, 
     return vector;
 }
 
-/// The numbers of an array of exactly @p Count numbers, each within ±@p limit; nothing if it is another one.
+/// The elements of an array of exactly @p Count numbers, each within ±@p limit; empty for any other array.
 template <int Count>
 std::optional<Eigen::Matrix<float, Count, 1>> vectorFromJson(const QJsonArray& array, double limit)
 {
@@ -38,7 +38,7 @@ std::optional<Eigen::Matrix<float, Count, 1>> vectorFromJson(const QJsonArray& a
     return vector;
 }
 
-/// An array that vectorFromJson() turns into the same vector, but for the sign of zeros.
+/// The array from which vectorFromJson() reads the same vector, except the sign of zeros.
 template <int Count>
 QJsonArray toJson(const Eigen::Matrix<float, Count, 1>& vector)
 {

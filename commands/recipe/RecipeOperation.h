@@ -11,14 +11,14 @@
 
 namespace espalier {
 
-/// What the writing of an operation counts from.
+/// The state while operations are written one after another.
 struct RecipeWriting {
-    TreeParameters parameters; ///< That the operations before have put in force
+    TreeParameters parameters; ///< In force after the operations written so far
 };
 
 /// The data of one kind of operation: its name in JSON, its reader and its writer. The reader reads the
-/// members of the operation's object and leaves what is wrong to the JsonReader; the writer returns an object
-/// that the reader turns into the same data.
+/// members of the operation's object and reports errors to the JsonReader. The writer returns an object from
+/// which the reader reads the same data.
 template <class Data>
 concept OperationData = std::equality_comparable<Data> &&
     requires(const Data& data, JsonReader& reader, RecipeReading& reading, RecipeWriting& writing)
@@ -34,7 +34,7 @@ concept OperationData = std::equality_comparable<Data> &&
         } -> std::same_as<QJsonObject>;
 };
 
-/// An operation that happens at once: perform() returns what Performance::warning() says.
+/// An operation that happens at once: perform() returns the text for Performance::warning().
 template <class Data>
 concept ImmediateOperation = OperationData<Data> && requires(const Data& data, TreeDocument& document)
 {
@@ -43,7 +43,7 @@ concept ImmediateOperation = OperationData<Data> && requires(const Data& data, T
         } -> std::same_as<QString>;
 };
 
-/// An operation that takes its time: begin() starts it. The performance may refer to the data.
+/// An operation that takes time: begin() starts it. The performance may refer to the data.
 template <class Data>
 concept TimedOperation = OperationData<Data> && requires(const Data& data, TreeDocument& document)
 {
@@ -52,9 +52,9 @@ concept TimedOperation = OperationData<Data> && requires(const Data& data, TreeD
         } -> std::same_as<std::unique_ptr<Performance>>;
 };
 
-/// One thing that a person did, as data: an operation of any kind. A value that never changes; copies share
-/// their data. Each kind is a plain struct in a file of its own (PruneOperation.h), and is known to readers
-/// by its line in RecipeOperations.cpp. docs/recipes.md and resources/recipe.schema.json describe the JSON.
+/// One operation of a recipe, of any kind, as data. A value that never changes; copies share their data. Each
+/// kind is a plain struct in a file of its own (PruneOperation.h) and is registered by its line in
+/// RecipeOperations.cpp. docs/recipes.md and resources/recipe.schema.json describe the JSON.
 class RecipeOperation {
 public:
     template <class Data>
@@ -63,7 +63,7 @@ public:
     {
     }
 
-    /// "op" in JSON.
+    /// The value of "op" in JSON.
     QLatin1StringView name() const { return m_content->name(); }
     /// The data, or null if the operation is of another kind.
     template <class Data>
@@ -72,17 +72,17 @@ public:
         const auto* content = dynamic_cast<const Content<Data>*>(m_content.get());
         return content ? &content->data : nullptr;
     }
-    /// False if it happens at once.
+    /// False if the operation happens at once.
     bool takesTime() const { return m_content->takesTime(); }
     /// The space that the operation itself draws in, m; empty if it draws nothing.
     Box3 reach() const { return m_content->reach(); }
 
-    /// The object, with its name, that readOperation() turns into the same operation after the same ones.
+    /// The object, with its name, from which readOperation() reads the same operation after the same ones.
     QJsonObject write(RecipeWriting& writing) const;
-    /// The same as compact JSON that counts from @p parameters: what a gesture leaves in the journal
-    /// (EditRecord), with the parameters that are in force after it.
+    /// The same as compact JSON, written relative to @p parameters, those in force after the operation. A
+    /// gesture leaves it in the journal (EditRecord).
     QByteArray record(const TreeParameters& parameters) const;
-    /// Starts to do it to @p document. The operation must outlive the performance.
+    /// Starts the operation on @p document. The operation must outlive the performance.
     std::unique_ptr<Performance> begin(TreeDocument& document) const { return m_content->begin(document); }
 
     bool operator==(const RecipeOperation& other) const { return m_content->equals(*other.m_content); }
@@ -151,10 +151,10 @@ private:
     std::shared_ptr<const AnyContent> m_content;
 };
 
-/// The names of all kinds of operations, as JSON has them, in the order of the registry.
+/// The names of all kinds of operations, as in JSON, in the order of RecipeOperations.cpp.
 QStringList operationNames();
 
-/// Reads one operation; @p place is its own ("operations[3]").
+/// Reads one operation; @p place is its place in the recipe ("operations[3]"), for errors.
 Result<RecipeOperation> readOperation(const QJsonValue& value, const QString& place, RecipeReading& reading);
 
 } // namespace espalier

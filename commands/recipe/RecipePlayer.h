@@ -8,32 +8,32 @@
 
 namespace espalier {
 
-/// Does to a document what a recipe says, by the same commands that a hand uses; at once or, for a
-/// demonstration, in the time that a hand would take.
+/// Performs a recipe on a document, by the same gestures and commands that the interface uses: at once, or,
+/// for a demonstration, in the time that a user would take.
 class RecipePlayer {
 public:
     enum class Start {
         Anew, ///< From a seedling with the recipe's seed and parameters
-        GoOn, ///< On the tree that stands, putting the recipe's parameters in force
+        GoOn, ///< On the present tree, with the recipe's parameters put in force
     };
     RecipePlayer(TreeDocument& document, Recipe recipe, Start start = Start::Anew);
     ~RecipePlayer();
 
     bool isDone() const;
-    /// What operations that are done did not find or could not do, with their places:
+    /// What finished operations did not find or could not do, with their places:
     /// "operations[3]: prune: there is no internode 712".
     const QStringList& warnings() const { return m_warnings; }
     /// Share of the operations that are done, 0...1.
     double progress() const;
-    /// The one at hand, or the next; null when all is done.
+    /// The operation under way, or the next one; null when all are done.
     const RecipeOperation* operation() const { return isDone() ? nullptr : &m_recipe.operations[m_next]; }
     void playAll();
-    /// Does the next operation, or what is left of the one at hand.
+    /// Performs the next operation, or the rest of the one under way.
     void playOperation();
-    /// Goes on by @p seconds of a demonstration: brush strokes take their own time, growth goes twelve steps
-    /// a second, other operations happen at once, one a call.
+    /// Advances by @p seconds of a demonstration: brush strokes take their own time, growth makes twelve
+    /// steps a second, other operations happen at once, one per call.
     void advance(double seconds);
-    /// Where the brush is, while a stroke is made.
+    /// The brush while a stroke is made.
     std::optional<BrushSample> brush() const;
     /// The stroke that is being made, or null.
     const BrushGesture* stroke() const { return m_performance ? m_performance->stroke() : nullptr; }
@@ -44,7 +44,7 @@ private:
     TreeDocument& m_document;
     Recipe m_recipe;
     std::size_t m_next = 0;
-    std::unique_ptr<Performance> m_performance; ///< Of the operation at hand
+    std::unique_ptr<Performance> m_performance; ///< Of the operation under way
     QStringList m_warnings;
 };
 

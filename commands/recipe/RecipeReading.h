@@ -8,35 +8,35 @@
 
 namespace espalier {
 
-/// What the parts of a recipe share while it is read: the parameters that have come in force so far, the
-/// images that they name, and how many samples there may still be.
+/// The state while a recipe is read: the parameters that are in force so far, the images that it names, and
+/// the number of samples so far.
 class RecipeReading {
 public:
-    /// Images are files, named relative to @p folder; if it is empty, a recipe has none.
+    /// Images are files, named relative to @p folder; if that is empty, a recipe can have none.
     explicit RecipeReading(QString folder) : m_folder(std::move(folder)) {}
 
-    /// Those that were read last, complete; at first the program's defaults.
+    /// The complete parameters in force so far; at first the program's defaults.
     const TreeParameters& parameters() const { return m_parameters; }
-    /// What is read next counts from these.
+    /// Sets the parameters that the next ones are relative to.
     void setParameters(const TreeParameters& parameters) { m_parameters = parameters; }
-    /// Puts those that @p json names in force, on top of the others. If it names none, not a bit changes.
+    /// Changes the parameters that @p json names. If it names none, nothing changes, not even by rounding.
     Result<void> readParameters(const QJsonObject& json, const QString& place);
 
-    /// Counts @p samples, the size of @p reader's member @p key. False, and the reader has an error, if the
-    /// recipe has too many.
+    /// Counts @p samples, the size of @p reader's member @p key. If the recipe has too many, reports an error
+    /// to @p reader and returns false.
     bool admitSamples(JsonReader& reader, QLatin1StringView key, qsizetype samples);
 
 private:
     struct Image {
         Result<ImageAsset> asset;
-        double aspect = 1.0; ///< As a leaf; 0 if there is none in it
+        double aspect = 1.0; ///< Of the leaf in it; 0 if there is no leaf
     };
 
     const Image& image(const QString& name);
     Result<ImageAsset> readImage(const QString& name) const;
 
     QString m_folder;
-    QHash<QString, Image> m_images; ///< Each is read once
+    QHash<QString, Image> m_images; ///< By name; each file is read once
     TreeParameters m_parameters;
     qsizetype m_samples = 0;
 };

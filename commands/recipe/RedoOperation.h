@@ -5,7 +5,7 @@
 
 namespace espalier {
 
-/// Does again what was undone.
+/// Redoes commands that were undone.
 struct RedoOperation {
     static constexpr QLatin1StringView kName{"redo"};
     static constexpr int kMostCount = 100'000;

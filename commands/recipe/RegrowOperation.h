@@ -5,7 +5,7 @@
 
 namespace espalier {
 
-/// Fills the envelopes in force again, with the parameters in force.
+/// Fills the envelopes in force again, with the parameters in force (LassoGesture::regrow).
 struct RegrowOperation {
     static constexpr QLatin1StringView kName{"regrow"};
 

@@ -5,7 +5,7 @@
 
 namespace espalier {
 
-/// Takes the envelopes in force away; the tree stays.
+/// Puts the envelopes out of force; the tree stays as it is.
 struct RemoveLassoOperation {
     static constexpr QLatin1StringView kName{"removeLasso"};
 

@@ -9,17 +9,17 @@ namespace espalier {
 struct SetParametersOperation {
     static constexpr QLatin1StringView kName{"setParameters"};
 
-    TreeParameters parameters; ///< Complete: those before, with the recipe's changes
+    TreeParameters parameters; ///< Complete: those in force before, with the recipe's changes
 
     static SetParametersOperation read(JsonReader& reader, RecipeReading& reading);
-    /// Only what differs from the parameters before; @p writing has these from then on.
+    /// Writes only what differs from @p writing's parameters, and sets these to its own.
     QJsonObject write(RecipeWriting& writing) const;
     QString perform(TreeDocument& document) const;
     bool operator==(const SetParametersOperation&) const = default;
 };
 
-/// What differs from @p base, as RecipeReading::readParameters() takes it. Images are named; what they bring
-/// along unless it is said (see adoptImage()) is said.
+/// What differs from @p base, as RecipeReading::readParameters() reads it. Images are written by name. With a
+/// leaf image, the parameters that adoptImage() would set are written as well.
 QJsonObject parametersToJson(const TreeParameters& parameters, const TreeParameters& base);
 
 } // namespace espalier

@@ -6,14 +6,14 @@
 
 namespace espalier {
 
-/// Gives an internode a diameter, or takes it away.
+/// Sets or removes the width of an internode.
 struct SetWidthOperation {
     static constexpr QLatin1StringView kName{"setWidth"};
     static constexpr double kGreatestDiameter = 100.0; ///< m
 
     InternodeReference internode;
-    double diameter = 0.0; ///< m, 0...kGreatestDiameter; 0 takes away what was set there
-    /// Whose width it was until now; nothing if it stays where it is.
+    double diameter = 0.0; ///< m, 0...kGreatestDiameter; 0 removes the width
+    /// The internode that the width is moved from; empty if it is not moved.
     std::optional<InternodeReference> from{};
 
     static SetWidthOperation read(JsonReader& reader, RecipeReading& reading);

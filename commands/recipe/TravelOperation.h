@@ -5,12 +5,12 @@
 
 namespace espalier {
 
-/// Goes back in the tree's history by so many growth steps and edits, or forth again.
+/// Travels in the tree's history by a number of deltas (growth steps and edits), back or forth.
 struct TravelOperation {
     static constexpr QLatin1StringView kName{"travel"};
     static constexpr int kFarthest = 1'000'000;
 
-    int by = -1; ///< -kFarthest...kFarthest, not 0; what lies beyond the history's ends is left out
+    int by = -1; ///< -kFarthest...kFarthest, not 0; a travel stops at the ends of the history
 
     static TravelOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;

@@ -5,7 +5,7 @@
 
 namespace espalier {
 
-/// Takes the last commands back.
+/// Undoes the last commands.
 struct UndoOperation {
     static constexpr QLatin1StringView kName{"undo"};
     static constexpr int kMostCount = 100'000;
