@@ -82,7 +82,7 @@ double VigourFlow::ofChild(InternodeId parent, InternodeId child, double vigour)
     const VigourShares shares = atNode(parent, vigour);
     if (m_tree.continuesAxis(child))
         return shares.main;
-    // Several laterals share their part by what they carry.
+    // Several laterals share the lateral part in proportion to their Q.
     const double lateral = static_cast<double>(m_growth.basipetal(parent)) - mainQ(parent);
     return lateral > 0.0 ? shares.lateral * static_cast<double>(m_growth.basipetal(child)) / lateral : 0.0;
 }

@@ -9,13 +9,13 @@ namespace espalier {
 
 namespace {
 
-/// More markers a step than this bring nothing but waiting.
+/// More markers per step only cost time.
 constexpr double kMostNewMarkers = 4000;
-/// A brush thinner than this many occupancy radii begins to draw.
+/// Below this radius, in occupancy radii, growth begins to turn into drawing.
 constexpr double kThinBrush = 1.0;
-/// m; a stroke's direction is an average over about this length.
+/// The direction of a stroke is averaged over about this length, m.
 constexpr float kDirectionWindow = 0.25F;
-/// Internodes that one step of drawing adds at most; the rest of a longer path follows in the next steps.
+/// The greatest number of internodes that one step draws; the rest of a longer path follows in later steps.
 constexpr int kMostDrawn = 10'000;
 
 Vec3 aboveGround(const Vec3& point)
@@ -23,7 +23,7 @@ Vec3 aboveGround(const Vec3& point)
     return {point.x(), std::max(0.0F, point.y()), point.z()};
 }
 
-/// How far a brush of this radius is on the way from growing (0) to drawing (1).
+/// The degree to which a brush of this radius (m) draws instead of growing, 0...1.
 double drawnness(const GrowthParameters& p, float radius)
 {
     return std::clamp(1.0 - radius / (kThinBrush * p.occupancyRadius * p.internodeLength), 0.0, 1.0);
@@ -41,13 +41,13 @@ GrowthStepOptions optionsFor(const GrowthParameters& p, float radius)
     options.weights = {p.axisWeight * (1.0 - drawn), p.tropismWeight * (1.0 - drawn),
                        p.spaceWeight * (1.0 - drawn) + drawn};
     options.leastVigour = drawn;
-    // A thin brush must not be swallowed by the zone that the shoot it leads occupies.
+    // Otherwise the zone that the leading shoot occupies would cover all of a thin brush.
     options.perception.occupancy *= static_cast<float>(1.0 - 0.75 * drawn);
     return options;
 }
 
-/// Where @p path first is @p distance away from @p centre, going along it; the path up to there is taken out.
-/// Nothing if it stays nearer.
+/// The first point along @p path whose distance from @p centre is @p distance; removes the path up to there.
+/// Empty if no point of the path is that far away.
 std::optional<Vec3> advanceAlong(std::vector<Vec3>& path, const Vec3& centre, float distance)
 {
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -55,7 +55,7 @@ std::optional<Vec3> advanceAlong(std::vector<Vec3>& path, const Vec3& centre, fl
             continue;
         const Vec3 from = i == 0 ? centre : path[i - 1];
         const Vec3 along = path[i] - from;
-        // |from + s along − centre| = distance, the greater root: from lies within.
+        // |from + s along − centre| = distance, the greater root: from lies within the distance.
         const Vec3 offset = from - centre;
         const double a = along.squaredNorm();
         const double b = offset.dot(along);
@@ -67,7 +67,7 @@ std::optional<Vec3> advanceAlong(std::vector<Vec3>& path, const Vec3& centre, fl
     return std::nullopt;
 }
 
-/// Lets @p path begin where it comes nearest to @p centre: what lies before that is taken out.
+/// Removes the part of @p path before the point that is nearest to @p centre.
 void beginAtNearest(std::vector<Vec3>& path, const Vec3& centre)
 {
     Vec3 nearest = path.front();
@@ -86,7 +86,7 @@ void beginAtNearest(std::vector<Vec3>& path, const Vec3& centre)
     path.insert(path.begin(), nearest);
 }
 
-/// @p direction, or where it leads back along @p heading, the nearest direction that does not (unit vectors).
+/// @p direction, or, if it leads back along @p heading, the nearest one that does not. All are unit vectors.
 Vec3 withoutFold(const Vec3& direction, const Vec3& heading)
 {
     const float along = direction.dot(heading);
@@ -96,7 +96,8 @@ Vec3 withoutFold(const Vec3& direction, const Vec3& heading)
     return side.norm() > 1e-3F ? Vec3(side.normalized()) : anyPerpendicular(heading);
 }
 
-/// The living bud nearest to @p point: terminal before lateral, then by id.
+/// The living bud nearest to @p point; at one node, the terminal bud before laterals; at equal distance, the
+/// smallest id.
 BudRef nearestBud(const Tree& tree, const TreeIndex& index, const Vec3& point)
 {
     BudRef best{0, kTerminalSlot};
@@ -143,7 +144,7 @@ TreeDelta BrushGrowth::step(const Tree& tree, const TreeIndex& index, const Grow
         const double cosine = std::clamp(m_strokeDirection.normalized().y(), -1.0F, 1.0F);
         options.setPointAngle = std::acos(cosine);
     }
-    // A seedling follows a brush that is out of its sight, with a trunk that stays bare until it gets there.
+    // A seedling grows a bare trunk toward a brush that is too far away to be perceived.
     const float sight = brush.radius + 0.5F * options.perception.reach;
     const bool isSeedling = index.tipCount(0) == 1 && m_competitors.node == kNoInternode;
     const auto isOutOfSight = [&] {
@@ -160,16 +161,16 @@ void BrushGrowth::layMarkers(const Tree& tree, const BrushSample& previous, cons
     const GrowthParameters& p = tree.parameters().growth;
     const double reach = std::max<double>(brush.radius, p.internodeLength);
     const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(reach / p.internodeLength, 3);
-    // At least a few, or a thin brush would be a matter of luck.
+    // At least three; otherwise it would depend on chance whether a thin brush grows anything.
     const double wanted = std::clamp(p.markerDensity * volume / p.markerAge, 3.0, kMostNewMarkers);
     Random random(tree.seed(), tree.step(), m_time, Purpose::BrushMarker);
     for (int i = 0; i < static_cast<int>(wanted); ++i) {
-        // Spread over the way that the brush came, so that a fast stroke leaves no gaps.
+        // Spread over the path since the last sample, so that a fast stroke leaves no gaps.
         const auto t = static_cast<float>(random.uniform());
         const Vec3 centre = previous.position + t * (brush.position - previous.position);
         const float radius = previous.radius + t * (brush.radius - previous.radius);
         const Vec3 marker = centre + radius * random.inBall();
-        if (marker.y() < 0.0F) // below the ground is no free space
+        if (marker.y() < 0.0F) // there is no free space below the ground
             continue;
         m_markers.positions.push_back(marker);
         m_markers.born.push_back(m_time);
@@ -188,7 +189,7 @@ TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, const Brus
         m_hasDrawn = false;
     }
     m_path.push_back(aboveGround(brush.position));
-    // The competitors' node may have been shed on the way, or never have been.
+    // The competitors' node may have been shed, or may never have existed.
     if (m_drawnBud->node >= tree.size() || !tree.isAlive(m_drawnBud->node))
         return deltaStartingAt(tree);
 
@@ -212,9 +213,10 @@ TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, const Brus
     return growing.takeDelta();
 }
 
-/// A limb begins at its bud, wherever the stroke was pressed: what the stroke does before it comes nearest to
-/// the bud is passed over. Where that place is behind the bud (a press at the foot of a seedling), the limb
-/// waits until the stroke is an internode past it. Returns whether the limb may grow.
+/// Prepares the path so that the drawn axis begins at its bud, wherever the stroke was pressed: removes the
+/// part of the stroke before its nearest point to the bud. If that point is behind the bud (a press at the
+/// foot of a seedling), drawing waits until the stroke is an internode past it. Returns whether the axis may
+/// grow.
 bool BrushGrowth::beginPath(const GrowingTree& growing, float length)
 {
     const auto [node, slot] = *m_drawnBud;

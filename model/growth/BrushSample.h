@@ -5,8 +5,8 @@
 
 namespace espalier {
 
-/// Where the brush was at a moment of a stroke. A stroke is a list of these by ascending time; between two,
-/// brush and radius move evenly.
+/// The brush at a moment of a stroke. A stroke is a list of samples by ascending time; between two samples,
+/// position and radius change linearly.
 struct BrushSample {
     double time = 0.0;            ///< s since the stroke began
     Vec3 position = Vec3::Zero(); ///< m, in the tree's world
@@ -15,7 +15,7 @@ struct BrushSample {
     bool operator==(const BrushSample&) const = default;
 };
 
-/// The brush at @p time between two samples of ascending times.
+/// The brush at @p time, interpolated between two samples. Precondition: a.time < b.time.
 inline BrushSample between(const BrushSample& a, const BrushSample& b, double time)
 {
     const auto t = static_cast<float>((time - a.time) / (b.time - a.time));

@@ -7,12 +7,12 @@ namespace espalier {
 
 namespace {
 
-/// Cells beyond these take longer to clear than to search.
+/// With more cells than these, clearing them takes longer than searching.
 constexpr std::size_t kCellsPerNode = 8;
 constexpr std::size_t kFewestCells = 512;
 
-/// A sort by keys, 0 ≤ key < count: the indices of @p keys in ascending and, for equal keys, in their own
-/// order; and where the indices of each key begin (count + 1 entries).
+/// The result of sorting by keys, 0 ≤ key < count: the indices of the keys in ascending order (stable), and
+/// the position at which the indices of each key begin (count + 1 entries).
 struct Sorted {
     std::vector<std::uint32_t> order;
     std::vector<std::uint32_t> begin;

@@ -10,25 +10,25 @@
 
 namespace espalier {
 
-/// Nodes in cubic cells of one box, for the many searches of one growth step: without the nodes that bear no
-/// bud, without hashing, and a row of cells is one run. Costs what its nodes and cells cost, so it is made
-/// anew for each step, of the nodes near the markers alone.
+/// Nodes in the cubic cells of a box, for the many searches of one growth step. It is faster than VoxelSpace:
+/// it has no nodes without buds, needs no hashing, and a row of cells is one run of memory. Its cost is
+/// proportional to its nodes and cells, so each step makes a new one, of the nodes near the markers.
 class BudGrid {
 public:
     BudGrid() = default;
-    /// @param edge of a cell, m, > 0; it is greater where the nodes are too sparse for it
+    /// @param edge of a cell, m, > 0; greater cells are made if there would be too many for the nodes
     BudGrid(std::span<const Resident> nodes, float edge);
 
     bool isEmpty() const { return m_ids.empty(); }
 
-    /// Calls @p visit(id, squared distance) for all nodes with a squared distance from @p point, m², of
-    /// @p inner to @p outer, until it says true; whether it did.
+    /// Calls @p visit(id, squared distance) for nodes whose squared distance from @p point, m², is @p inner
+    /// to @p outer, both included, until it returns true. Returns whether it did.
     template <class Visit>
     bool anyNear(const Vec3& point, float inner, float outer, Visit&& visit) const
     {
         return anyRun(point, std::sqrt(outer), [&](std::size_t first, std::size_t last) {
-            // Most blocks hold nothing that counts; the compiler makes a few instructions of finding that
-            // out.
+            // Most blocks contain no node in range; the compiler checks a whole block with a few
+            // instructions.
             for (; first + kBlock <= last; first += kBlock) {
                 std::array<float, kBlock> squared;
                 for (std::size_t i = 0; i < kBlock; ++i)
@@ -50,8 +50,8 @@ public:
         });
     }
 
-    /// The indices of @p points, those in the same cell in a row: in this order, searches read memory that is
-    /// still in the cache.
+    /// The indices of @p points, grouped by cell: in this order, searches read memory that is still in the
+    /// cache.
     std::vector<std::uint32_t> orderOf(std::span<const Vec3> points) const;
 
 private:
@@ -62,14 +62,14 @@ private:
         return Resident{m_x[i], m_y[i], m_z[i], 0}.squaredDistance(point);
     }
 
-    /// Calls @p visit(first, last) for rows of nodes, which hold all that are within @p radius, until it says
-    /// true; whether it did.
+    /// Calls @p visit(first, last) for runs of nodes that together contain all nodes within @p radius, until
+    /// it returns true. Returns whether it did.
     template <class Visit>
     bool anyRun(const Vec3& point, float radius, Visit&& visit) const
     {
         if (isEmpty())
             return false;
-        const Vec3 reach = Vec3::Constant(radius + 1e-3F * m_edge); // more, because of rounding at the border
+        const Vec3 reach = Vec3::Constant(radius + 1e-3F * m_edge); // margin for rounding at the border
         const Cell from = cellAt(point - reach);
         const Cell to = cellAt(point + reach);
         if (to.x < 0 || to.y < 0 || to.z < 0 || from.x >= m_size.x || from.y >= m_size.y ||
@@ -88,7 +88,7 @@ private:
         return false;
     }
 
-    /// May lie outside; what is far outside counts as just outside.
+    /// May lie outside the grid; points far outside get a cell just outside.
     Cell cellAt(const Vec3& point) const;
     std::size_t cellIndex(const Cell& cell) const
     {
@@ -103,7 +103,7 @@ private:
     std::vector<float> m_x;
     std::vector<float> m_y;
     std::vector<float> m_z;
-    std::vector<std::uint32_t> m_begin; ///< Of each cell's nodes; one entry more than there are cells
+    std::vector<std::uint32_t> m_begin; ///< First node of each cell; one entry more than there are cells
 };
 
 } // namespace espalier

@@ -7,13 +7,13 @@ namespace espalier {
 
 namespace {
 
-/// Standard deviations at full irregularity.
+/// Standard deviations, rad, at full irregularity.
 constexpr double kBranchingSpread = radians(18);
 constexpr double kAzimuthSpread = radians(25);
 constexpr double kWidestBranching = radians(170);
 
-/// Sine and cosine of an angle of at most π/2 either way, to 3e-6: Taylor's series, a tenth of the library's
-/// cost.
+/// Sine and cosine of an angle within ±π/2, rad, with an error below 3e-6. Taylor series take a tenth of the
+/// time of the library's functions.
 double smallSine(double x)
 {
     const double y = x * x;
@@ -49,7 +49,7 @@ double azimuthOf(const GrowthParameters& grown, int slot)
     return 2.0 * std::numbers::pi * slot / grown.lateralsPerNode;
 }
 
-/// Of a lateral bud, in its internode's frame.
+/// Unit direction of a lateral bud in the frame of its internode.
 Vec3 scattered(InternodeKey key, int slot, double branchingAngle, const Direction& branching,
                const Direction& azimuth, double irregularity)
 {

@@ -11,7 +11,8 @@ namespace espalier {
 
 namespace {
 
-/// Most markers have their owner within this share of the depth of perception: so far is looked at first.
+/// Most markers have their owner within this share of the depth of perception, so that range is searched
+/// first.
 constexpr float kNearShare = 0.3F;
 
 constexpr std::size_t kMarkersPerTask = 512;
@@ -22,7 +23,7 @@ constexpr float kBeyond = std::numeric_limits<float>::infinity();
 
 float Competition::Neighbours::nearest() const
 {
-    // As integers, which compare alike, the bits of floats make a faster loop.
+    // Non-negative floats compare like their bits as integers, and the loop over integers is faster.
     std::int32_t least = std::bit_cast<std::int32_t>(kBeyond);
     for (const float squared : m_squaredDistances)
         least = std::min(least, std::bit_cast<std::int32_t>(squared));
@@ -117,8 +118,8 @@ void Competition::repeat()
             isGone[i] = isOccupied(m_grids.back(), marker) ? 1 : 0;
             if (isGone[i] != 0)
                 continue;
-            // Buds come and go with the new nodes alone. If the owner is gone, those left of the others are
-            // no nearer than it was.
+            // Only new nodes add buds, and only shoots use them up. If the owner is used up, the remaining
+            // buds of the older grids are at least as far away as it was.
             Claim& claim = m_claims[i];
             const Claim before = claim;
             if (before.bud.node == kNoInternode ||
@@ -211,7 +212,7 @@ BudGrid Competition::treeAroundMarkers() const
 
 bool Competition::isOccupied(const BudGrid& grid, const Vec3& marker) const
 {
-    // Anything nearer than the radius.
+    // Strictly nearer than the radius.
     const float outer = std::nextafter(m_perception.occupancy * m_perception.occupancy, 0.0F);
     return grid.anyNear(marker, 0.0F, outer, [](InternodeId, float) { return true; });
 }

@@ -13,11 +13,11 @@ namespace espalier {
 /// Markers of free space (TreeSketch §3.2), as columns.
 struct MarkerSet {
     std::vector<Vec3> positions;
-    std::vector<Step> born; ///< Growth step of the stroke that a marker appeared in
+    std::vector<Step> born; ///< Growth step, counted by the caller, in which a marker appeared
 
     std::size_t size() const { return positions.size(); }
     void clear();
-    /// Keeps the markers for which @p keep(i), in their order.
+    /// Keeps the markers i for which @p keep(i) returns true, in their order.
     template <class Keep>
     void filter(Keep&& keep)
     {
@@ -34,10 +34,10 @@ struct MarkerSet {
     }
 };
 
-/// Which buds compete for markers and may grow; all of them still clear the space around themselves
+/// The buds that compete for markers and may grow. Other buds still remove the markers around themselves
 /// (selective growth, TreeSketch figure 9).
 struct Competitors {
-    /// Only this bud and what grows from it; kNoInternode lets all buds compete.
+    /// Node of the only bud that may grow, with its descendants; kNoInternode lets all buds compete.
     InternodeId node = kNoInternode;
     int slot = kTerminalSlot;
 
@@ -45,7 +45,7 @@ struct Competitors {
     bool operator==(const Competitors&) const = default;
 };
 
-/// How buds sense free space (TreeSketch figure 8B). Lengths in m.
+/// How buds perceive free space (TreeSketch figure 8B). Lengths in m.
 struct Perception {
     float occupancy;    ///< r
     float reach;        ///< r + d
@@ -66,32 +66,34 @@ struct EnabledBud {
     Vec3 space; ///< E: the normalised sum of the unit vectors toward its markers
 };
 
-/// Whether @p bud is, or grows from, what @p competitors names.
+/// Whether @p bud may grow: it is the bud that @p competitors names, or grows from it.
 bool competes(const GrowingTree& tree, const Competitors& competitors, BudRef bud);
 
 /// The competition of buds for the markers of free space in one growth step (TreeSketch §3.2). A marker
-/// belongs to the nearest competing bud whose volume of perception contains it, at equal distance to the one
-/// that points at it best; markers within the occupancy radius of a living bud go. The result does not
-/// depend on the number of threads nor on the order of nodes and markers.
+/// belongs to the nearest competing bud whose volume of perception contains it; at equal distance, to the bud
+/// that points at it most directly. Markers within the occupancy radius of a living bud are removed. The
+/// result does not depend on the number of threads nor on the order of nodes.
 class Competition {
 public:
-    /// The tree, its @p space (its nodes by voxel) and the markers outlive the competition.
+    /// @p space has the tree's nodes by voxel. The tree, the space and the markers must outlive the
+    /// competition.
     Competition(GrowingTree& tree, const VoxelSpace& space, const Perception& perception,
                 const Competitors& competitors, MarkerSet& markers);
 
-    /// Lets the markers that were appended since the last time take part, all of them at first.
-    /// @param perceivers a bud for each that is likely to perceive it, which shortens the search; or nothing
+    /// Adds the markers that were appended since the last call (all, at the first call) to the competition.
+    /// @param perceivers for each of them, a bud that probably perceives it, which shortens the search; or
+    /// empty
     void admit(std::span<const BudRef> perceivers = {});
-    /// A further round, after the tree has grown since the last: costs what is near the new nodes.
+    /// Makes another round after the tree has grown. The cost depends on the markers and the new nodes.
     void repeat();
 
-    /// Takes away the markers that @p buds, sorted, own; for the end of a step: nothing may be asked of the
-    /// competition any more.
+    /// Removes the markers that are owned by @p buds, which are sorted. To be called last: the competition is
+    /// not valid afterwards.
     void dropOwned(std::span<const BudRef> buds);
 
-    /// The buds on @p firstNode or later ones that own markers, by ascending node and slot.
+    /// The buds at @p firstNode or later nodes that own markers, by ascending node and slot.
     std::vector<EnabledBud> enabled(InternodeId firstNode = 0) const;
-    /// Calls @p visit(bud) for the owner of each marker that has one.
+    /// Calls @p visit(bud) for the owner of each marker that has an owner.
     template <class Visit>
     void forEachOwner(Visit&& visit) const
     {
@@ -123,9 +125,9 @@ private:
             m_ids.push_back(id);
             m_squaredDistances.push_back(squaredDistance);
         }
-        /// The least squared distance, or one beyond all.
+        /// The least squared distance, m²; infinity if no node is left.
         float nearest() const;
-        /// Calls @p visit(id) for each node at that squared distance, and takes it out.
+        /// Calls @p visit(id) for each node at exactly that squared distance, and removes these nodes.
         template <class Visit>
         void take(float squaredDistance, Visit&& visit);
 
@@ -134,19 +136,19 @@ private:
         std::vector<float> m_squaredDistances;
     };
 
-    /// So far is looked at first, m.
+    /// Radius of the first, smaller search, m.
     float nearRadius() const;
     BudGrid gridOf(std::span<const Resident> nodes) const;
-    /// Adds the grid of the internodes that have come since the last time.
+    /// Adds a grid of the internodes that are new since the last call.
     void meetNewNodes();
-    /// The nodes with buds that stood before the step and are within reach of the markers' box.
+    /// The nodes with buds that existed before the step and are within reach of the markers' bounding box.
     BudGrid treeAroundMarkers() const;
     bool isOccupied(const BudGrid& grid, const Vec3& marker) const;
-    /// Gives @p claim to the best bud in @p grid that beats it, of those at least the squared distance
-    /// @p inner away.
+    /// Replaces @p claim by that of the best bud in @p grid, if that beats it. Only nodes at the squared
+    /// distance @p inner or farther are searched.
     void contest(const BudGrid& grid, const Vec3& marker, float inner, Claim& claim,
                  Neighbours& neighbours) const;
-    /// Likewise of the buds on one node.
+    /// The same for the buds of one node.
     void contend(InternodeId node, const Vec3& marker, Claim& claim) const;
     void drop(std::size_t first, const std::vector<std::uint8_t>& isGone);
 
@@ -156,8 +158,8 @@ private:
     Competitors m_competitors;
     MarkerSet& m_markers;
     std::vector<Claim> m_claims;  ///< By marker
-    std::vector<BudGrid> m_grids; ///< Of the tree before the step, then of each round's new nodes
-    std::uint32_t m_met;          ///< Internodes that have competed
+    std::vector<BudGrid> m_grids; ///< One of the tree before the step, then one of each round's new nodes
+    std::uint32_t m_met;          ///< Number of internodes that take part
 };
 
 } // namespace espalier

@@ -5,8 +5,8 @@
 
 namespace espalier {
 
-/// The ellipse that says how readily buds grow around a level axis (TreeSketch §3.2, figure 10); |offset| <
-/// vertical.
+/// The ellipse that gives the propensity of buds to grow around a level axis (TreeSketch §3.2, figure 10);
+/// |offset| < vertical.
 struct GravimorphismEllipse {
     double vertical = 1.0; ///< s_v
     double parallel = 1.0; ///< s_p
@@ -16,12 +16,13 @@ struct GravimorphismEllipse {
     bool operator==(const GravimorphismEllipse&) const = default;
 };
 
-/// Distance d from the axis to the ellipse in the direction χ (rad, 0 = top, π = bottom). With the axis
-/// outside of the ellipse: the length of the ray inside it, which is continuous and 0 where the ray misses.
+/// Distance d from the axis to the ellipse in the direction χ (rad, 0 = top, π = bottom). If the axis is
+/// outside the ellipse: the length of the ray inside it, which is continuous, and 0 where the ray misses the
+/// ellipse.
 double ellipseDistance(const GravimorphismEllipse& ellipse, double chi);
 
-/// Propensity b = cos²τ + d sin²τ of a bud to grow (eq. 1), for unit vectors along its parent axis and along
-/// the bud. 1 for a vertical axis, and for a bud along its axis.
+/// Propensity b = cos²τ + d sin²τ of a bud to grow (eq. 1). @p heading and @p bud are unit vectors along the
+/// parent axis and the bud. 1 for a vertical axis, and for a bud that points along its axis.
 double gravimorphicBias(const GravimorphismEllipse& ellipse, const Vec3& heading, const Vec3& bud);
 
 } // namespace espalier

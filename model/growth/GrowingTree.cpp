@@ -13,7 +13,7 @@ GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspa
       m_rows(std::make_shared<TreeRows>())
 {
     m_workspace.buds.clear(tree.size());
-    // A tree that was worked on for long has many sets, and a step is to cost what grows.
+    // Only sets that have changed are prepared: a tree with a long history has many, and a step must be fast.
     std::vector<BudAngles>& angles = m_workspace.budAngles;
     std::size_t set = 0;
     for (const TreeParameters& parameters : tree.parameterSets()) {

@@ -9,16 +9,16 @@
 
 namespace espalier {
 
-/// Memory that growth steps on the same tree reuse.
+/// Memory that is reused by growth steps of the same tree.
 struct GrowthWorkspace {
     StampedColumn<double> vigour;
     StampedColumn<BudStates> buds;
     StampedColumn<std::uint8_t> marks;
-    std::vector<BudAngles> budAngles; ///< By parameter set
+    std::vector<BudAngles> budAngles; ///< By index of the parameter set
 };
 
-/// A tree with what the growth step at hand adds to it, as the delta it will become: the tree itself is not
-/// touched. Ids from tree.size() on are the new internodes'.
+/// A tree together with the additions of the present growth step, which become a delta. The tree itself does
+/// not change. Ids from tree.size() on are new internodes.
 class GrowingTree {
 public:
     GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspace& workspace);
@@ -49,7 +49,7 @@ public:
         return isNew(id) ? rows().key[id - m_tree.size()] : m_tree.key(id);
     }
     Vec3 heading(InternodeId id) const { return rotation(id) * Vec3(Vec3::UnitY()); }
-    /// Its active buds.
+    /// The active buds at its node.
     BudMask buds(InternodeId id) const { return budStates(id).active(); }
     BudStates budStates(InternodeId id) const
     {
@@ -73,18 +73,19 @@ public:
         return rotation(id) * m_workspace.budAngles[set].direction(key(id), slot);
     }
 
-    /// The voxels of @p space, each once, that new nodes lie in.
+    /// The voxels of @p space that contain new nodes, each once, sorted.
     std::vector<Cell> newCells(const VoxelSpace& space) const;
 
-    /// Lets the bud @p slot at @p parent become an internode along the unit vector @p direction and returns
-    /// its id.
-    /// @param roll rad, of the new frame about the direction, against the parent's frame brought over the
-    /// shortest way
+    /// Makes an internode from the bud @p slot at @p parent, along the unit vector @p direction; returns its
+    /// id. @p length in m, @p vigour relative to the strongest of the step, 0...1.
+    /// @param roll rad; rotation of the new frame about the direction, relative to the parent's frame turned
+    /// the shortest way to that direction
     InternodeId grow(InternodeId parent, int slot, const Vec3& direction, double roll, double length,
                      double vigour);
+    /// Lets an internode of the tree die in this step; the caller kills all that it carries as well.
     void kill(InternodeId id) { m_delta.died.push_back(id); }
 
-    /// The delta of it all, one growth step long, or an empty one if nothing has changed.
+    /// The delta of all additions, one growth step long; an empty one if there are none. To be called once.
     TreeDelta takeDelta();
 
 private:

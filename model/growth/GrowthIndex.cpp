@@ -12,7 +12,7 @@ namespace espalier {
 
 namespace {
 
-/// m; doubled so often, it spans any tree.
+/// The smallest voxel edge, m; doubled kMostDoublings times, it exceeds any tree.
 constexpr float kLeastEdge = 1e-6F;
 constexpr int kMostDoublings = 64;
 
@@ -29,8 +29,8 @@ GrowthIndex::Settings GrowthIndex::settingsOf(const GrowthParameters& p)
 void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
 {
     m_settings = settingsOf(tree.parameters().growth);
-    // A tree that was grown in other proportions than those in force now may be too sparse for voxels of the
-    // size that they ask for.
+    // The voxel size follows from the parameters in force. A tree that grew with other proportions may be too
+    // sparse for voxels of that size, so they are enlarged until they are few enough.
     float edge = std::max(m_settings.edge, kLeastEdge);
     for (int i = 0; i < kMostDoublings && !fill(tree, index, edge); ++i)
         edge *= 2.0F;
@@ -77,12 +77,12 @@ void GrowthIndex::follow(const Tree& tree, const TreeIndex& index, const TreeDel
         note(id);
 }
 
-/// Takes out the rows that @p delta bore, with what has flowed down from them.
+/// Removes the rows that @p delta added, and their contributions to the sums below them.
 void GrowthIndex::removeRows(const Tree& tree, const TreeDelta& delta)
 {
     const std::uint32_t end = tree.size();
     const auto known =
-        static_cast<InternodeId>(m_place.size()); // what came since the last settle() is not in yet
+        static_cast<InternodeId>(m_place.size()); // rows since the last settle() are not in the index yet
     for (InternodeId id = end; id < known; ++id) {
         if (m_place[id] != kNowhere)
             m_space.remove(id, m_place[id]);
@@ -123,7 +123,7 @@ bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size
     m_pending.resize(tree.size(), 0);
     const std::span<const InternodeId> noted = std::span(m_noted).last(std::min(nodes, m_noted.size()));
     for (const InternodeId id : noted) {
-        // Its row was taken out since, or the same row was noted twice.
+        // The row was removed since, or is noted twice.
         if (id >= tree.size() || std::exchange(m_isNoted[id], 0) == 0)
             continue;
         const Vec3& position = index.nodePosition(id);
@@ -135,8 +135,8 @@ bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size
         if (m_place[id] == kNowhere && isAlive)
             m_place[id] = m_space.insert(id, position);
     }
-    // Light follows with the shadows cast below; buds that came or went, or turned, change their node's sum
-    // where the light does not.
+    // castAndSweep() updates nodes whose light changes. The sums of the noted nodes can also change without
+    // the light: buds were added or removed, or the node was turned.
     for (const InternodeId id : noted) {
         if (id >= tree.size())
             continue;
@@ -176,7 +176,7 @@ std::int32_t GrowthIndex::sensedLight(std::uint32_t shadow) const
 
 std::int32_t GrowthIndex::budQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const
 {
-    // Gravimorphism is a matter of lateral buds; a terminal one lies along its axis.
+    // Gravimorphism affects lateral buds only: a terminal bud points along its axis.
     if (slot == kTerminalSlot || m_settings.ellipse.isNeutral())
         return m_sensed[id];
     const Rotation& rotation = index.rotation(id);

@@ -12,21 +12,22 @@ namespace espalier {
 
 namespace {
 
-/// Standard deviations at full irregularity.
+/// Spread at full irregularity. Of roll (rad) and length (relative): the standard deviation. Of direction:
+/// the length of a random vector that is added, over α.
 constexpr double kRollSpread = radians(30);
 constexpr double kLengthSpread = 0.5;
 constexpr double kDirectionSpread = 0.12;
 
-/// A bud that is becoming a shoot.
+/// A bud that grows into a shoot.
 struct Shoot {
-    BudRef bud;    ///< That grows next: moves up with the shoot's tip
+    BudRef bud;    ///< The bud that grows next: moves up with the shoot's tip
     Vec3 space;    ///< E
-    float vigour;  ///< 0...1 of the step's greatest
+    float vigour;  ///< relative to the step's greatest, 0...1
     int remaining; ///< internodes
     int grown = 0;
 };
 
-/// The directions that new internodes take.
+/// Computes the directions of new internodes.
 class Orientation {
 public:
     Orientation(const GrowingTree& tree, const GrowthStepOptions& options)
@@ -53,7 +54,7 @@ public:
             static_cast<float>(m_parameters.irregularity * kDirectionSpread * m_options.weights.axis);
         Random wander(m_tree.key(node), static_cast<std::uint32_t>(slot), Purpose::Direction);
         const Vec3 wandering = direction + spread * wander.direction();
-        // What rounding has led out of the plane comes back.
+        // Removes what rounding has added outside the plane.
         return (m_options.isPlanar ? Vec3(direction.x(), direction.y(), 0.0F) : wandering).normalized();
     }
 
@@ -64,7 +65,7 @@ private:
     {
         Vec3 result = heading;
         if (m_tree.parent(node) == kNoInternode)
-            return result; // a seedling bears no lateral
+            return result; // a root internode has no laterals
         const auto started =
             static_cast<unsigned>(newBuds(m_tree.grownWith(node)) & ~m_tree.buds(node) & ~kTerminalBud);
         for (unsigned rest = started; rest != 0; rest &= rest - 1) {
@@ -83,8 +84,8 @@ private:
     const GrowthParameters& m_parameters;
 };
 
-/// The roll of what grows from a bud of a planar tree: the angle that φ has come to along the axis decides
-/// which side of the plane is next.
+/// The roll of the internode that grows from a bud of a planar tree, 0 or π: the sum of φ along the axis
+/// decides on which side of the plane the next lateral is.
 double planarRoll(const GrowingTree& tree, const BudRef& bud)
 {
     if (bud.slot != kTerminalSlot)
@@ -98,15 +99,15 @@ double planarRoll(const GrowingTree& tree, const BudRef& bud)
     return isTurned(place) == isTurned(place + 1) ? 0.0 : std::numbers::pi;
 }
 
-/// Returns the new internode, or kNoInternode if it is not admitted or would end below the ground; rather
-/// than that, it may be half as long.
+/// Grows one internode; if it is not admitted or would end below the ground, one of half the length. Returns
+/// its id, or kNoInternode if neither is possible.
 InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction,
                     const GrowthStepOptions& options = {})
 {
     const GrowthParameters& p = tree.tree().parameters().growth;
     const auto [node, slot] = shoot.bud;
     Random random(tree.key(node), static_cast<std::uint32_t>(slot), Purpose::Phyllotaxis);
-    // A new branch starts at a roll of its own; along an axis the phyllotactic angle counts.
+    // A branch starts with a random roll; along an axis, the phyllotactic angle is added.
     double roll = slot == kTerminalSlot ? p.phyllotaxis + p.irregularity * kRollSpread * random.normal()
                                         : random.uniform(0.0, 2.0 * std::numbers::pi);
     if (options.isPlanar)
@@ -116,7 +117,7 @@ InternodeId growOne(GrowingTree& tree, const Shoot& shoot, const Vec3& direction
     const Vec3& from = tree.nodePosition(node);
     const auto isAdmitted = [&] {
         const Vec3 to = from + static_cast<float>(length) * direction;
-        // What grows downward ends at the ground.
+        // A shoot that grows downward ends at the ground.
         return (to.y() >= 0.0F || to.y() >= from.y()) && (!options.admits || options.admits(from, to));
     };
     if (!isAdmitted()) {
@@ -147,7 +148,7 @@ std::vector<Shoot> startShoots(const std::vector<EnabledBud>& enabled, VigourFlo
     return shoots;
 }
 
-/// Lets the enabled buds become shoots, in lockstep, and sheds what they put in the dark.
+/// Grows the enabled buds into shoots, in lockstep, and sheds the branches that they shade too much.
 void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flow, Competition& competition,
                 const GrowthStepOptions& options, GrowthWorkspace& workspace)
 {
@@ -160,8 +161,8 @@ void growShoots(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& flo
 
     std::vector<BudRef> refused;
     while (!shoots.empty()) {
-        // By ascending node and slot: laterals that start at a node have turned its axis away before that
-        // goes on.
+        // By ascending node and slot: laterals that start at a node must have deflected its axis before that
+        // grows.
         for (Shoot& shoot : shoots) {
             const InternodeId id = growOne(growing, shoot, orientation.of(shoot), options);
             if (id == kNoInternode) {
@@ -199,7 +200,7 @@ struct VigorousBud {
     double vigour;
 };
 
-/// All competing buds that get vigour.
+/// All competing buds with a vigour above 0.
 std::vector<VigorousBud> competingBuds(const GrowingTree& growing, VigourFlow& flow,
                                        const Competitors& competitors)
 {
@@ -218,8 +219,8 @@ std::vector<VigorousBud> competingBuds(const GrowingTree& growing, VigourFlow& f
     return buds;
 }
 
-/// Markers uniform in the bud's volume of perception: the cone of angle ζ between the radii r and r + d, or
-/// its section with the plane of a planar tree. Returns how many.
+/// Adds markers, uniformly in the bud's volume of perception: the cone of angle ζ between the radii r and
+/// r + d, or, for a planar tree, its section with the plane. Returns how many were added.
 std::size_t layBudMarkers(const GrowingTree& growing, const BudRef& bud, const GrowthStepOptions& options,
                           MarkerSet& markers)
 {
@@ -248,7 +249,7 @@ std::size_t layBudMarkers(const GrowingTree& growing, const BudRef& bud, const G
                                static_cast<float>(sine * std::cos(azimuth)) * side +
                                static_cast<float>(sine * std::sin(azimuth)) * other;
         const Vec3 marker = growing.nodePosition(bud.node) + static_cast<float>(radius) * direction;
-        if (marker.y() < 0.0F) // below the ground is no free space
+        if (marker.y() < 0.0F) // there is no free space below the ground
             continue;
         markers.positions.push_back(marker);
         markers.born.push_back(tree.step());
@@ -290,16 +291,16 @@ TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthI
     VigourFlow flow(tree, index, growth, workspace.vigour);
     std::vector<VigorousBud> buds = competingBuds(growing, flow, options.competitors);
 
-    // A bud grows if v >= v_max / n_max, v_max being that of the strongest bud which is enabled; that is
-    // known once enough of the strong ones have competed. So markers appear for ever weaker buds until those
-    // that follow could not grow.
+    // A bud grows if v >= v_max / n_max, where v_max is the vigour of the strongest enabled bud. That is
+    // known only after enough of the strong buds have competed. So markers are placed for weaker and weaker
+    // buds, until the remaining ones could not grow.
     const int longest = tree.parameters().growth.maxShootLength;
     MarkerSet markers;
     Competition competition(growing, growth.space(), options.perception, options.competitors, markers);
-    double greatest = 0.0; // of the enabled ones
+    double greatest = 0.0; // of the enabled buds
     double least = std::numeric_limits<double>::infinity();
     for (auto rest = buds.begin(); rest != buds.end();) {
-        // Where all of the stronger ones are hemmed in, the next ones get their turn.
+        // If none of the stronger buds found free space, weaker ones compete.
         if (greatest == 0.0)
             least = std::min(least / 2.0,
                              std::ranges::max_element(rest, buds.end(), {}, &VigorousBud::vigour)->vigour /

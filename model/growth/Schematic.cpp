@@ -12,15 +12,15 @@ namespace espalier {
 
 namespace {
 
-/// As many steps as short shoots need to become a tree, and no more than long ones do.
+/// The number of growth steps: many for short shoots, few for long ones.
 int stepsOf(const GrowthParameters& parameters)
 {
     return std::clamp(45 / parameters.maxShootLength, 9, 24);
 }
 
-/// An internode stands for those that a plane has no room for: it casts the shadow of so many.
+/// An internode also stands for those in front of and behind the plane, so it casts a multiple of its shadow.
 constexpr double kShadowOfPlane = 3.0;
-/// Straight down has no side: there the plane of a branch would be lost.
+/// Straight down, a branch has no direction within the plane; so the set-point angle stays below that.
 constexpr double kSteepest = radians(179.5);
 
 GrowthParameters inPlane(GrowthParameters parameters)
@@ -29,9 +29,9 @@ GrowthParameters inPlane(GrowthParameters parameters)
     parameters.lateralsPerNode = std::min(parameters.lateralsPerNode, 2);
     parameters.setPointAngle = std::min(parameters.setPointAngle, kSteepest);
     parameters.shadowIntensity *= kShadowOfPlane;
-    // As dense in the plane as they are in space.
+    // The same number of markers per length in the plane as in space.
     parameters.markersPerBud = static_cast<int>(std::ceil(std::pow(parameters.markersPerBud, 2.0 / 3.0)));
-    // Its size is that of a diagram, whatever the tree's.
+    // A diagram has a fixed size, independent of the tree's.
     parameters.internodeLength = 1.0;
     return parameters;
 }
@@ -50,7 +50,7 @@ Schematic grow(const GrowthParameters& parameters)
     int left = kMostOfSchematic;
     GrowthStepOptions options = GrowthStepOptions::of(all.growth);
     options.isPlanar = true;
-    // In lockstep: where the internodes give out, all shoots of the step end together.
+    // Shoots grow in lockstep, so they all end together when no internodes are left.
     options.admits = [&left](const Vec3&, const Vec3&) { return left > 0 && left-- > 0; };
     for (int step = stepsOf(parameters); step > 0 && left > 0; --step) {
         TreeDelta delta = autonomousStep(tree, index, growth, options, workspace);
@@ -68,7 +68,7 @@ Schematic grow(const GrowthParameters& parameters)
 
 Schematic growSchematic(const GrowthParameters& parameters)
 {
-    // On one thread: to wake others costs more than they give for so little.
+    // On one thread: for so little work, waking other threads costs more than they save.
     return tbb::task_arena(1).execute([&] { return grow(parameters); });
 }
 

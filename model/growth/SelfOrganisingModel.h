@@ -6,8 +6,8 @@
 
 namespace espalier {
 
-/// TreeSketch's growth (§3.2; Pałubicki 2009): buds compete for free space and light, and vigour that flows
-/// up from the base decides how far each shoot grows.
+/// TreeSketch's growth model (§3.2; Pałubicki 2009): buds compete for free space and light, and the vigour
+/// that flows up from the base decides how many internodes each shoot adds.
 class SelfOrganisingModel final : public GrowthModel {
 public:
     std::unique_ptr<GrowthModel> fresh() const override { return std::make_unique<SelfOrganisingModel>(); }

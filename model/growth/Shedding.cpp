@@ -7,8 +7,8 @@ namespace espalier {
 
 namespace {
 
-/// A new branch lies in the dark of its elders for some steps before its own leaves count; without this it
-/// would die at birth.
+/// A new branch is in the shadow of older ones for some steps, until its own buds contribute; without this it
+/// would be shed at once.
 constexpr Step kSparedSteps = 4;
 
 constexpr std::uint8_t kSpared = 1;

@@ -6,10 +6,10 @@
 
 namespace espalier {
 
-/// Sheds branches that do not pay (TreeSketch §3.2): those whose vigour per internode, relative to the whole
-/// tree's, is below Th. Asked are the branches on which the new growth of @p tree casts its shadow, parents
-/// before their children; spared are the trunk, branches younger than a few steps, and those that carry a
-/// node of @p growingAt. With vigour as before the step.
+/// Sheds branches with too little vigour (TreeSketch §3.2): those whose vigour per internode, relative to
+/// that of the whole tree, is below Th. Checks the branches on which the new growth of @p tree casts its
+/// shadow, parents before children. The trunk, branches younger than a few steps, and branches that carry a
+/// node of @p growingAt are not shed. Vigour is that before the step.
 void shedBranches(GrowingTree& tree, const GrowthIndex& growth, VigourFlow& flow,
                   const std::vector<InternodeId>& growingAt, GrowthWorkspace& workspace);
 

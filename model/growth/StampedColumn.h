@@ -7,11 +7,12 @@
 
 namespace espalier {
 
-/// A column by id that is emptied in no time: an entry counts only if it was set since the last clear().
+/// A column by id that is cleared in constant time: an entry counts only if it was set since the last
+/// clear().
 template <class T>
 class StampedColumn {
 public:
-    /// Forgets all entries and makes room for ids below @p size.
+    /// Removes all entries and makes room for ids below @p size.
     void clear(std::size_t size)
     {
         ++m_epoch;
@@ -20,6 +21,7 @@ public:
             m_values.resize(size + size / 2);
         }
     }
+    /// Precondition of the functions below: the id is below the size of the last clear().
     bool has(InternodeId id) const { return m_stamps[id] == m_epoch; }
     const T& operator[](InternodeId id) const { return m_values[id]; }
     void set(InternodeId id, const T& value)
@@ -27,7 +29,7 @@ public:
         m_stamps[id] = m_epoch;
         m_values[id] = value;
     }
-    /// Sets the entry; false if there was one already.
+    /// Sets the entry if there is none; returns whether it did.
     bool setOnce(InternodeId id, const T& value)
     {
         if (has(id))

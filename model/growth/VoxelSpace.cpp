@@ -9,8 +9,8 @@ namespace espalier {
 
 namespace {
 
-/// Voxels further out than this are treated as lying at the border: far beyond any tree, and within 21 bits a
-/// coordinate.
+/// Voxels further out are treated as if they were at this distance, which is far beyond any tree and fits
+/// into 21 bits per coordinate.
 constexpr int kFarthest = 1 << 20;
 
 int coordinate(float value)
@@ -86,9 +86,9 @@ void VoxelSpace::settle(Brick& brick, std::span<const Move> moves)
 {
     m_merged.clear();
     m_merged.reserve(brick.residents.size() + moves.size());
-    auto kept = brick.residents.begin(); // what lies before it has been merged
+    auto kept = brick.residents.begin(); // the residents before it are merged
     std::uint32_t shift = 0;             // modulo 2^32
-    std::uint32_t from = 0;              // of the voxel at hand, before the moves
+    std::uint32_t from = 0;              // of the present voxel, before the moves
     std::size_t voxel = 0;
     for (std::size_t i = 0; i < moves.size();) {
         const Move& move = moves[i];
@@ -139,8 +139,8 @@ void VoxelSpace::castPending()
         makeBricksBelow(cell);
         forEachPyramidSlab(cell, [&](const Slab& slab) {
             Brick& brick = *m_bricks[slab.brick];
-            // Modulo 2^32, so that lifting a shadow is adding its complement. Whole rows, which is faster
-            // than loops of varying length.
+            // Modulo 2^32, so that removing a shadow is adding its complement. Whole rows are faster than
+            // loops of varying length.
             const std::uint32_t shadow =
                 static_cast<std::uint32_t>(count) * m_layerShadow[static_cast<std::size_t>(slab.layer)];
             std::array<std::uint32_t, kBrickEdge> row{};
@@ -164,7 +164,7 @@ void VoxelSpace::castPending()
 void VoxelSpace::makeBricksBelow(const Cell& cell)
 {
     for (int by = (cell.y - m_pyramid.depth) >> 3; by <= cell.y >> 3; ++by) {
-        // The pyramid is widest at the brick's lowest layer that it reaches.
+        // The pyramid is widest in the lowest layer of the brick that it reaches.
         const int q = std::min(m_pyramid.depth, cell.y - by * 8);
         for (int bz = (cell.z - q) >> 3; bz <= (cell.z + q) >> 3; ++bz) {
             for (int bx = (cell.x - q) >> 3; bx <= (cell.x + q) >> 3; ++bx)
@@ -176,7 +176,7 @@ void VoxelSpace::makeBricksBelow(const Cell& cell)
 std::uint64_t VoxelSpace::keyOf(int bx, int by, int bz)
 {
     const auto part = [](int value) { return static_cast<std::uint64_t>(value + kFarthest) & 0x1fffff; };
-    // Spread, since the map's own hash of an integer is the integer.
+    // Multiplied to spread keys over the map's buckets: std::hash of an integer is the integer itself.
     return (part(bx) << 42 | part(by) << 21 | part(bz)) * 0x9e3779b97f4a7c15U;
 }
 

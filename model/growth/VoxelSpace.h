@@ -23,8 +23,8 @@ struct Cell {
     auto operator<=>(const Cell&) const = default;
 };
 
-/// How one shadow caster darkens what lies below it (Pałubicki 2009; TreeSketch §3.2): in layer q below it a
-/// square of (2q+1)² voxels, each by a b^-q.
+/// The shadow of one caster (Pałubicki 2009; TreeSketch §3.2): in layer q below it, it darkens a square of
+/// (2q+1)² voxels, each by a b^-q.
 struct ShadowPyramid {
     double intensity = 0.02; ///< a
     double falloff = 1.8;    ///< b
@@ -49,10 +49,10 @@ struct Resident {
     bool operator==(const Resident&) const = default;
 };
 
-/// The voxel space that growth happens in: which nodes are in a voxel, and how deep in shadow it lies. Voxels
-/// are kept in bricks of 8³ that exist only where something is or was, a brick's nodes in one array by voxel
-/// and id, so that to look around is to read along. Shadow is a sum of integers, so that taking a caster out
-/// restores it exactly.
+/// The voxel space of growth: which nodes are in a voxel, and how much shadow it has. Voxels are stored in
+/// bricks of 8³, which are made where they are needed. A brick's nodes are in one array, by voxel and id, so
+/// that a search reads consecutive memory. Shadow is a sum of integers, so removing a caster restores it
+/// exactly.
 class VoxelSpace {
 public:
     using Residents = std::span<const Resident>;
@@ -60,8 +60,8 @@ public:
     /// Shadow 1.0 in the integer unit of the sums.
     static constexpr double kShadowUnit = 1 << 18;
     static constexpr int kBrickEdge = 8;
-    /// More bricks than this (half a gigabyte) are not made: the space is then overfull, and its contents are
-    /// of no use. That takes a tree that is very large, or very sparse, for its voxels.
+    /// The limit of bricks, about half a gigabyte. With more, the space is overfull, and its contents are not
+    /// valid. That happens if a tree is very large, or very sparse relative to its voxels.
     static constexpr std::size_t kMostBricks = std::size_t{1} << 17;
 
     VoxelSpace() = default;
@@ -71,23 +71,24 @@ public:
     float edge() const { return m_edge; }
     bool isOverfull() const { return m_bricks.size() >= kMostBricks; }
     const ShadowPyramid& pyramid() const { return m_pyramid; }
+    /// The voxel that contains a position, m.
     Cell cellAt(const Vec3& position) const;
     Vec3 centreOf(const Cell& cell) const;
 
-    /// Where a node was put.
+    /// The voxel that a node was put into.
     using Place = std::uint32_t;
 
-    /// Puts a node in: found, and its shadow cast, from the next settle() or castShadows() on.
+    /// Adds a node. Searches find it after the next settle(); castShadows() also casts its shadow.
     Place insert(InternodeId id, const Vec3& position);
-    /// Takes it out, likewise; to put it in again moves it.
+    /// Removes a node in the same way. To move a node, remove it and insert it again.
     void remove(InternodeId id, Place place);
-    /// Whether a settled node that was put at @p place stands at @p position.
+    /// Whether the node, which was put at @p place and is settled, has the position @p position.
     bool isAt(InternodeId id, Place place, const Vec3& position) const;
-    /// Brings the nodes that came and went to their places.
+    /// Carries out the insertions and removals in the arrays of nodes.
     void settle();
-    /// Settles, casts and lifts the shadows that are due, then calls @p visit(residents, shadow) once for
-    /// each voxel that holds a node and whose shadow changed, in an order that depends on the set of changes
-    /// alone.
+    /// Calls settle(), adds and removes the shadows of the nodes inserted and removed, then calls
+    /// @p visit(residents, shadow) once for each voxel that has a node and whose shadow changed. The order
+    /// depends only on the set of changes.
     template <class Visit>
     void castShadows(Visit&& visit)
     {
@@ -103,8 +104,8 @@ public:
         m_dirtyBricks.clear();
     }
 
-    /// Calls @p visit(residents) for each voxel with a node that shadows of casters in @p cells fall on, once
-    /// each.
+    /// Calls @p visit(residents) once for each voxel that has a node and lies in the shadow of casters in
+    /// @p cells.
     template <class Visit>
     void forEachShaded(const std::vector<Cell>& cells, Visit&& visit) const
     {
@@ -121,7 +122,7 @@ public:
     }
 
     /// Calls @p visit(residents) for all nodes in the voxels @p lower … @p upper, inclusive, in runs of
-    /// neighbours, until it says true; whether it did.
+    /// adjacent voxels, until it returns true. Returns whether it did.
     template <class Visit>
     bool anyRun(const Cell& lower, const Cell& upper, Visit&& visit) const
     {
@@ -137,13 +138,13 @@ public:
         }
         return false;
     }
-    /// The same for all nodes at most @p radius from @p box, m, and some beyond; runs are in no order.
+    /// The same for all nodes within @p radius of @p box, m, and some beyond; the runs are in no order.
     template <class Visit>
     bool anyWithin(const Box3& box, float radius, Visit&& visit) const
     {
         if (m_bricks.empty())
             return false;
-        // A little more, because of rounding at the very border.
+        // A margin for rounding at the border.
         const Vec3 reach = Vec3::Constant(radius + 1e-3F * m_edge);
         const Cell lower = cellAt(box.min() - reach);
         const Cell upper = cellAt(box.max() + reach);
@@ -151,7 +152,7 @@ public:
         if (bricks(lower.x, upper.x) * bricks(lower.y, upper.y) * bricks(lower.z, upper.z) <
             static_cast<double>(m_bricks.size()))
             return anyRun(lower, upper, visit);
-        // A box with more bricks than there are: looking at each that there is takes less time.
+        // If the box covers more bricks than exist, it is faster to check each existing brick.
         const auto isWithin = [](int brick, int from, int to) {
             return brick >= from >> 3 && brick <= to >> 3;
         };
@@ -166,14 +167,14 @@ public:
 
     /// Shadow of a voxel, in units of 1 / kShadowUnit.
     std::uint32_t shadow(const Cell& cell) const;
-    /// The light that the casters in such a voxel see: 1 − s + a, clamped to 0...1 (Pałubicki 2009: C − s + a
-    /// with C = 1).
+    /// The light that casters in a voxel with this shadow receive: 1 − s + a, clamped to 0...1 (Pałubicki
+    /// 2009: C − s + a with C = 1).
     float lightOfShadow(std::uint32_t shadow) const;
     float light(const Cell& cell) const { return lightOfShadow(shadow(cell)); }
-    /// Trilinear between the voxels' centres.
+    /// Light at a position, m, by trilinear interpolation between the centres of voxels.
     float lightAt(const Vec3& position) const;
 
-    /// The voxels that something is or was in or above: inclusive, lower > upper if there are none.
+    /// The voxels of all bricks, inclusive; lower > upper if there are none.
     struct Bounds {
         Cell lower{1, 1, 1};
         Cell upper{0, 0, 0};
@@ -199,7 +200,7 @@ private:
         }
     };
 
-    /// A node that comes (+1) or goes (-1).
+    /// A node that is to be inserted (+1) or removed (-1).
     struct Move {
         std::uint32_t brick;
         std::uint32_t voxel;
@@ -226,7 +227,7 @@ private:
         int zTo;
         int layer; ///< q
 
-        /// Of the brick's voxels at that height: bit 8 z + x.
+        /// The slab as bits of the brick's voxels at that height: bit 8 z + x.
         std::uint64_t bits() const
         {
             const std::uint64_t row = ((std::uint64_t{1} << (xTo - xFrom + 1)) - 1) << xFrom;
@@ -254,8 +255,8 @@ private:
     void castPending();
     void makeBricksBelow(const Cell& cell);
 
-    /// Calls @p visit(slab) for all voxels that a caster in @p cell shades. Bricks that do not exist are
-    /// passed over.
+    /// Calls @p visit(slab) for all voxels that a caster in @p cell shades, except those in bricks that do
+    /// not exist.
     template <class Visit>
     void forEachPyramidSlab(const Cell& cell, Visit&& visit) const
     {
