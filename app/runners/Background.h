@@ -15,18 +15,18 @@
 
 namespace espalier {
 
-/// Of threads that work in the background, −20...19.
+/// Niceness of threads that work in the background, −20...19.
 inline constexpr int kBackgroundNiceness = 10;
 
-/// Calls @p work() on a worker thread, then @p done(its result) on the GUI thread, unless @p owner has gone
-/// by then. What work takes along must be its own: snapshots and values.
+/// Calls @p work() on a worker thread, then @p done(its result) on the GUI thread, unless @p owner has been
+/// destroyed by then. @p work must own all that it uses, as snapshots and values.
 template <class Work, class Done>
 void runInBackground(QObject* owner, Work work, Done done)
 {
     QThreadPool::globalInstance()->start(
         [guard = QPointer<QObject>(owner), work = std::move(work), done = std::move(done)]() mutable {
 #ifdef Q_OS_LINUX
-            // Where cores are few, the window comes first; Qt's priorities mean nothing to Linux.
+            // With few cores, the window must come first. Linux ignores Qt's thread priorities.
             setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kBackgroundNiceness);
 #endif
             auto result = std::make_shared<decltype(work())>(work());

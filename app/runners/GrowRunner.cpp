@@ -36,7 +36,7 @@ void GrowRunner::run(int steps)
 
 void GrowRunner::start(Pace pace)
 {
-    // The buds that may grow are those of the tree that another edit leaves.
+    // The interrupted edit may change which buds may grow, so it ends before they are read.
     document().interruptEdit();
     const auto gesture = [this] {
         return std::make_unique<GrowGesture>(document(), document().competitors());

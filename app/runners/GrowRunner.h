@@ -8,12 +8,12 @@
 
 namespace espalier {
 
-/// Lets a tree grow into whatever space and light there is.
+/// Lets a tree grow into free space and light.
 class GrowRunner : public GrowthRunner, public HeldGrowth {
     Q_OBJECT
 
 public:
-    /// How fast a tree grows under a hand that holds, steps a second at most.
+    /// The greatest speed of growth while the pointer is held down, steps per second.
     static constexpr int kStepsPerSecond = 12;
 
     explicit GrowRunner(TreeDocument& document, QObject* parent = nullptr);
@@ -23,14 +23,14 @@ public:
     void release() override { GrowthRunner::release(); }
     void end() override { GrowthRunner::end(); }
     void cancel() override { GrowthRunner::cancel(); }
-    /// Grows up to @p steps as fast as it goes, then ends by itself; while it runs already, as an undo step
-    /// of its own after that.
+    /// Grows up to @p steps steps as fast as possible, then ends by itself. If growth is under way, this run
+    /// follows it, as an undo step of its own.
     void run(int steps);
 
 private:
     void start(Pace pace);
 
-    std::deque<int> m_asked; ///< Runs that wait
+    std::deque<int> m_asked; ///< Numbers of steps of the runs that wait
 };
 
 } // namespace espalier

@@ -43,7 +43,7 @@ void GrowthRunner::ask()
     runInBackground(
         this, [replica = m_replica] { return leavingOneThread([&] { return replica->grow(); }); },
         [this, asked = std::weak_ptr(m_replica)](GrownStep grown) {
-            // What an older copy has come to is of no use any more.
+            // The result of an older copy is not used.
             if (m_replica && asked.lock() == m_replica)
                 receive(std::move(grown));
         });

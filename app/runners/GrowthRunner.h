@@ -16,9 +16,9 @@ namespace espalier {
 
 class GrowthReplica;
 
-/// Lets a document's tree grow on its own while the window stays alive: another thread works out the steps on
-/// a copy, one ahead, and each is shown when it is due. All steps between beginning and end are one undo
-/// step; where parameters are changed meanwhile, those before and those after are one each.
+/// Grows a document's tree while the window responds: another thread computes the steps on a copy, one ahead,
+/// and each is shown when it is due. All steps from start to end are one undo step. If parameters are changed
+/// meanwhile, the steps before the change and those after it are one undo step each.
 class GrowthRunner : public QObject {
     Q_OBJECT
 
@@ -26,37 +26,37 @@ public:
     static constexpr int kEndless = std::numeric_limits<int>::max();
 
     explicit GrowthRunner(TreeDocument& document, QObject* parent = nullptr);
-    /// Takes back what has not ended.
+    /// Takes back the steps of growth that has not ended.
     ~GrowthRunner() override;
 
     bool isRunning() const { return m_gesture != nullptr; }
-    /// Null unless it runs.
+    /// Null if growth is not running.
     const GrowthGesture* gesture() const { return m_gesture.get(); }
 
-    /// The hand lets go: as soon as there is a step, growth ends.
+    /// The pointer was released: growth ends, but not before its first step.
     void release();
-    /// Ends at once and keeps what has grown.
+    /// Ends growth at once and keeps its steps.
     void end();
-    /// Ends at once and takes back what grew since it began, or since parameters were changed.
+    /// Ends growth at once and takes back its steps; after a change of parameters, only the steps since.
     void cancel();
 
 Q_SIGNALS:
     void runningChanged(bool running);
-    /// It has made all the steps that it was to make, and ended.
+    /// All wanted steps were made, and growth has ended.
     void finished();
-    /// The tree has no more room to grow in.
+    /// Growth has ended because the tree finds no more space.
     void exhausted();
 
 protected:
-    /// Another gesture that goes on where one has ended.
+    /// Makes a gesture that continues growth after parameters were changed; null if that is not possible.
     using Continuation = std::function<std::unique_ptr<GrowthGesture>()>;
     struct Pace {
-        int steps = kEndless; ///< At most
-        int interval = 0;     ///< ms from one to the next, at least
+        int steps = kEndless; ///< The greatest number of steps
+        int interval = 0;     ///< The least time from one step to the next, ms
     };
 
     TreeDocument& document() { return m_document; }
-    /// Precondition: it does not run.
+    /// Precondition: growth is not running.
     void start(std::unique_ptr<GrowthGesture> gesture, Pace pace, Continuation goOn);
 
 private:
@@ -72,7 +72,7 @@ private:
     Continuation m_goOn;
     Pace m_pace;
     std::shared_ptr<GrowthReplica> m_replica; ///< Null while parameters are held
-    std::optional<GrownStep> m_next;          ///< Worked out, but not due yet
+    std::optional<GrownStep> m_next;          ///< Computed, but not due yet
     QElapsedTimer m_sinceLast;
     QTimer m_due;
 };

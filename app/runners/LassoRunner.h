@@ -12,23 +12,23 @@ class LassoRunner : public GrowthRunner, public EnvelopeFilling {
     Q_OBJECT
 
 public:
-    /// How fast envelopes are filled, steps a second at most.
+    /// The greatest speed of filling, steps per second.
     static constexpr int kStepsPerSecond = 24;
 
     using GrowthRunner::GrowthRunner;
 
-    /// See LassoGesture::fill(); says refused() if that gives an error. Ends what is under way.
+    /// See LassoGesture::fill(); an error is reported by refused(). Ends growth that is under way.
     void fill(const LassoStroke& stroke) override;
     void end() override { GrowthRunner::end(); }
     std::span<const Vec3> markers() const override
     {
         return gesture() ? gesture()->markers() : std::span<const Vec3>();
     }
-    /// See LassoGesture::regrow().
+    /// See LassoGesture::regrow(); an error is reported by refused(). Ends growth that is under way.
     void regrow();
 
 Q_SIGNALS:
-    /// In one sentence, why nothing was begun.
+    /// Nothing was begun; @p why is one sentence for the user.
     void refused(const QString& why);
 
 private:

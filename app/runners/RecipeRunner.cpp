@@ -6,13 +6,13 @@ namespace espalier {
 namespace {
 
 constexpr int kTick = 16;             ///< ms
-constexpr double kLongestTick = 0.1;  ///< s; a slow machine takes longer, but never jumps
-constexpr double kHurriedTick = 0.25; ///< s of the recipe's time
-constexpr int kHurriedWork = 25;      ///< ms between two pictures, where these are slow or ticks short
-constexpr double kRest = 0.9;         ///< s before and after what happens at once
-constexpr double kFilmStep = 0.12;    ///< s between several of the same kind: steps back in time make a film
+constexpr double kLongestTick = 0.1;  ///< s; on a slow machine the recipe slows down, without jumps
+constexpr double kHurriedTick = 0.25; ///< s of the recipe's time in each call of RecipePlayer::advance()
+constexpr int kHurriedWork = 25;      ///< ms of work, at least, between two pictures
+constexpr double kRest = 0.9;         ///< s before and after an operation that happens at once
+constexpr double kFilmStep = 0.12;    ///< s between operations of the same kind: travels look like a film
 
-/// How long a hand rests between two operations, s.
+/// The pause between two operations, s.
 double restBetween(const RecipeOperation& before, const RecipeOperation& after)
 {
     if (before.takesTime() && after.takesTime())

@@ -11,37 +11,37 @@
 
 namespace espalier {
 
-/// Plays a recipe in a window that stays alive, so that one sees the tree come into being.
+/// Plays a recipe in a window that stays responsive, so that the user sees how the tree grows.
 class RecipeRunner : public QObject {
     Q_OBJECT
 
 public:
     enum class Pace {
-        OfTheHand, ///< Strokes take the time that the hand took, and what happens at once can be seen
-        Hurried,   ///< As fast as it goes, a piece of a stroke at a time
+        OfTheHand, ///< Strokes take their own time, with pauses around operations that happen at once
+        Hurried,   ///< As fast as possible, but strokes still show in parts
     };
 
     explicit RecipeRunner(TreeDocument& document, QObject* parent = nullptr);
 
-    /// Starts the document anew with the recipe.
+    /// Resets the document and plays @p recipe on it. Stops a recipe that is being played.
     void start(Recipe recipe, Pace pace);
-    /// Ends it where it is; a stroke that is half done is taken back.
+    /// Stops the recipe; the operation under way is taken back, those before it stay.
     void stop();
     bool isRunning() const { return m_player != nullptr; }
-    /// Of the recipe that runs, or of the last one.
+    /// The pace of the present recipe, or of the last one.
     Pace pace() const { return m_pace; }
     /// See RecipePlayer::warnings(); of the recipe that was last played to its end.
     const QStringList& warnings() const { return m_warnings; }
-    /// Of the recipe that was started last.
+    /// The number of operations of the recipe that was started last.
     std::size_t operationCount() const { return m_operationCount; }
-    /// Null unless it runs.
+    /// Null if no recipe is being played.
     const RecipePlayer* player() const { return m_player.get(); }
 
 Q_SIGNALS:
     void started();
-    /// The brush has moved, or the tree has grown.
+    /// The recipe was played on for a moment: the brush or the tree may have changed.
     void advanced();
-    /// @p whole unless it was stopped before the recipe's end.
+    /// @p whole is false if the recipe was stopped before its end.
     void finished(bool whole);
 
 private:
@@ -52,7 +52,7 @@ private:
     Pace m_pace = Pace::Hurried;
     QStringList m_warnings;
     std::size_t m_operationCount = 0;
-    double m_pause = 0.0; ///< s that the hand still rests
+    double m_pause = 0.0; ///< The rest of the pause between two operations, s
     QTimer m_timer;
     QElapsedTimer m_clock;
 };

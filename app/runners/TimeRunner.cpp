@@ -8,7 +8,7 @@ namespace espalier {
 namespace {
 
 constexpr int kFrame = 40; ///< ms
-/// A film takes no more frames than this.
+/// The greatest number of frames of a film.
 constexpr std::size_t kMostFrames = 250;
 
 } // namespace

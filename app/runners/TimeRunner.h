@@ -10,21 +10,23 @@
 
 namespace espalier {
 
-/// Turns a document's time as a slider asks, or plays its history like a film. What happens between the first
-/// moveTo() and release() is one gesture.
+/// Moves a document in time as a slider says, or plays its history like a film. Everything from the first
+/// moveTo() or play() to release() is one gesture.
 class TimeRunner : public QObject {
     Q_OBJECT
 
 public:
     explicit TimeRunner(TreeDocument& document, QObject* parent = nullptr);
 
+    /// Begins a gesture if none is under way, and moves it: see TimeGesture::moveTo(). Stops a film.
     void moveTo(int position);
+    /// Ends the gesture, which becomes one undo step.
     void release();
-    /// From the moment shown, or from the beginning if that is the present.
+    /// Plays from the moment shown, or from the beginning if that is the present.
     void play();
-    /// Stops where it is.
+    /// Stops at the moment shown; the same as release().
     void stop();
-    /// Back to the moment before.
+    /// Returns to the moment before the gesture.
     void cancel();
 
     bool isRunning() const { return m_gesture != nullptr; }
@@ -40,7 +42,7 @@ private:
     TreeDocument& m_document;
     std::unique_ptr<TimeGesture> m_gesture;
     QTimer m_timer;
-    std::size_t m_stride = 1; ///< Deltas a frame
+    std::size_t m_stride = 1; ///< Deltas per frame
 };
 
 } // namespace espalier

@@ -7,7 +7,7 @@ namespace espalier {
 
 UndoRunner::UndoRunner(TreeDocument& document, QObject* parent) : QObject(parent), m_document(document)
 {
-    // Whenever no other event waits.
+    // The timer fires when no other event waits.
     m_timer.setInterval(0);
     connect(&m_timer, &QTimer::timeout, this, &UndoRunner::advance);
 }

@@ -10,24 +10,24 @@
 
 namespace espalier {
 
-/// Undoes and redoes for a window: a command that changes few rows at once, a large one in slices between
-/// which the window draws and listens. Code that changes the document
-/// meanwhile finds all of it done.
+/// Undoes and redoes for a window: a command that changes few rows at once, a large one in slices, between
+/// which the window draws and handles events. Code that changes the document meanwhile makes it do the rest
+/// first.
 class UndoRunner : public QObject {
     Q_OBJECT
 
 public:
     explicit UndoRunner(TreeDocument& document, QObject* parent = nullptr);
 
-    /// Time that a slice takes at least, if so much is left; with the delta that it ends with, it stays below
-    /// 16 ms for trees of 100,000 internodes. 0 makes the slices as short as GradualUndo allows.
+    /// The least time of a slice, unless less is left. With the delta that it ends with, a slice stays below
+    /// 16 ms for trees of 100,000 internodes. 0 makes slices as short as GradualUndo allows.
     void setSlice(std::chrono::milliseconds slice) { m_slice = slice; }
-    /// Finish what is under way first.
+    /// Undo or redo one command. An edit, undo or redo that is under way is completed first.
     void undo();
     void redo();
-    /// Goes to where @p index commands of the stack are done, 0...count().
+    /// Goes to the state in which the first @p index commands of the stack are done; clamped to 0...count().
     void goTo(int index);
-    /// Does at once what is left.
+    /// Does the rest at once.
     void finish();
     bool isRunning() const { return m_undo != nullptr; }
 
