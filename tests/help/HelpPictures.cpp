@@ -35,7 +35,7 @@ Recipe recipeOf(const QString& page)
 /// Plays the first @p count operations.
 void play(TreeDocument& document, Recipe recipe, int count)
 {
-    recipe.operations.resize(static_cast<std::size_t>(count));
+    recipe.operations.erase(recipe.operations.begin() + count, recipe.operations.end());
     RecipePlayer(document, std::move(recipe)).playAll();
 }
 
