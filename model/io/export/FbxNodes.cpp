@@ -247,6 +247,13 @@ QByteArray fbxString(const QByteArray& text)
     return property + text;
 }
 
+QByteArray fbxInteger(std::int32_t value)
+{
+    QByteArray property(5, 'I');
+    qToLittleEndian(value, property.data() + 1);
+    return property;
+}
+
 std::optional<FbxDocument> readFbx(QByteArrayView content)
 {
     const QByteArrayView magic(kMagic, sizeof kMagic);

@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QByteArrayView>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct FbxDocument {
 /// The text of a string property; nothing if it is of another type.
 std::optional<QByteArray> fbxText(const QByteArray& property);
 QByteArray fbxString(const QByteArray& text);
+QByteArray fbxInteger(std::int32_t value);
 
 /// Reads a file whether or not its lists of nodes end in the record of zeros that the format demands. Returns
 /// nothing if the content is not a valid tree of nodes.

@@ -9,6 +9,8 @@
 #include <QHash>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace espalier {
 
@@ -80,6 +82,25 @@ void renameSpecularFactor(FbxNode& material)
     }
 }
 
+/// Replaces the moment of the export by the one that CreationTime names in every file.
+void setCreationTime(FbxNode& header)
+{
+    FbxNode* const stamp = header.child("CreationTimeStamp");
+    if (stamp == nullptr)
+        return;
+    constexpr std::array<std::pair<const char*, std::int32_t>, 7> kMoment{{{"Year", 1970},
+                                                                           {"Month", 1},
+                                                                           {"Day", 1},
+                                                                           {"Hour", 10},
+                                                                           {"Minute", 0},
+                                                                           {"Second", 0},
+                                                                           {"Millisecond", 0}}};
+    for (const auto& [name, value] : kMoment) {
+        if (FbxNode* const part = stamp->child(name); part && part->properties.size() == 1)
+            part->properties[0] = fbxInteger(value);
+    }
+}
+
 } // namespace
 
 Result<QByteArray> repairFbx(QByteArrayView content)
@@ -94,6 +115,8 @@ Result<QByteArray> repairFbx(QByteArrayView content)
         const auto found = std::ranges::find(document->nodes, name, &FbxNode::name);
         return found == document->nodes.end() ? nullptr : &*found;
     };
+    if (FbxNode* const header = node("FBXHeaderExtension"))
+        setCreationTime(*header);
     if (FbxNode* const objects = node("Objects")) {
         for (FbxNode& object : objects->children) {
             if (object.name == "Texture" || object.name == "Video")

@@ -16,6 +16,9 @@ namespace espalier {
 ///   the ending, geometries the names of the models that show them.
 /// - The strength of the specular highlight is called ShininessFactor, which no reader knows; it becomes
 ///   SpecularFactor.
+/// - The header holds the time of the export, so that two exports of one tree differ; it becomes the constant
+/// that
+///   Assimp writes as CreationTime.
 ///
 /// What is right already stays the same. Fails if the content is not a valid tree of nodes.
 Result<QByteArray> repairFbx(QByteArrayView content);
