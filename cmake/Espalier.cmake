@@ -41,6 +41,8 @@ if(CCACHE_PROGRAM)
     # Without these, ccache has no hits for sources that use a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
         CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        # What a file includes is known from its compilation: no preprocessing of its own before that.
+        CCACHE_DEPEND=1
         # A second checkout uses the results of the first one.
         "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${CCACHE_PROGRAM}")
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
