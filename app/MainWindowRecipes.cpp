@@ -37,7 +37,7 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
     cancelAll();
     Viewport& viewport = m_workspace->viewport();
     viewport.setTool(
-        std::make_unique<RecipeTool>(viewport.toolContext(), [this] { return m_recipeRunner.player(); }));
+        std::make_unique<RecipeTool>(viewport.toolContext(), [this] { return m_recipeRunner.moment(); }));
     m_recipeRunner.start(recipe, pace);
     // A recipe may take back more than a person wants to.
     m_document.undoStack().setUndoLimit(0);
@@ -71,7 +71,7 @@ void MainWindow::showRecipeProgress()
 {
     if (m_recipeRunner.isRunning() && m_recipeRunner.pace() == RecipeRunner::Pace::Hurried)
         m_workspace->notice().showProgress(tr("Growing %1").arg(m_files->file().displayName()),
-                                           m_recipeRunner.player()->progress(), [this] { cancelAll(); });
+                                           m_recipeRunner.moment()->progress, [this] { cancelAll(); });
 }
 
 void MainWindow::showRecipeWarnings()

@@ -17,8 +17,8 @@ QString TravelOperation::perform(TreeDocument& document) const
     gesture.finish();
     if (there == here + by)
         return {};
-    return by < 0 ? RecipeText::tr("the history goes back by %1 only, not by %2").arg(here).arg(-by)
-                  : RecipeText::tr("the history goes on by %1 only, not by %2").arg(end - here).arg(by);
+    return by < 0 ? RecipeText::tr("the history goes back only by %1, not by %2").arg(here).arg(-by)
+                  : RecipeText::tr("the history goes on only by %1, not by %2").arg(end - here).arg(by);
 }
 
 } // namespace espalier

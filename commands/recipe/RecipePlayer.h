@@ -25,8 +25,7 @@ public:
     const QStringList& warnings() const { return m_warnings; }
     /// Share of the operations that are done, 0...1.
     double progress() const;
-    /// The operation under way, or the next one; null when all are done.
-    const RecipeOperation* operation() const { return isDone() ? nullptr : &m_recipe.operations[m_next]; }
+    std::size_t operationsDone() const { return m_next; }
     void playAll();
     /// Performs the next operation, or the rest of the one under way.
     void playOperation();

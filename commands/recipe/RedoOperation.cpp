@@ -23,11 +23,10 @@ QJsonObject RedoOperation::write(RecipeWriting&) const
 
 QString RedoOperation::perform(TreeDocument& document) const
 {
-    QUndoStack& stack = document.undoStack();
     for (int done = 0; done < count; ++done) {
-        if (!stack.canRedo())
-            return RecipeText::tr("there are %1 commands to redo only, not %2").arg(done).arg(count);
-        stack.redo();
+        if (!document.undoStack().canRedo())
+            return RecipeText::tr("there are only %1 commands to redo, not %2").arg(done).arg(count);
+        document.redo();
     }
     return {};
 }

@@ -23,11 +23,10 @@ QJsonObject UndoOperation::write(RecipeWriting&) const
 
 QString UndoOperation::perform(TreeDocument& document) const
 {
-    QUndoStack& stack = document.undoStack();
     for (int done = 0; done < count; ++done) {
-        if (!stack.canUndo())
-            return RecipeText::tr("there are %1 commands to undo only, not %2").arg(done).arg(count);
-        stack.undo();
+        if (!document.undoStack().canUndo())
+            return RecipeText::tr("there are only %1 commands to undo, not %2").arg(done).arg(count);
+        document.undo();
     }
     return {};
 }

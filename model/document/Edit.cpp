@@ -7,6 +7,8 @@ namespace espalier {
 
 namespace {
 
+using Event = EditEvent::Kind;
+
 EditCommand& lastCommand(const QUndoStack& stack)
 {
     return EditCommand::at(stack, stack.index() - 1);
@@ -20,6 +22,7 @@ Edit::Edit(TreeDocument& document, Interrupted interrupted)
     document.interruptEdit();
     document.setEdit(this, {m_interrupted, [this] { cancel(); }});
     m_from = m_to = document.journal().size();
+    document.note({Event::Began});
 }
 
 std::unique_ptr<Edit> Edit::resumed(TreeDocument& document)
@@ -34,6 +37,7 @@ std::unique_ptr<Edit> Edit::resumed(TreeDocument& document)
     edit->m_replaced = content.replaced;
     edit->m_deltas = content.deltas;
     edit->m_future = content.future;
+    document.note({Event::Resumed});
     last.handOver();
     stack.undo();
     return edit;
@@ -55,6 +59,8 @@ void Edit::apply(TreeDelta delta)
     // before if the journal has that edit only in part.
     if (m_deltas.empty() && !delta.record)
         delta.record = EditRecord::unknown();
+    if (m_document.m_editListener)
+        m_document.note({Event::Applied, std::make_unique<TreeDelta>(delta)});
     m_deltas.push_back(std::make_shared<TreeDelta>(std::move(delta)));
     m_document.apply(m_deltas.back());
 }
@@ -62,6 +68,7 @@ void Edit::apply(TreeDelta delta)
 void Edit::takeBackLast()
 {
     Q_ASSERT(isActive() && !m_deltas.empty());
+    m_document.note({Event::TookBackLast});
     m_document.revertLast();
     m_deltas.pop_back();
     if (m_deltas.empty() && m_replaced.empty())
@@ -87,6 +94,7 @@ void Edit::replaceFrom(std::size_t position)
     Journal replaced(journal.begin() + static_cast<std::ptrdiff_t>(position), journal.end());
     if (replaced.empty())
         return;
+    m_document.note({.kind = Event::ReplacedFrom, .position = position});
     m_future = m_document.takeFuture();
     for (std::size_t i = 0; i < replaced.size(); ++i)
         m_document.revertLast();
@@ -96,6 +104,7 @@ void Edit::replaceFrom(std::size_t position)
 void Edit::travelTo(std::size_t position)
 {
     Q_ASSERT(isActive() && m_deltas.empty() && m_replaced.empty());
+    m_document.note({.kind = Event::TravelledTo, .position = position});
     m_document.travelTo(position);
     m_to = position;
 }
@@ -116,6 +125,7 @@ void Edit::commit(const QString& text, const QByteArray& operation)
 {
     if (m_hasEnded)
         return;
+    m_document.note({.kind = Event::Committed, .text = text, .operation = operation});
     record(operation);
     end();
     if (!hasChanges())
@@ -149,6 +159,7 @@ void Edit::cancel()
     if (m_hasEnded)
         return;
     takeBack();
+    m_document.note({Event::Cancelled});
     if (!m_replaced.empty()) {
         for (const auto& delta : m_replaced)
             m_document.apply(delta);

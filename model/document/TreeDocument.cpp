@@ -41,7 +41,6 @@ void TreeDocument::setEdit(const Edit* edit, EditHooks hooks)
 {
     m_edit = edit;
     m_editHooks = std::move(hooks);
-    Q_EMIT editChanged();
 }
 
 void TreeDocument::interruptEdit()
@@ -58,12 +57,14 @@ void TreeDocument::interruptEdit()
 void TreeDocument::undo()
 {
     interruptEdit();
+    note({EditEvent::Kind::Undone});
     m_undoStack.undo();
 }
 
 void TreeDocument::redo()
 {
     interruptEdit();
+    note({EditEvent::Kind::Redone});
     m_undoStack.redo();
 }
 

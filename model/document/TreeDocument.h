@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/document/EditEvent.h"
 #include "model/growth/GrowthModel.h"
 #include "model/picking/PickIndex.h"
 #include "model/tree/Tree.h"
@@ -104,12 +105,14 @@ public:
     void undo();
     void redo();
 
+    /// @p listener is called with each event that changes the tree from now on, except by reset() and by a
+    /// GradualUndo; an empty one ends this.
+    void setEditListener(EditListener listener) { m_editListener = std::move(listener); }
+
     /// Memory in bytes: of the tree, its indices, its journal and its future (without the rows in it).
     std::size_t bytes() const;
 
 Q_SIGNALS:
-    /// An edit began or ended.
-    void editChanged();
     /// A delta was applied or reverted, or the tree was replaced. Tree, indices and journal are up to date.
     void changed(const espalier::TreeChange& change);
     void competitorsChanged();
@@ -127,6 +130,11 @@ private:
     };
 
     void setEdit(const Edit* edit, EditHooks hooks = {});
+    void note(EditEvent event) const
+    {
+        if (m_editListener)
+            m_editListener(std::move(event));
+    }
     /// Applies @p delta and appends it to the journal.
     void apply(std::shared_ptr<TreeDelta> delta);
     /// Reverts the journal's last delta and takes it out.
@@ -144,6 +152,7 @@ private:
     std::unique_ptr<GrowthModel> m_growthModel;
     const Edit* m_edit = nullptr;
     EditHooks m_editHooks;
+    EditListener m_editListener;
     std::uint64_t m_revision = 0;
     Journal m_journal;
     Journal m_future;

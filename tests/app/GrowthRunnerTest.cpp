@@ -3,6 +3,7 @@
 #include "app/runners/LassoRunner.h"
 #include "commands/GrowGesture.h"
 #include "panels/ParameterEditor.h"
+#include "tests/support/TestClasses.h"
 
 #include <QtTest>
 
@@ -265,5 +266,6 @@ void GrowthRunnerTest::parametersChangedWhileALassoIsFilled_areTakenUp()
     QCOMPARE(document.index().livingCount(), 1U);
 }
 
-QTEST_MAIN(GrowthRunnerTest)
+static const test::TestClass<GrowthRunnerTest> growthRunnerTest;
+
 #include "GrowthRunnerTest.moc"

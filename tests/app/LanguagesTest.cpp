@@ -195,8 +195,7 @@ void LanguagesTest::language_changesWhileASamplePlays()
     // The recipe continues, and its tree still does not count as an unsaved change.
     QVERIFY(window.recipeRunner().isRunning());
     QVERIFY(!window.actions()[ActionId::Prune]->isEnabled());
-    QTRY_VERIFY(window.document().undoStack().count() > 0 ||
-                window.recipeRunner().player()->progress() > 0.0);
+    QTRY_VERIFY(window.document().undoStack().count() > 0 || window.recipeRunner().moment()->progress > 0.0);
     window.recipeRunner().stop();
     QVERIFY(window.document().undoStack().isClean());
     QVERIFY(window.actions()[ActionId::Prune]->isEnabled());

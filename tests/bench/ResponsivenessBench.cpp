@@ -3,6 +3,7 @@
 // 1600x1000x24' build/release/bin/espalier_responsiveness_bench [INTERNODES]". OpenGL's time belongs to the
 // graphics card and does not count: the functions that draw and send data do nothing here.
 #include "app/MainWindow.h"
+#include "commands/recipe/GrowOperation.h"
 #include "panels/Theme.h"
 #include "tests/bench/Crowns.h"
 #include "views/Viewport.h"
@@ -55,6 +56,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBeat(3);
+constexpr int kRecipeSteps = 40; ///< Of growth
 
 /// Lets the window process events for a while.
 void live(int milliseconds)
@@ -214,6 +216,13 @@ public:
             if (!QTest::qWaitFor([&] { return w.document().undoStack().count() == 0; }, 60'000))
                 qFatal("The file was not opened.");
             live(1500);
+        });
+        measure("a recipe plays", [&] {
+            Recipe recipe;
+            recipe.operations.push_back(GrowOperation{.steps = kRecipeSteps});
+            w.playRecipe(recipe, RecipeRunner::Pace::Hurried);
+            if (!QTest::qWaitFor([&] { return !w.recipeRunner().isRunning(); }, 120'000))
+                qFatal("The recipe did not end.");
         });
         measure("saved while it grows", [&] {
             w.growRunner().begin();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/recipe/RecipePlayer.h"
+#include "commands/performances/RecipeReplica.h"
+#include "model/document/EditFollower.h"
 #include "model/io/project/ProjectFile.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
@@ -20,6 +21,8 @@ class SampleRecipesTest : public QObject {
 private Q_SLOTS:
     void undoingAndRedoingAll_restoresTheDocument_data();
     void undoingAndRedoingAll_restoresTheDocument();
+    void documentThatFollowsAReplica_isTheSame_data() { undoingAndRedoingAll_restoresTheDocument_data(); }
+    void documentThatFollowsAReplica_isTheSame();
     void nothing_liesBelowTheGround_data() { undoingAndRedoingAll_restoresTheDocument_data(); }
     void nothing_liesBelowTheGround();
     void historyOfAPlayedRecipe_isARecipeOfTheSameTree_data();
@@ -75,6 +78,31 @@ void SampleRecipesTest::undoingAndRedoingAll_restoresTheDocument()
     QVERIFY(DocumentState(document) == whole);
     QCOMPARE(packed(document), file);
     QCOMPARE(indexFault(document), QString());
+}
+
+void SampleRecipesTest::documentThatFollowsAReplica_isTheSame()
+{
+    QFETCH(const QString, fileName);
+    const Result<Recipe> recipe = readRecipe(fileName);
+    QVERIFY2(recipe, qPrintable(recipe ? QString() : recipe.error().message));
+    TreeDocument straight;
+    RecipePlayer(straight, *recipe).playAll();
+
+    RecipeReplica replica(*recipe);
+    TreeDocument document;
+    document.reset(recipe->seed, recipe->parameters);
+    EditFollower follower(document);
+    for (bool isDone = false; !isDone;) {
+        RecipePart part = replica.advance(0.25, std::chrono::milliseconds(1));
+        isDone = part.moment.isDone;
+        follower.add(std::move(part.events));
+        while (follower.advance(std::chrono::milliseconds(0))) {
+        }
+    }
+    QCOMPARE(differenceFrom(DocumentState(straight), document), QString());
+    QCOMPARE(packed(document), packed(straight));
+    QCOMPARE(document.undoStack().count(), straight.undoStack().count());
+    QCOMPARE(document.undoStack().undoText(), straight.undoStack().undoText());
 }
 
 void SampleRecipesTest::nothing_liesBelowTheGround()

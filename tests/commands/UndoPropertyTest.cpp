@@ -7,7 +7,7 @@
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
 #include "commands/WidthGesture.h"
-#include "model/document/GradualUndo.h"
+#include "model/document/EditFollower.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/Replaying.h"
@@ -27,6 +27,7 @@ class UndoPropertyTest : public QObject {
 
 private Q_SLOTS:
     void anySequence_equalsTheOneWithoutWhatWasUndone();
+    void follower_repeatsAnySequence();
     void undoneGrowth_neitherFillsTheFileNorTheMemory();
     void cancelledGesture_doesNotChangeWhatGrowsNext();
     void gestureAtAnEarlierMoment_isSavedAndReadAgain();
@@ -47,7 +48,9 @@ QByteArray packed(const TreeDocument& document)
 /// A document with random edits, undos and cancelled gestures, and the list of the edits that count.
 class Undecided {
 public:
-    explicit Undecided(std::uint64_t seed) : m_random(seed, 0, 0, Purpose::ShootLength), m_seed(seed)
+    /// @p listener hears of all edits.
+    explicit Undecided(std::uint64_t seed, EditListener listener = {})
+        : m_random(seed, 0, 0, Purpose::ShootLength), m_seed(seed), m_isHeard(listener != nullptr)
     {
         TreeParameters parameters;
         parameters.growth.lateralsPerNode = 1 + below(2);
@@ -55,7 +58,11 @@ public:
         parameters.growth.shedding = 0.1;
         m_parameters = parameters;
         m_document.reset(m_seed, m_parameters);
+        m_document.setEditListener(std::move(listener));
     }
+
+    /// As it was before the first edit.
+    void plant(TreeDocument& document) const { document.reset(m_seed, m_parameters); }
 
     void act()
     {
@@ -91,7 +98,7 @@ public:
     /// Performs only the edits that count.
     void replay(TreeDocument& document) const
     {
-        document.reset(m_seed, m_parameters);
+        plant(document);
         for (std::size_t i = 0; i < m_index; ++i) {
             for (const Action& action : m_entries[i])
                 action(document);
@@ -110,10 +117,18 @@ private:
     }
     std::size_t somewhere() const { return m_document.journal().size() + m_document.future().size(); }
 
-    /// Undoes and redoes, but some of it only when the next edit interrupts it.
+    /// Undoes and redoes: at once if a listener is to hear of it, otherwise in slices, some of them only when
+    /// the next edit interrupts it.
     void goTo(std::size_t index)
     {
         m_index = index;
+        if (m_isHeard) {
+            while (m_document.undoStack().index() > static_cast<int>(index))
+                m_document.undo();
+            while (m_document.undoStack().index() < static_cast<int>(index))
+                m_document.redo();
+            return;
+        }
         m_undo = std::make_unique<GradualUndo>(m_document, static_cast<int>(index));
         for (int slices = below(8); slices > 0 && m_undo->advance(std::chrono::milliseconds(0), 1);
              --slices) {
@@ -244,6 +259,7 @@ private:
 
     Random m_random;
     std::uint64_t m_seed;
+    bool m_isHeard;
     TreeParameters m_parameters;
     TreeDocument m_document;
     std::unique_ptr<GradualUndo> m_undo;
@@ -274,6 +290,33 @@ void UndoPropertyTest::anySequence_equalsTheOneWithoutWhatWasUndone()
             continue;
         const QString fault = replayFault(hand.document());
         QVERIFY2(fault.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(fault)));
+    }
+}
+
+void UndoPropertyTest::follower_repeatsAnySequence()
+{
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        std::vector<EditEvent> events;
+        Undecided hand(seed, [&events](EditEvent event) { events.push_back(std::move(event)); });
+        TreeDocument document;
+        hand.plant(document);
+        EditFollower follower(document);
+        for (int i = 0; i < 16; ++i) {
+            hand.act();
+            follower.add(std::exchange(events, {}));
+            if (follower.isWaiting())
+                follower.advance(std::chrono::milliseconds(0));
+        }
+        const DocumentState wanted(hand.document());
+        follower.add(std::exchange(events, {}));
+        while (follower.isWaiting())
+            follower.advance(std::chrono::milliseconds(0));
+        const QString difference = differenceFrom(wanted, document);
+        QVERIFY2(difference.isEmpty(), qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(difference)));
+        QCOMPARE(document.undoStack().count(), hand.document().undoStack().count());
+        QCOMPARE(document.undoStack().undoText(), hand.document().undoStack().undoText());
+        QCOMPARE(document.undoStack().redoText(), hand.document().undoStack().redoText());
+        QVERIFY(packed(document) == packed(hand.document()));
     }
 }
 

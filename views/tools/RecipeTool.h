@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/recipe/RecipePlayer.h"
+#include "commands/performances/RecipeReplica.h"
 #include "views/tools/EnvelopeView.h"
 #include "views/tools/Tool.h"
 
@@ -16,9 +16,9 @@ class RecipeTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(RecipeTool)
 
 public:
-    /// @p player returns the player of the recipe, or null while none plays.
-    RecipeTool(ToolContext& context, std::function<const RecipePlayer*()> player)
-        : Tool(context), m_player(std::move(player))
+    /// @p moment returns what there is to show of the recipe, or null while none plays.
+    RecipeTool(ToolContext& context, std::function<const RecipeMoment*()> moment)
+        : Tool(context), m_moment(std::move(moment))
     {
     }
 
@@ -33,7 +33,7 @@ public:
     QString tip() const override { return tr("A recipe is playing; Escape hands the brush to you."); }
 
 private:
-    std::function<const RecipePlayer*()> m_player;
+    std::function<const RecipeMoment*()> m_moment;
     mutable EnvelopeView m_envelopes; ///< Made when they are painted
 };
 
