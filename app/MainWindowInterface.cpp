@@ -96,7 +96,7 @@ void MainWindow::remakeInterface()
     if (m_recipeRunner.isRunning()) {
         Viewport& viewport = m_workspace->viewport();
         viewport.setTool(
-            std::make_unique<RecipeTool>(viewport.toolContext(), [this] { return m_recipeRunner.player(); }));
+            std::make_unique<RecipeTool>(viewport.toolContext(), [this] { return m_recipeRunner.moment(); }));
         updateTip();
     } else {
         takeTool();
@@ -142,7 +142,7 @@ void MainWindow::connectPopOuts()
     connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
     connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
     connect(&growPopOut, &GrowPopOut::playToggled, this,
-            [this](bool plays) { plays ? m_timeRunner.play() : m_timeRunner.stop(); });
+            [this](bool plays) { plays ? m_timeRunner.play() : m_timeRunner.release(); });
     connect(&m_timeRunner, &TimeRunner::runningChanged, &growPopOut,
             [this, &growPopOut] { growPopOut.setPlaying(m_timeRunner.isPlaying()); });
 

@@ -65,6 +65,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
     for (QLabel* label : {m_counts, m_tip})
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_tip->setObjectName(QStringLiteral("tip"));
     m_onlyOne->setObjectName(QStringLiteral("growAll"));
     m_onlyOne->setToolTip(tr("Let all buds grow again"));
     m_onlyOne->setMinimumHeight(theme::kTarget);

@@ -151,7 +151,7 @@ void BendGesture::settleAt(std::span<const Vec3> targets)
     if (!m_edit.isActive() || m_bend.path().empty())
         return;
     const std::vector<Vec3> wanted = note(targets, true);
-    for (int call = 0; call < kMostCalls && !m_bend.solve(wanted); ++call) {
+    for (int call = 0; call < kMostPulls && !m_bend.solve(wanted); ++call) {
     }
     show();
 }

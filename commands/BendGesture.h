@@ -29,9 +29,9 @@ public:
     /// Pulls the handles, in the order given, to @p targets, m: see ChainBend::solve. Returns whether the
     /// form has settled; if not, another call brings it nearer.
     bool moveTo(std::span<const Vec3> targets);
-    /// Pulls until the form has settled, at most kMostCalls times.
+    /// Pulls until the form has settled, at most kMostPulls times.
     void settleAt(std::span<const Vec3> targets);
-    static constexpr int kMostCalls = 200;
+    static constexpr int kMostPulls = 200;
 
     void finish();
     void cancel() { m_edit.cancel(); }

@@ -2038,7 +2038,7 @@ geschrieben werden konnte.
         <translation>es gibt keine Ansicht „%1“; es gibt front, side, top und three-quarter</translation>
     </message>
     <message>
-        <source>this is no recipe: one begins with “%1”: %2</source>
+        <source>this is not a recipe: a recipe begins with “%1”: %2</source>
         <translation>dies ist kein Rezept: eines beginnt mit „%1“: %2</translation>
     </message>
     <message>
@@ -2050,7 +2050,7 @@ geschrieben werden konnte.
         <translation>ein Rezept hat höchstens %1 Operationen</translation>
     </message>
     <message>
-        <source>a recipe that is no file has no images</source>
+        <source>a recipe that was not read from a file cannot name images</source>
         <translation>ein Rezept, das keine Datei ist, hat keine Bilder</translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@ geschrieben werden konnte.
         <translation>es gibt keine Operation „%1“; es gibt %2</translation>
     </message>
     <message>
-        <source>there are %1 commands to redo only, not %2</source>
+        <source>there are only %1 commands to redo, not %2</source>
         <translation>Befehle zum Wiederherstellen: nur %1, nicht %2</translation>
     </message>
     <message>
@@ -2122,15 +2122,15 @@ geschrieben werden konnte.
         <translation>Internodium %1 hat keine Dicke, die sich freigeben lässt</translation>
     </message>
     <message>
-        <source>the history goes back by %1 only, not by %2</source>
+        <source>the history goes back only by %1, not by %2</source>
         <translation>die Geschichte reicht nur um %1 zurück, nicht um %2</translation>
     </message>
     <message>
-        <source>the history goes on by %1 only, not by %2</source>
+        <source>the history goes on only by %1, not by %2</source>
         <translation>die Geschichte geht nur um %1 weiter, nicht um %2</translation>
     </message>
     <message>
-        <source>there are %1 commands to undo only, not %2</source>
+        <source>there are only %1 commands to undo, not %2</source>
         <translation>Befehle zum Rückgängigmachen: nur %1, nicht %2</translation>
     </message>
     <message>
@@ -2146,7 +2146,7 @@ geschrieben werden konnte.
         <translation>es sind mehr als %1</translation>
     </message>
     <message>
-        <source>they want “%1” beside them</source>
+        <source>“%1” must be given with them</source>
         <translation>dazu gehört „%1“</translation>
     </message>
     <message>
@@ -2217,7 +2217,7 @@ geschrieben werden konnte.
         <translation>die Ansatzstelle liegt außerhalb des Bereichs</translation>
     </message>
     <message>
-        <source>its rotation is not one</source>
+        <source>its rotation is not valid</source>
         <translation>die Drehung ist keine</translation>
     </message>
     <message>

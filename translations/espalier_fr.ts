@@ -2037,7 +2037,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>il n’y a pas de vue «&#xa0;%1&#xa0;»&#xa0;; il y a front, side, top et three-quarter</translation>
     </message>
     <message>
-        <source>this is no recipe: one begins with “%1”: %2</source>
+        <source>this is not a recipe: a recipe begins with “%1”: %2</source>
         <translation>ce n’est pas une recette&#xa0;: une recette commence par «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
     </message>
     <message>
@@ -2049,7 +2049,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>une recette a au plus %1 opérations</translation>
     </message>
     <message>
-        <source>a recipe that is no file has no images</source>
+        <source>a recipe that was not read from a file cannot name images</source>
         <translation>une recette qui n’est pas un fichier n’a pas d’images</translation>
     </message>
     <message>
@@ -2109,7 +2109,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>il n’y a pas d’opération «&#xa0;%1&#xa0;»&#xa0;; il y a %2</translation>
     </message>
     <message>
-        <source>there are %1 commands to redo only, not %2</source>
+        <source>there are only %1 commands to redo, not %2</source>
         <translation>commandes à rétablir&#xa0;: %1 seulement, pas %2</translation>
     </message>
     <message>
@@ -2121,15 +2121,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>l’entre-nœud %1 n’a pas d’épaisseur à retirer</translation>
     </message>
     <message>
-        <source>the history goes back by %1 only, not by %2</source>
+        <source>the history goes back only by %1, not by %2</source>
         <translation>l’historique ne remonte que de %1, pas de %2</translation>
     </message>
     <message>
-        <source>the history goes on by %1 only, not by %2</source>
+        <source>the history goes on only by %1, not by %2</source>
         <translation>l’historique n’avance que de %1, pas de %2</translation>
     </message>
     <message>
-        <source>there are %1 commands to undo only, not %2</source>
+        <source>there are only %1 commands to undo, not %2</source>
         <translation>commandes à annuler&#xa0;: %1 seulement, pas %2</translation>
     </message>
     <message>
@@ -2145,7 +2145,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>il y en a plus de %1</translation>
     </message>
     <message>
-        <source>they want “%1” beside them</source>
+        <source>“%1” must be given with them</source>
         <translation>il leur faut « %1 » à côté</translation>
     </message>
     <message>
@@ -2216,7 +2216,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>son point d’attache est hors limites</translation>
     </message>
     <message>
-        <source>its rotation is not one</source>
+        <source>its rotation is not valid</source>
         <translation>sa rotation n’en est pas une</translation>
     </message>
     <message>

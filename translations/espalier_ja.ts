@@ -2037,7 +2037,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>「%1」という視点はありません。使えるのは front、side、top、three-quarter です</translation>
     </message>
     <message>
-        <source>this is no recipe: one begins with “%1”: %2</source>
+        <source>this is not a recipe: a recipe begins with “%1”: %2</source>
         <translation>レシピではありません。レシピは「%1」: %2 で始まります</translation>
     </message>
     <message>
@@ -2049,7 +2049,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>レシピの操作は %1 個までです</translation>
     </message>
     <message>
-        <source>a recipe that is no file has no images</source>
+        <source>a recipe that was not read from a file cannot name images</source>
         <translation>ファイルでないレシピでは画像を使えません</translation>
     </message>
     <message>
@@ -2109,7 +2109,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>「%1」という操作はありません。使えるのは %2 です</translation>
     </message>
     <message>
-        <source>there are %1 commands to redo only, not %2</source>
+        <source>there are only %1 commands to redo, not %2</source>
         <translation>やり直せるのは %1 回までで、%2 回はできません</translation>
     </message>
     <message>
@@ -2121,15 +2121,15 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>節間 %1 に解除する太さはありません</translation>
     </message>
     <message>
-        <source>the history goes back by %1 only, not by %2</source>
+        <source>the history goes back only by %1, not by %2</source>
         <translation>履歴を戻れるのは %1 までで、%2 は戻れません</translation>
     </message>
     <message>
-        <source>the history goes on by %1 only, not by %2</source>
+        <source>the history goes on only by %1, not by %2</source>
         <translation>履歴を進めるのは %1 までで、%2 は進めません</translation>
     </message>
     <message>
-        <source>there are %1 commands to undo only, not %2</source>
+        <source>there are only %1 commands to undo, not %2</source>
         <translation>元に戻せるのは %1 回までで、%2 回はできません</translation>
     </message>
     <message>
@@ -2145,7 +2145,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 個を超えています</translation>
     </message>
     <message>
-        <source>they want “%1” beside them</source>
+        <source>“%1” must be given with them</source>
         <translation>一緒に「%1」が必要です</translation>
     </message>
     <message>
@@ -2216,7 +2216,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>付く位置が範囲外です</translation>
     </message>
     <message>
-        <source>its rotation is not one</source>
+        <source>its rotation is not valid</source>
         <translation>回転の値が正しくありません</translation>
     </message>
     <message>

@@ -2037,7 +2037,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>nie ma widoku „%1”; są front, side, top i three-quarter</translation>
     </message>
     <message>
-        <source>this is no recipe: one begins with “%1”: %2</source>
+        <source>this is not a recipe: a recipe begins with “%1”: %2</source>
         <translation>to nie jest przepis: przepis zaczyna się od „%1”: %2</translation>
     </message>
     <message>
@@ -2049,7 +2049,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>przepis ma najwyżej %1 operacji</translation>
     </message>
     <message>
-        <source>a recipe that is no file has no images</source>
+        <source>a recipe that was not read from a file cannot name images</source>
         <translation>przepis, który nie jest plikiem, nie ma obrazów</translation>
     </message>
     <message>
@@ -2109,7 +2109,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>nie ma operacji „%1”; są %2</translation>
     </message>
     <message>
-        <source>there are %1 commands to redo only, not %2</source>
+        <source>there are only %1 commands to redo, not %2</source>
         <translation>poleceń do ponowienia jest tylko %1, a nie %2</translation>
     </message>
     <message>
@@ -2121,15 +2121,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>międzywęźle %1 nie ma grubości do usunięcia</translation>
     </message>
     <message>
-        <source>the history goes back by %1 only, not by %2</source>
+        <source>the history goes back only by %1, not by %2</source>
         <translation>historia sięga wstecz tylko o %1, a nie o %2</translation>
     </message>
     <message>
-        <source>the history goes on by %1 only, not by %2</source>
+        <source>the history goes on only by %1, not by %2</source>
         <translation>historia sięga naprzód tylko o %1, a nie o %2</translation>
     </message>
     <message>
-        <source>there are %1 commands to undo only, not %2</source>
+        <source>there are only %1 commands to undo, not %2</source>
         <translation>poleceń do cofnięcia jest tylko %1, a nie %2</translation>
     </message>
     <message>
@@ -2145,7 +2145,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>jest ich więcej niż %1</translation>
     </message>
     <message>
-        <source>they want “%1” beside them</source>
+        <source>“%1” must be given with them</source>
         <translation>wymagają obok siebie „%1”</translation>
     </message>
     <message>
@@ -2216,7 +2216,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>jego miejsce osadzenia jest poza zakresem</translation>
     </message>
     <message>
-        <source>its rotation is not one</source>
+        <source>its rotation is not valid</source>
         <translation>jego obrót nie jest obrotem</translation>
     </message>
     <message>

@@ -19,6 +19,14 @@ struct DialogText {
     Q_DECLARE_TR_FUNCTIONS(FileDialogs)
 };
 
+/// The name of the file to be written, suggested from @p start; empty if the user cancels.
+QString askForNew(QFileDialog& dialog, const QString& start)
+{
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.selectFile(QFileInfo(start).completeBaseName());
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+}
+
 } // namespace
 
 QString suffixOf(const QString& fileName)
@@ -38,20 +46,16 @@ QString askForSaving(QWidget& window, const QString& start)
 {
     QFileDialog dialog(&window, DialogText::tr("Save"), QFileInfo(start).path(),
                        DialogText::tr("Trees (*.espalier)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kProjectSuffix);
-    dialog.selectFile(QFileInfo(start).completeBaseName());
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+    return askForNew(dialog, start);
 }
 
 QString askForRecipe(QWidget& window, const QString& start)
 {
     QFileDialog dialog(&window, DialogText::tr("Save as Recipe"), QFileInfo(start).path(),
                        DialogText::tr("Recipes (*.json)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(kRecipeSuffix);
-    dialog.selectFile(QFileInfo(start).completeBaseName());
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+    return askForNew(dialog, start);
 }
 
 QString askForExport(QWidget& window, const QString& start, const Settings& settings)
@@ -61,7 +65,6 @@ QString askForExport(QWidget& window, const QString& start, const Settings& sett
     for (const ExportFormat* format : exportFormats())
         filters.append(QStringLiteral("%1 (*.%2)").arg(format->name(), format->suffix()));
     QFileDialog dialog(&window, DialogText::tr("Export"), QFileInfo(start).path());
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters(filters);
     const qsizetype last = std::max<qsizetype>(0, suffixes.indexOf(settings.exportSuffix()));
     dialog.selectNameFilter(filters[last]);
@@ -70,8 +73,7 @@ QString askForExport(QWidget& window, const QString& start, const Settings& sett
                      [&dialog, filters, suffixes](const QString& filter) {
                          dialog.setDefaultSuffix(suffixes[std::max<qsizetype>(0, filters.indexOf(filter))]);
                      });
-    dialog.selectFile(QFileInfo(start).completeBaseName());
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+    return askForNew(dialog, start);
 }
 
 Unsaved askAboutUnsaved(QWidget& window, const QString& name, bool isGrowing)

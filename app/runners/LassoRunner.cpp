@@ -24,7 +24,10 @@ void LassoRunner::start(LassoGesture::Begun begun)
     }
     const auto goOn = [this]() -> std::unique_ptr<GrowthGesture> {
         LassoGesture::Begun again = LassoGesture::goOn(document(), document().competitors());
-        return again ? std::move(*again) : nullptr;
+        if (again)
+            return std::move(*again);
+        Q_EMIT refused(again.error().message);
+        return nullptr;
     };
     GrowthRunner::start(std::move(*begun), {kEndless, 1000 / kStepsPerSecond}, goOn);
 }

@@ -52,11 +52,6 @@ void TimeRunner::play()
     m_stride = m_document.future().size() / kMostFrames + 1;
 }
 
-void TimeRunner::stop()
-{
-    release();
-}
-
 void TimeRunner::showNext()
 {
     m_gesture->moveTo(std::min(m_document.journal().size() + m_stride, m_gesture->historyLength()));

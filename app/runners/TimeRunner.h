@@ -20,12 +20,10 @@ public:
 
     /// Begins a gesture if none is under way, and moves it: see TimeGesture::moveTo(). Stops a film.
     void moveTo(int position);
-    /// Ends the gesture, which becomes one undo step.
+    /// Ends the gesture or the film at the moment shown; it becomes one undo step.
     void release();
     /// Plays from the moment shown, or from the beginning if that is the present.
     void play();
-    /// Stops at the moment shown; the same as release().
-    void stop();
     /// Returns to the moment before the gesture.
     void cancel();
 

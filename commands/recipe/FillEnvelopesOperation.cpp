@@ -26,7 +26,7 @@ FillEnvelopesOperation FillEnvelopesOperation::read(JsonReader& reader, RecipeRe
             reader.fail(read.error());
         if (!reader.has(kEnvelopesKey))
             reader.fail(kFillParametersKey,
-                        RecipeText::tr("they want “%1” beside them").arg(QString(kEnvelopesKey)));
+                        RecipeText::tr("“%1” must be given with them").arg(QString(kEnvelopesKey)));
     }
     if (!reader.has(kEnvelopesKey))
         return fill;

@@ -47,7 +47,7 @@ Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
         return parsed.error();
     JsonReader reader(*parsed, {});
     if (!reader.has(recipeLimits::kVersionKey)) {
-        return inputError({}, RecipeText::tr("this is no recipe: one begins with “%1”: %2")
+        return inputError({}, RecipeText::tr("this is not a recipe: a recipe begins with “%1”: %2")
                                   .arg(QString(recipeLimits::kVersionKey))
                                   .arg(recipeLimits::kVersion));
     }

@@ -14,7 +14,7 @@ namespace espalier {
 Result<ImageAsset> RecipeReading::readImage(const QString& name) const
 {
     if (m_folder.isEmpty())
-        return inputError(name, RecipeText::tr("a recipe that is no file has no images"));
+        return inputError(name, RecipeText::tr("a recipe that was not read from a file cannot name images"));
     if (m_images.size() >= recipeLimits::kImages)
         return inputError(name, RecipeText::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
     if (QDir::isAbsolutePath(name))

@@ -9,7 +9,6 @@ namespace espalier {
 /// Sets or removes the width of an internode.
 struct SetWidthOperation {
     static constexpr QLatin1StringView kName{"setWidth"};
-    static constexpr double kGreatestDiameter = 100.0; ///< m
 
     InternodeReference internode;
     double diameter = 0.0; ///< m, 0...kGreatestDiameter; 0 removes the width

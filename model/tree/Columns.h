@@ -42,16 +42,6 @@ T initialValue(const std::optional<T>& fallback)
         return fallback.value_or(T{});
 }
 
-/// Exact equality. (Eigen's quaternions have no operator== before version 3.4.)
-template <class T>
-bool isSame(const T& a, const T& b)
-{
-    if constexpr (std::is_same_v<T, Rotation>)
-        return a.coeffs() == b.coeffs();
-    else
-        return a == b;
-}
-
 /// The change of one cell.
 template <class T>
 struct CellChange {
@@ -59,10 +49,7 @@ struct CellChange {
     T before;
     T after;
 
-    bool operator==(const CellChange& other) const
-    {
-        return row == other.row && isSame(before, other.before) && isSame(after, other.after);
-    }
+    bool operator==(const CellChange&) const = default;
 };
 
 /// The changed cells of one column, each row at most once. As long as it is empty it takes the memory of a

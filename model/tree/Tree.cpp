@@ -10,7 +10,7 @@ namespace {
 template <class T>
 bool isSameColumn(const QList<T>& a, const QList<T>& b)
 {
-    return a.isSharedWith(b) || std::ranges::equal(a, b, isSame<T>);
+    return a.isSharedWith(b) || a == b;
 }
 
 /// Calls @p write(cell, change) for each change of the columns in @p changes.
@@ -36,6 +36,17 @@ constexpr auto kWriteAfter = [](auto& cell, const auto& change) { cell = change.
 constexpr auto kWriteBefore = [](auto& cell, const auto& change) { cell = change.before; };
 
 } // namespace
+
+void InternodeColumns::append(const InternodeRow& row)
+{
+    InternodeTable::visit([](const auto&, auto& column, const auto& value) { column.append(value); }, *this,
+                          row);
+}
+
+void LeafColumns::append(const LeafRow& row)
+{
+    LeafTable::visit([](const auto&, auto& column, const auto& value) { column.append(value); }, *this, row);
+}
 
 bool TreeContent::operator==(const TreeContent& other) const
 {

@@ -12,7 +12,7 @@ const std::shared_ptr<const EditRecord>& EditRecord::unknown()
 void TreeDelta::addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,
                          float lengthAfter)
 {
-    if (!isSame(before, after))
+    if (before != after)
         internodes.rotation.push_back({id, before, after});
     if (lengthBefore != lengthAfter)
         internodes.length.push_back({id, lengthBefore, lengthAfter});

@@ -99,7 +99,9 @@ QString leavesFault(const TreeContent& t)
         QString fault = valueFault<LeafTable>(c, id);
         if (fault.isEmpty() && c.internode[id] >= t.internodes.size())
             fault = TreeText::tr("its internode is missing");
-        if (fault.isEmpty() && (c.birth[id] > t.step || (c.death[id] != kNever && c.death[id] < c.birth[id])))
+        if (fault.isEmpty() &&
+            (c.birth[id] > t.step ||
+             (c.death[id] != kNever && (c.death[id] < c.birth[id] || c.death[id] > t.step))))
             fault = TreeText::tr("it died before it was born, or in the future");
         if (!fault.isEmpty())
             return TreeText::tr("placed leaf %1: %2").arg(id).arg(fault);
@@ -160,7 +162,7 @@ const char* ofRotation(const Rotation& value)
 {
     return std::abs(value.coeffs().squaredNorm() - 1.0F) < 1e-3F // false for NaN
                ? nullptr
-               : QT_TRANSLATE_NOOP("Tree", "its rotation is not one");
+               : QT_TRANSLATE_NOOP("Tree", "its rotation is not valid");
 }
 
 const char* ofLength(const float& value)

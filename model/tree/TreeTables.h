@@ -109,22 +109,14 @@ struct LeafRow {
 struct InternodeColumns {
     ESPALIER_INTERNODE_COLUMNS(ESPALIER_COLUMN_MEMBER)
     std::uint32_t size() const { return static_cast<std::uint32_t>(parent.size()); }
-    void append(const InternodeRow& row)
-    {
-        InternodeTable::visit([](const auto&, auto& column, const auto& value) { column.append(value); },
-                              *this, row);
-    }
+    void append(const InternodeRow& row);
 };
 
 /// Placed leaves as columns, in the same way.
 struct LeafColumns {
     ESPALIER_LEAF_COLUMNS(ESPALIER_COLUMN_MEMBER)
     std::uint32_t size() const { return static_cast<std::uint32_t>(internode.size()); }
-    void append(const LeafRow& row)
-    {
-        LeafTable::visit([](const auto&, auto& column, const auto& value) { column.append(value); }, *this,
-                         row);
-    }
+    void append(const LeafRow& row);
 };
 
 /// The sparse columns of a tree.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/DocumentProject.h"
 #include "commands/GrowGesture.h"
-#include "model/base/Parallel.h"
 #include "panels/Notice.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
@@ -10,22 +9,9 @@
 #include "views/render/PreparedScene.h"
 
 #include <QtTest>
-
-#include <ctime>
+#include <QtWidgets>
 
 using namespace espalier;
-
-namespace {
-
-/// Processor time of this thread, ms.
-double threadTime()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-} // namespace
 
 /// A person who opens large projects.
 class OpeningTest : public test::WindowFixture {
@@ -34,6 +20,8 @@ class OpeningTest : public test::WindowFixture {
 private Q_SLOTS:
     void largeProject_isShownWithWhatTheWorkerMade();
     void escape_keepsTheOldDocument();
+    void cancelButton_keepsTheOldDocument();
+    void tipForTheFirstStroke_goes();
     void newTree_isNotReplacedByAFileThatWasBeingRead();
 
 private:
@@ -68,25 +56,18 @@ void OpeningTest::largeProject_isShownWithWhatTheWorkerMade()
     const Result<Project> read = loadProject(file);
     QVERIFY(read);
 
-    const double began = threadTime();
-    leavingOneThread([&] {
-        const PreparedTree tree = prepared(*read);
-        const PreparedScene scene(tree.tree, tree.index, tree.growthModel->space());
-    });
-    const double making = threadTime() - began;
-
-    double before = 0.0;
-    double showing = 0.0;
-    FileController& files = m_window->files();
+    // The worker's mesh is moved into the view, which has then nothing to mesh.
+    bool isTaken = false;
     const QObject listener;
-    connect(&files, &FileController::aboutToReplace, &listener, [&] { before = threadTime(); });
-    connect(&files, &FileController::opened, &listener, [&] { showing = threadTime() - before; });
+    FileController& files = m_window->files();
+    connect(&files, &FileController::scenePrepared, &listener,
+            [&isTaken](const std::shared_ptr<PreparedScene>& scene) {
+                isTaken = scene && scene->tree.size() > 12'000 && scene->mesh.vertices().empty();
+            });
     QSignalSpy opened(&files, &FileController::opened);
     files.openFile(file);
     QVERIFY(opened.count() == 1 || opened.wait(60'000));
-    qInfo("made in %.1f ms, shown in %.1f ms", making, showing);
-    QVERIFY2(showing < 0.5 * making, qPrintable(QStringLiteral("%1 of %2 ms").arg(showing).arg(making)));
-
+    QVERIFY(isTaken);
     QVERIFY(document().tree() == read->tree);
     QCOMPARE(test::indexFault(document()), QString());
 }
@@ -110,6 +91,43 @@ void OpeningTest::escape_keepsTheOldDocument()
     m_window->files().openFile(file);
     QVERIFY(opened.wait(60'000));
     QVERIFY(document().index().livingCount() >= 12'000);
+}
+
+void OpeningTest::cancelButton_keepsTheOldDocument()
+{
+    const QString file = project(3'000);
+    brush();
+    document().undoStack().setClean();
+    const test::DocumentState before(document());
+    // Reading does not begin before all worker threads are free.
+    QSemaphore hindrance;
+    QThreadPool& pool = *QThreadPool::globalInstance();
+    const int threads = pool.maxThreadCount();
+    for (int i = 0; i < threads; ++i)
+        pool.start([&hindrance] { hindrance.acquire(); });
+    m_window->files().openFile(file);
+    QTRY_VERIFY(workspace().notice().isVisible());
+    QVERIFY(notice().contains(QStringLiteral("large.espalier")));
+    const auto buttons = workspace().notice().findChildren<QPushButton*>();
+    const auto cancel = std::ranges::find_if(buttons, &QPushButton::isVisible);
+    QVERIFY(cancel != buttons.end());
+    QTest::mouseClick(*cancel, Qt::LeftButton);
+    hindrance.release(threads);
+    settle();
+    QVERIFY(workspace().notice().isHidden());
+    QCOMPARE(test::differenceFrom(before, document()), QString());
+    QVERIFY(m_window->files().file().fileName().isEmpty());
+}
+
+void OpeningTest::tipForTheFirstStroke_goes()
+{
+    const QString file = project(300);
+    const auto* const tip = workspace().findChild<QLabel*>(QStringLiteral("tip"));
+    QVERIFY(!tip->text().isEmpty());
+    QSignalSpy opened(&m_window->files(), &FileController::opened);
+    m_window->files().openFile(file);
+    QVERIFY(opened.count() == 1 || opened.wait(60'000));
+    QCOMPARE(tip->text(), QString());
 }
 
 void OpeningTest::newTree_isNotReplacedByAFileThatWasBeingRead()

@@ -110,7 +110,7 @@ public:
         }
         BendGesture gesture(m_document, operation.base.number(), std::move(handles),
                             {.stretching = operation.stretching, .bending = operation.bending});
-        for (int call = 0; call < BendGesture::kMostCalls && !gesture.moveTo(targets); ++call) {
+        for (int call = 0; call < BendGesture::kMostPulls && !gesture.moveTo(targets); ++call) {
         }
         gesture.finish();
     }

@@ -259,7 +259,7 @@ SetWidthOperation RandomOperations::make(const TreeDocument& document, int)
     if (onceIn(4))
         operation.diameter = 0.0;
     else if (onceIn(8))
-        operation.diameter = onceIn(2) ? SetWidthOperation::kGreatestDiameter : 1e-9;
+        operation.diameter = onceIn(2) ? kGreatestDiameter : 1e-9;
     return operation;
 }
 

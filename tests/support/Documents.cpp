@@ -114,8 +114,7 @@ QString differenceFrom(const DocumentState& before, const TreeDocument& document
     const DocumentState now(document);
     QString difference;
     const auto compare = [&](const auto& info, const auto& a, const auto& b) {
-        using Value = std::remove_cvref_t<decltype(a[0])>;
-        if (!std::ranges::equal(a, b, isSame<Value>))
+        if (a != b)
             difference = QStringLiteral("the column “%1”").arg(QLatin1String(info.name));
     };
     const TreeContent& a = before.tree.content();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TreeScene.h"
 
+#include "model/document/PreparedTree.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 
@@ -14,6 +15,8 @@ class TreeSceneTest : public QObject {
 private Q_SLOTS:
     void wood_isFinerWhereAPixelIsSmaller();
     void tolerance_doesNotWaverWithThePixel();
+    void preparedScene_isShownAsItIs();
+    void preparedScene_ofAnotherTree_isDropped();
 };
 
 void TreeSceneTest::wood_isFinerWhereAPixelIsSmaller()
@@ -52,6 +55,40 @@ void TreeSceneTest::tolerance_doesNotWaverWithThePixel()
     for (const double pixel : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
         scene.setPixelSize(pixel);
     QCOMPARE(scene.mesh().options().tolerance, tolerance);
+}
+
+void TreeSceneTest::preparedScene_isShownAsItIs()
+{
+    TreeDocument grown;
+    growAtRandom(grown, 4, 200);
+    PreparedTree tree(grown.tree(), grown.journal());
+    PreparedScene prepared(tree.tree, tree.index, tree.growthModel->space());
+    const MeshVertex* const vertices = prepared.mesh.vertices().data();
+
+    TreeDocument document;
+    TreeScene scene(document);
+    connect(&document, &TreeDocument::changed, this,
+            [&scene](const TreeChange& change) { scene.follow(change); });
+    scene.expect(std::move(prepared));
+    document.reset(std::move(tree));
+    QCOMPARE(scene.mesh().vertices().data(), vertices);
+}
+
+void TreeSceneTest::preparedScene_ofAnotherTree_isDropped()
+{
+    TreeDocument grown;
+    growAtRandom(grown, 4, 200);
+    const PreparedTree tree(grown.tree(), grown.journal());
+    PreparedScene prepared(tree.tree, tree.index, tree.growthModel->space());
+
+    TreeDocument document;
+    TreeScene scene(document);
+    const std::size_t vertices = scene.mesh().vertices().size();
+    connect(&document, &TreeDocument::changed, this,
+            [&scene](const TreeChange& change) { scene.follow(change); });
+    scene.expect(std::move(prepared));
+    document.reset(1);
+    QCOMPARE(scene.mesh().vertices().size(), vertices);
 }
 
 const TestClass<TreeSceneTest> treeSceneTest;

@@ -156,7 +156,7 @@ QString Rewind::changeFault(const Columns& columns, const Changes& changes, std:
                     fault = changeOf(name, ChangeFault::Fixed);
                 else if (change.row >= end || !isNewInRound(change.row))
                     fault = changeOf(name, ChangeFault::NoRow);
-                else if (!isSame(change.after, column[change.row]) || info.faultOf(change.before) != nullptr)
+                else if (change.after != column[change.row] || info.faultOf(change.before) != nullptr)
                     fault = changeOf(name, ChangeFault::Impossible);
             }
         },

@@ -14,7 +14,7 @@ void addTable(ZipWriter& archive, const char* folder, const Columns& columns)
     Table::visit(
         [&]<class T>(const ColumnInfo<T>& info, const QList<T>& column) {
             const bool isPlain = info.fallback && std::ranges::all_of(column, [&](const T& value) {
-                                     return isSame(value, *info.fallback);
+                                     return value == *info.fallback;
                                  });
             if (!isPlain)
                 addEntry(archive, QByteArray(folder) + '/' + info.name, column);

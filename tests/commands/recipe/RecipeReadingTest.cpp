@@ -121,7 +121,7 @@ void RecipeReadingTest::missingFile_saysSo()
     file.close();
     QVERIFY(readRecipe(file.fileName())
                 .error()
-                .message.startsWith(QStringLiteral("elm.json: this is no recipe")));
+                .message.startsWith(QStringLiteral("elm.json: this is not a recipe")));
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(recipeOf(R"("name": "Elm")"));
     file.close();

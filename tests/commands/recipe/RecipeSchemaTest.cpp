@@ -119,7 +119,7 @@ void RecipeSchemaTest::schemaAndLimits_agree()
     QCOMPARE(target[QLatin1String("minimum")].toDouble(), -recipeLimits::kCoordinate);
     QCOMPARE(target[QLatin1String("maximum")].toDouble(), recipeLimits::kCoordinate);
     QCOMPARE(property(defs[QLatin1String("setWidth")], "diameter")[QLatin1String("maximum")].toDouble(),
-             SetWidthOperation::kGreatestDiameter);
+             double{kGreatestDiameter});
     QCOMPARE(
         defs[QLatin1String("internode")][QLatin1String("oneOf")][0][QLatin1String("maximum")].toInteger(),
         InternodeReference::kGreatestNumber);

@@ -91,14 +91,14 @@ std::vector<Case> cases()
          QStringLiteral("internode 0 is the seedling, which cannot be pruned")},
         {"travel", TravelOperation{-1}, {}},
         {"travel beyond the beginning", TravelOperation{-1'000'000},
-         QStringLiteral("the history goes back by ")},
+         QStringLiteral("the history goes back only by ")},
         {"travel beyond the end", TravelOperation{3},
-         QStringLiteral("the history goes on by 0 only, not by 3")},
+         QStringLiteral("the history goes on only by 0, not by 3")},
         {"undo", UndoOperation{2}, {}},
         {"undo of more than there is", UndoOperation{7},
-         QStringLiteral("there are 2 commands to undo only, not 7")},
+         QStringLiteral("there are only 2 commands to undo, not 7")},
         {"redo of more than there is", RedoOperation{1},
-         QStringLiteral("there are 0 commands to redo only, not 1")},
+         QStringLiteral("there are only 0 commands to redo, not 1")},
         {"bend", bend, {}},
         {"bend from what is not there", baseMissing, missing},
         {"bend of what is not there", handleMissing, missing},
@@ -206,7 +206,7 @@ void RecipeWarningsTest::places_areThoseInTheRecipe()
     recipe.operations.insert(recipe.operations.begin(), RedoOperation{1});
     recipe.operations.emplace_back(RemoveLassoOperation{});
     QCOMPARE(warningsOf(recipe),
-             (QStringList{QStringLiteral("operations[0]: redo: there are 0 commands to redo only, not 1"),
+             (QStringList{QStringLiteral("operations[0]: redo: there are only 0 commands to redo, not 1"),
                           QStringLiteral("operations[3]: removeLasso: there is no envelope")}));
 }
 

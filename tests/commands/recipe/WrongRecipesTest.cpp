@@ -28,7 +28,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     };
     row("", "line 1: not valid JSON: ");
     row("[1]", "a JSON object is expected");
-    row("{}", "this is no recipe");
+    row("{}", "this is not a recipe");
     row("{\"espalier-recipe\": 1,\n\n \"name\": nan}", "line 3: not valid JSON: ");
     row("{\"espalier-recipe\": 1, \"seed\": 1e999}", "line 1: not valid JSON: illegal number");
     row(R"({"espalier-recipe": 2, "new": 1})",
@@ -80,7 +80,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].only.bud: there is no such bud");
     row(operationsOf(R"({"op": "regrow", "steps": 2})"), "operations[0]: “steps” is not known here");
     row(operationsOf(R"({"op": "fillEnvelopes", "parameters": {}})"),
-        "operations[0].parameters: they want “envelopes” beside them");
+        "operations[0].parameters: “envelopes” must be given with them");
     row(operationsOf(R"({"op": "fillEnvelopes", "envelopes": []})"),
         "operations[0].envelopes: 1 to 10000 envelopes are expected");
     row(operationsOf(R"({"op": "fillEnvelopes", "envelopes": [{"points": [[0, 1], [1, 1]]}]})"),

@@ -48,8 +48,8 @@ struct Sample {
 
 bool sameBits(const FrameChange& a, const FrameChange& b)
 {
-    return a.id == b.id && isSame(a.before, b.before) && isSame(a.after, b.after) &&
-           a.lengthBefore == b.lengthBefore && a.lengthAfter == b.lengthAfter;
+    return a.id == b.id && a.before == b.before && a.after == b.after && a.lengthBefore == b.lengthBefore &&
+           a.lengthAfter == b.lengthAfter;
 }
 
 /// The columns' world positions and rotations after @p changes.
