@@ -9,7 +9,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <QThreadPool>
 #include <QUuid>
 
 namespace espalier {
@@ -102,7 +101,7 @@ Autosave::Autosave(const TreeDocument& document, DocumentFile& file, int interva
 Autosave::~Autosave()
 {
     // Otherwise a file that is being written now could be mistaken for one that a crash has left.
-    QThreadPool::globalInstance()->waitForDone();
+    backgroundThreads().waitForDone();
     removeCopies();
 }
 

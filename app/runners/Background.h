@@ -18,12 +18,25 @@ namespace espalier {
 /// Niceness of threads that work in the background, −20...19.
 inline constexpr int kBackgroundNiceness = 10;
 
+/// The threads of runInBackground(). They are not those of QThreadPool::globalInstance(): Qt paints large
+/// shapes with these and waits for them, so a window would wait for the work.
+inline QThreadPool& backgroundThreads()
+{
+    static QThreadPool threads;
+    // What still runs when the program ends uses the application object.
+    [[maybe_unused]] static const bool isAwaited = [] {
+        qAddPostRoutine([] { backgroundThreads().waitForDone(); });
+        return true;
+    }();
+    return threads;
+}
+
 /// Calls @p work() on a worker thread, then @p done(its result) on the GUI thread, unless @p owner has been
 /// destroyed by then. @p work must own all that it uses, as snapshots and values.
 template <class Work, class Done>
 void runInBackground(QObject* owner, Work work, Done done)
 {
-    QThreadPool::globalInstance()->start(
+    backgroundThreads().start(
         [guard = QPointer<QObject>(owner), work = std::move(work), done = std::move(done)]() mutable {
 #ifdef Q_OS_LINUX
             // With few cores, the window must come first. Linux ignores Qt's thread priorities.

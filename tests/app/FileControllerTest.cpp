@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/runners/Background.h"
 #include "tests/support/FaultyDisk.h"
 #include "tests/support/FilesFixture.h"
 #include "tests/support/TestClasses.h"
@@ -343,7 +344,7 @@ void FileControllerTest::undoneBackToClean_leavesNoSafetyCopy()
     QTest::qWait(1000);
     window.document.undoStack().undo();
     window.document.undoStack().undo();
-    QThreadPool::globalInstance()->waitForDone();
+    backgroundThreads().waitForDone();
     QTest::qWait(50);
     QVERIFY(copies().isEmpty());
 }

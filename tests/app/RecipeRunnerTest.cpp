@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/runners/RecipeRunner.h"
 
+#include "app/runners/Background.h"
 #include "commands/Prune.h"
 #include "commands/recipe/GrowOperation.h"
 #include "tests/support/Documents.h"
@@ -135,7 +136,7 @@ void RecipeRunnerTest::stop_keepsTheOperationsBefore()
         player.playOperation();
     QCOMPARE(test::differenceFrom(test::DocumentState(straight), document), QString());
     // What the worker still plays changes nothing.
-    QThreadPool::globalInstance()->waitForDone();
+    backgroundThreads().waitForDone();
     QCoreApplication::processEvents();
     QCOMPARE(test::differenceFrom(stopped, document), QString());
 }

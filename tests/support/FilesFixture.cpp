@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/FilesFixture.h"
 
+#include "app/runners/Background.h"
 #include "commands/GrowGesture.h"
 
 #include <QtTest>
@@ -53,7 +54,7 @@ void FilesFixture::init()
 
 void FilesFixture::cleanup()
 {
-    QThreadPool::globalInstance()->waitForDone();
+    backgroundThreads().waitForDone();
 }
 
 void FilesFixture::answer(const std::function<QAbstractButton*(QMessageBox&)>& choose)
