@@ -8,17 +8,18 @@
 
 namespace espalier {
 
-void setParameters(TreeDocument& document, const TreeParameters& parameters)
+bool setParameters(TreeDocument& document, const TreeParameters& parameters)
 {
     Edit edit(document);
     const Tree& tree = document.tree();
     if (!tree.hasRoomFor(parameters))
-        return;
+        return false;
     TreeDelta delta = deltaStartingAt(tree);
     delta.parametersAfter = keepParameters(delta, tree, parameters);
     edit.apply(std::move(delta));
     commitRecorded(edit, QCoreApplication::translate("Commands", "Change Parameters"),
                    [&] { return SetParametersOperation{parameters}; });
+    return true;
 }
 
 } // namespace espalier

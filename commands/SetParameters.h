@@ -5,9 +5,9 @@
 
 namespace espalier {
 
-/// Puts @p parameters in force as one command. Does nothing if they are in force already, or if the document
-/// has no room for another parameter set. Internodes keep the parameters that they grew with; widths, leaves
-/// and bark change at once.
-void setParameters(TreeDocument& document, const TreeParameters& parameters);
+/// Puts @p parameters in force as one command. Does nothing if they are in force already. Returns false, and
+/// does nothing, if the document has no room for another parameter set. Internodes keep the parameters that
+/// they grew with; widths, leaves and bark change at once.
+bool setParameters(TreeDocument& document, const TreeParameters& parameters);
 
 } // namespace espalier

@@ -1962,6 +1962,10 @@ geschrieben werden konnte.
 <context>
     <name>Recipe</name>
     <message>
+        <source>there is no room for more parameter sets</source>
+        <translation>für weitere Parametersätze ist kein Platz</translation>
+    </message>
+    <message>
         <source>there is no such bud</source>
         <translation>eine solche Knospe gibt es nicht</translation>
     </message>

@@ -1961,6 +1961,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>Recipe</name>
     <message>
+        <source>there is no room for more parameter sets</source>
+        <translation>il n’y a plus de place pour d’autres jeux de paramètres</translation>
+    </message>
+    <message>
         <source>there is no such bud</source>
         <translation>il n’y a pas de tel bourgeon</translation>
     </message>

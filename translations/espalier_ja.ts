@@ -1961,6 +1961,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>Recipe</name>
     <message>
+        <source>there is no room for more parameter sets</source>
+        <translation>これ以上パラメーターの組を加える余地がありません</translation>
+    </message>
+    <message>
         <source>there is no such bud</source>
         <translation>そのような芽はありません</translation>
     </message>

@@ -1961,6 +1961,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>Recipe</name>
     <message>
+        <source>there is no room for more parameter sets</source>
+        <translation>nie ma miejsca na więcej zestawów parametrów</translation>
+    </message>
+    <message>
         <source>there is no such bud</source>
         <translation>nie ma takiego pąka</translation>
     </message>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/SetParameters.h"
+#include "commands/recipe/RecipeText.h"
 #include "commands/recipe/SetParametersOperation.h"
 
 namespace espalier {
 
 QString SetParametersOperation::perform(TreeDocument& document) const
 {
-    setParameters(document, parameters);
-    return {};
+    return setParameters(document, parameters) ? QString()
+                                               : RecipeText::tr("there is no room for more parameter sets");
 }
 
 } // namespace espalier

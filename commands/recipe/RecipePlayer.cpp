@@ -10,8 +10,9 @@ RecipePlayer::RecipePlayer(TreeDocument& document, Recipe recipe, Start start)
 {
     if (start == Start::Anew)
         m_document.reset(m_recipe.seed, m_recipe.parameters);
-    else
-        SetParametersOperation{m_recipe.parameters}.perform(m_document);
+    else if (const QString warning = SetParametersOperation{m_recipe.parameters}.perform(m_document);
+             !warning.isEmpty())
+        m_warnings.append(QStringLiteral("parameters: %1").arg(warning));
 }
 
 RecipePlayer::~RecipePlayer() = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/RecipePlayer.h"
 #include "tests/support/AllOperations.h"
+#include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 
@@ -23,6 +24,7 @@ private Q_SLOTS:
     void places_areThoseInTheRecipe();
     void bendBeyondTheBranch_namesTheHandle();
     void budThatHasGrown_isStillThere();
+    void parametersThatFindNoRoom_areNamed();
 };
 
 namespace {
@@ -230,6 +232,32 @@ void RecipeWarningsTest::budThatHasGrown_isStillThere()
     player.playAll();
     QCOMPARE(player.warnings(), QStringList());
     QCOMPARE(document.tree().buds(3) & budBit(0), 0);
+}
+
+void RecipeWarningsTest::parametersThatFindNoRoom_areNamed()
+{
+    TreeDocument document;
+    TreeDelta delta = deltaStartingAt(document.tree());
+    delta.rows = std::make_shared<TreeRows>();
+    TreeParameters parameters;
+    for (qsizetype i = 1; i < kMostParameterSets; ++i) {
+        parameters.growth.apicalDominance = static_cast<double>(i) / kMostParameterSets;
+        delta.rows->kept.parameters.append(parameters);
+    }
+    delta.kept.parameters = static_cast<std::uint32_t>(delta.rows->kept.parameters.size());
+    apply(document, std::move(delta));
+    const DocumentState full(document);
+    const QString warning = QStringLiteral("there is no room for more parameter sets");
+    parameters.growth.apicalDominance = 0.0;
+    QCOMPARE(SetParametersOperation{parameters}.perform(document), warning);
+    QCOMPARE(differenceFrom(full, document), QString());
+    // A set that the tree has needs no room.
+    parameters.growth.apicalDominance = 1.0 / kMostParameterSets;
+    QCOMPARE(SetParametersOperation{parameters}.perform(document), QString());
+    Recipe recipe;
+    recipe.parameters.growth.apicalDominance = 0.0;
+    const RecipePlayer player(document, recipe, RecipePlayer::Start::GoOn);
+    QCOMPARE(player.warnings(), QStringList{QStringLiteral("parameters: ") + warning});
 }
 
 const TestClass<RecipeWarningsTest> recipeWarningsTest;
