@@ -81,13 +81,12 @@ MainWindow::~MainWindow()
 
 void MainWindow::connectFiles()
 {
-    // A stroke under the hand ends first. A recipe that is playing may be left, but nothing half-played is
-    // kept.
+    // A stroke under the hand ends first. The controller asks about growth, which goes on until the answer. A
+    // recipe that is playing may be left, but nothing half-played is kept.
     const auto leave = [this](ActionId id, void (FileController::*what)()) {
         connect(m_actions[id], &QAction::triggered, this, [this, what] {
             m_workspace->viewport().finishGesture();
-            if (!isHandBusy())
-                (m_files.get()->*what)();
+            (m_files.get()->*what)();
         });
     };
     leave(ActionId::New, &FileController::startNew);

@@ -21,6 +21,7 @@ private Q_SLOTS:
     void growTool_growsWhileTheHandHolds();
     void manySteps_areStoppedByEscape();
     void strokeDuringGrowth_endsIt();
+    void newTreeDuringGrowth_isAskedAbout();
     void timeSlider_ungrowsAndGrowsOn();
     void play_showsTheHistoryAgain();
     void history_goesWhereItIsClicked();
@@ -94,6 +95,21 @@ void GrowingTest::strokeDuringGrowth_endsIt()
     document.undoStack().redo();
     document.undoStack().redo();
     QVERIFY(document.tree() == whole);
+}
+
+void GrowingTest::newTreeDuringGrowth_isAskedAbout()
+{
+    m_window->growRunner().run(1000);
+    QTRY_VERIFY(m_window->document().tree().step() >= 3);
+    answer(QMessageBox::Cancel);
+    action(ActionId::New)->trigger();
+    QVERIFY(m_window->growRunner().isRunning());
+    QVERIFY(m_window->document().tree().step() >= 3);
+    answer(QMessageBox::Discard);
+    action(ActionId::New)->trigger();
+    QVERIFY(!m_window->growRunner().isRunning());
+    QCOMPARE(m_window->document().tree().size(), 1U);
+    QVERIFY(!m_window->document().undoStack().canUndo());
 }
 
 void GrowingTest::timeSlider_ungrowsAndGrowsOn()

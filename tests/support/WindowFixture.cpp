@@ -38,7 +38,8 @@ void WindowFixture::init()
 
 void WindowFixture::cleanup()
 {
-    // A question about unsaved changes would wait for an answer for ever.
+    // A question about unsaved changes, or about growth, would wait for an answer for ever.
+    action(ActionId::Cancel)->trigger();
     m_window->document().undoStack().setClean();
     m_window->workspace().notice().finish();
     action(ActionId::New)->trigger();
