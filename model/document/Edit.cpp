@@ -59,6 +59,7 @@ void Edit::apply(TreeDelta delta)
     // before if the journal has that edit only in part.
     if (m_deltas.empty() && !delta.record)
         delta.record = EditRecord::unknown();
+    delta.squeeze();
     if (m_document.m_editListener)
         m_document.note({Event::Applied, std::make_unique<TreeDelta>(delta)});
     m_deltas.push_back(std::make_shared<TreeDelta>(std::move(delta)));

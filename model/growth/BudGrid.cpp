@@ -29,19 +29,19 @@ Sorted sortByKey(std::span<const std::uint32_t> keys, std::size_t count)
     return sorted;
 }
 
-Vec3 positionOf(const Resident& node)
+Vec3 positionOf(const GridNode& node)
 {
     return {node.x, node.y, node.z};
 }
 
 } // namespace
 
-BudGrid::BudGrid(std::span<const Resident> nodes, float edge) : m_edge(edge)
+BudGrid::BudGrid(std::span<const GridNode> nodes, float edge) : m_edge(edge)
 {
     if (nodes.empty())
         return;
     Box3 box;
-    for (const Resident& node : nodes)
+    for (const GridNode& node : nodes)
         box.extend(positionOf(node));
     const double mostCells = static_cast<double>(std::max(kFewestCells, kCellsPerNode * nodes.size()));
     const auto cells = [&] {
@@ -58,10 +58,13 @@ BudGrid::BudGrid(std::span<const Resident> nodes, float edge) : m_edge(edge)
 
     std::vector<std::uint32_t> cellOf;
     cellOf.reserve(nodes.size());
-    for (const Resident& node : nodes)
+    for (const GridNode& node : nodes)
         cellOf.push_back(static_cast<std::uint32_t>(cellIndex(cellAt(positionOf(node)))));
     Sorted sorted = sortByKey(cellOf, cellIndex(last) + 1);
     m_begin = std::move(sorted.begin);
+    m_ids.reserve(nodes.size());
+    for (std::vector<float>* const column : {&m_x, &m_y, &m_z})
+        column->reserve(nodes.size());
     for (const std::uint32_t i : sorted.order) {
         m_ids.push_back(nodes[i].id);
         m_x.push_back(nodes[i].x);

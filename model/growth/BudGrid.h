@@ -10,6 +10,22 @@
 
 namespace espalier {
 
+/// A node for a BudGrid: its position, m, and its id.
+struct GridNode {
+    float x;
+    float y;
+    float z;
+    InternodeId id;
+
+    float squaredDistance(const Vec3& point) const
+    {
+        const float dx = point.x() - x;
+        const float dy = point.y() - y;
+        const float dz = point.z() - z;
+        return dx * dx + dy * dy + dz * dz;
+    }
+};
+
 /// Nodes in the cubic cells of a box, for the many searches of one growth step. It is faster than VoxelSpace:
 /// it has no nodes without buds, needs no hashing, and a row of cells is one run of memory. Its cost is
 /// proportional to its nodes and cells, so each step makes a new one, of the nodes near the markers.
@@ -17,7 +33,7 @@ class BudGrid {
 public:
     BudGrid() = default;
     /// @param edge of a cell, m, > 0; greater cells are made if there would be too many for the nodes
-    BudGrid(std::span<const Resident> nodes, float edge);
+    BudGrid(std::span<const GridNode> nodes, float edge);
 
     bool isEmpty() const { return m_ids.empty(); }
 
@@ -59,7 +75,7 @@ private:
 
     float squaredDistance(std::size_t i, const Vec3& point) const
     {
-        return Resident{m_x[i], m_y[i], m_z[i], 0}.squaredDistance(point);
+        return GridNode{m_x[i], m_y[i], m_z[i], 0}.squaredDistance(point);
     }
 
     /// Calls @p visit(first, last) for runs of nodes that together contain all nodes within @p radius, until

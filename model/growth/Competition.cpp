@@ -179,7 +179,7 @@ float Competition::nearRadius() const
 
 void Competition::meetNewNodes()
 {
-    std::vector<Resident> nodes;
+    std::vector<GridNode> nodes;
     for (; m_met < m_tree.size(); ++m_met) {
         const Vec3& position = m_tree.nodePosition(m_met);
         if (m_tree.buds(m_met) != 0)
@@ -188,7 +188,7 @@ void Competition::meetNewNodes()
     m_grids.push_back(gridOf(nodes));
 }
 
-BudGrid Competition::gridOf(std::span<const Resident> nodes) const
+BudGrid Competition::gridOf(std::span<const GridNode> nodes) const
 {
     return {nodes, nearRadius()};
 }
@@ -198,12 +198,14 @@ BudGrid Competition::treeAroundMarkers() const
     Box3 box;
     for (const Vec3& marker : m_markers.positions)
         box.extend(marker);
-    std::vector<Resident> nodes;
+    std::vector<GridNode> nodes;
     if (!box.isEmpty())
         m_space.anyWithin(box, m_perception.reach, [&](VoxelSpace::Residents residents) {
-            for (const Resident& resident : residents) {
-                if (m_tree.buds(resident.id) != 0)
-                    nodes.push_back(resident);
+            for (const InternodeId id : residents) {
+                if (m_tree.buds(id) == 0)
+                    continue;
+                const Vec3& position = m_tree.nodePosition(id);
+                nodes.push_back({position.x(), position.y(), position.z(), id});
             }
             return false;
         });
@@ -245,7 +247,7 @@ void Competition::contend(InternodeId node, const Vec3& marker, Claim& best) con
     const Vec3& position = m_tree.nodePosition(node);
     const Vec3 toMarker = marker - position;
     const float squaredDistance =
-        Resident{position.x(), position.y(), position.z(), node}.squaredDistance(marker);
+        GridNode{position.x(), position.y(), position.z(), node}.squaredDistance(marker);
     if (squaredDistance > m_perception.reach * m_perception.reach)
         return;
     const float least = m_perception.cosHalfAngle * toMarker.norm();

@@ -138,7 +138,7 @@ private:
 
     /// Radius of the first, smaller search, m.
     float nearRadius() const;
-    BudGrid gridOf(std::span<const Resident> nodes) const;
+    BudGrid gridOf(std::span<const GridNode> nodes) const;
     /// Adds a grid of the internodes that are new since the last call.
     void meetNewNodes();
     /// The nodes with buds that existed before the step and are within reach of the markers' bounding box.

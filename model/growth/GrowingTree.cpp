@@ -77,6 +77,8 @@ std::vector<Cell> GrowingTree::newCells(const VoxelSpace& space) const
 
 TreeDelta GrowingTree::takeDelta()
 {
+    if (!m_changedBuds.empty())
+        m_delta.internodes.buds.reserve(m_changedBuds.size());
     for (const InternodeId id : m_changedBuds)
         m_delta.internodes.buds.push_back({id, m_tree.budStates(id), m_workspace.buds[id]});
     m_delta.born.count = rows().size();

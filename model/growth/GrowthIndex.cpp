@@ -39,14 +39,11 @@ void GrowthIndex::rebuild(const Tree& tree, const TreeIndex& index)
 bool GrowthIndex::fill(const Tree& tree, const TreeIndex& index, float edge)
 {
     m_space = VoxelSpace(edge, m_settings.pyramid);
-    m_place.assign(tree.size(), kNowhere);
-    m_isNoted.assign(tree.size(), 0);
-    m_noted.clear();
+    m_isNoted.assign(tree.size(), false);
+    clearScratch(m_noted);
     m_hasRemovedRows = false;
-    m_sensed.assign(tree.size(), 0);
-    m_own.assign(tree.size(), 0);
-    m_basipetal.assign(tree.size(), 0);
-    m_pending.assign(tree.size(), 0);
+    resize(0);
+    resize(tree.size());
     m_sweep = {};
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (!tree.isAlive(id))
@@ -64,10 +61,12 @@ void GrowthIndex::follow(const Tree& tree, const TreeIndex& index, const TreeDel
     const bool isReverted = m_isNoted.size() > tree.size();
     if (isReverted)
         removeRows(tree, delta);
-    m_isNoted.resize(tree.size(), 0);
+    m_isNoted.resize(tree.size(), false);
     const auto note = [&](InternodeId id) {
-        if (std::exchange(m_isNoted[id], 1) == 0)
+        if (!m_isNoted[id]) {
+            m_isNoted[id] = true;
             m_noted.push_back(id);
+        }
     };
     if (isReverted)
         delta.forEachTouchedRow(note);
@@ -87,20 +86,21 @@ void GrowthIndex::removeRows(const Tree& tree, const TreeDelta& delta)
         if (m_place[id] != kNowhere)
             m_space.remove(id, m_place[id]);
         const InternodeId parent = delta.rows->internodes.parent[id - end];
-        if (parent < end && m_basipetal[id] != 0) {
-            m_pending[parent] -= m_basipetal[id];
-            m_sweep.mark(parent);
-        }
+        if (parent < end && m_basipetal[id] != 0)
+            m_sweep.add(parent, -m_basipetal[id]);
     }
     m_hasRemovedRows = true;
     m_sweep.truncate(end);
-    if (known > end) {
-        m_place.resize(end);
-        m_sensed.resize(end);
-        m_own.resize(end);
-        m_basipetal.resize(end);
-        m_pending.resize(end);
-    }
+    if (known > end)
+        resize(end);
+}
+
+void GrowthIndex::resize(std::uint32_t size)
+{
+    resizeColumn(m_place, size, kNowhere);
+    resizeColumn(m_sensed, size, 0);
+    resizeColumn(m_own, size, 0);
+    resizeColumn(m_basipetal, size, 0);
 }
 
 void GrowthIndex::settle(const Tree& tree, const TreeIndex& index)
@@ -116,19 +116,16 @@ bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size
     }
     if (m_noted.empty() && !std::exchange(m_hasRemovedRows, false))
         return true;
-    m_place.resize(tree.size(), kNowhere);
-    m_sensed.resize(tree.size(), 0);
-    m_own.resize(tree.size(), 0);
-    m_basipetal.resize(tree.size(), 0);
-    m_pending.resize(tree.size(), 0);
+    resize(tree.size());
     const std::span<const InternodeId> noted = std::span(m_noted).last(std::min(nodes, m_noted.size()));
     for (const InternodeId id : noted) {
         // The row was removed since, or is noted twice.
-        if (id >= tree.size() || std::exchange(m_isNoted[id], 0) == 0)
+        if (id >= tree.size() || !m_isNoted[id])
             continue;
+        m_isNoted[id] = false;
         const Vec3& position = index.nodePosition(id);
         const bool isAlive = tree.isAlive(id);
-        if (m_place[id] != kNowhere && !(isAlive && m_space.isAt(id, m_place[id], position))) {
+        if (m_place[id] != kNowhere && !(isAlive && m_space.isAt(m_place[id], position))) {
             m_space.remove(id, m_place[id]);
             m_place[id] = kNowhere;
         }
@@ -144,6 +141,8 @@ bool GrowthIndex::settleSome(const Tree& tree, const TreeIndex& index, std::size
         refresh(tree, index, id);
     }
     m_noted.resize(m_noted.size() - noted.size());
+    if (m_noted.empty())
+        clearScratch(m_noted);
     castAndSweep(tree, index);
     if (m_space.isOverfull())
         rebuild(tree, index);
@@ -154,17 +153,13 @@ void GrowthIndex::castAndSweep(const Tree& tree, const TreeIndex& index)
 {
     m_space.castShadows([&](VoxelSpace::Residents residents, std::uint32_t shadow) {
         const std::int32_t sensed = sensedLight(shadow);
-        for (const Resident& resident : residents) {
-            m_sensed[resident.id] = sensed;
-            refresh(tree, index, resident.id);
+        for (const InternodeId id : residents) {
+            m_sensed[id] = sensed;
+            refresh(tree, index, id);
         }
     });
-    m_sweep.run(tree.columns().parent, [&](InternodeId id, InternodeId parent) {
-        const std::int64_t pending = std::exchange(m_pending[id], 0);
-        m_basipetal[id] += pending;
-        if (parent != kNoInternode)
-            m_pending[parent] += pending;
-    });
+    m_sweep.run(tree.columns().parent,
+                [&](InternodeId id, std::int64_t difference) { m_basipetal[id] += difference; });
 }
 
 std::int32_t GrowthIndex::sensedLight(std::uint32_t shadow) const
@@ -196,8 +191,7 @@ void GrowthIndex::refresh(const Tree& tree, const TreeIndex& index, InternodeId 
     if (change == 0)
         return;
     m_own[id] = own;
-    m_pending[id] += change;
-    m_sweep.mark(id);
+    m_sweep.add(id, change);
 }
 
 std::int64_t GrowthIndex::lateralQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const
@@ -207,9 +201,10 @@ std::int64_t GrowthIndex::lateralQ(const Tree& tree, const TreeIndex& index, Int
 
 std::size_t GrowthIndex::bytes() const
 {
-    return m_space.bytes() + m_place.capacity() * sizeof(VoxelSpace::Place) + m_isNoted.capacity() +
-           m_noted.capacity() * sizeof(InternodeId) + 2 * m_own.capacity() * sizeof(std::int32_t) +
-           (m_basipetal.capacity() + m_pending.capacity()) * sizeof(std::int64_t);
+    return m_space.bytes() + m_place.capacity() * sizeof(VoxelSpace::Place) + m_isNoted.capacity() / 8 +
+           m_noted.capacity() * sizeof(InternodeId) +
+           (m_sensed.capacity() + m_own.capacity()) * sizeof(std::int32_t) +
+           m_basipetal.capacity() * sizeof(std::int64_t) + m_sweep.bytes();
 }
 
 } // namespace espalier

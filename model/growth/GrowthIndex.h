@@ -66,6 +66,7 @@ private:
     std::int32_t sensedLight(std::uint32_t shadow) const;
     std::int32_t budQ(const Tree& tree, const TreeIndex& index, InternodeId id, int slot) const;
     void refresh(const Tree& tree, const TreeIndex& index, InternodeId id);
+    void resize(std::uint32_t size);
     void removeRows(const Tree& tree, const TreeDelta& delta);
     void castAndSweep(const Tree& tree, const TreeIndex& index);
 
@@ -74,14 +75,13 @@ private:
     Settings m_settings;
     VoxelSpace m_space;
     std::vector<VoxelSpace::Place> m_place;
-    std::vector<std::uint8_t> m_isNoted;
+    std::vector<bool> m_isNoted;
     std::vector<InternodeId> m_noted;   ///< Changed since settle(); some may have been removed since
     bool m_hasRemovedRows = false;      ///< Rows were removed since settle()
     std::vector<std::int32_t> m_sensed; ///< L^κ at the node, in units of 1 / kUnit
     std::vector<std::int32_t> m_own;    ///< Sum of Q over the node's own buds
     std::vector<std::int64_t> m_basipetal;
-    std::vector<std::int64_t> m_pending; ///< Differences on their way to the base
-    AncestorSweep m_sweep;
+    AncestorSweep<std::int64_t> m_sweep; ///< Differences of m_basipetal
 };
 
 } // namespace espalier

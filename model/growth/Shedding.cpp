@@ -37,8 +37,8 @@ void shedBranches(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& f
     }
     std::vector<InternodeId> candidates;
     growth.space().forEachShaded(growing.newCells(growth.space()), [&](VoxelSpace::Residents residents) {
-        for (const Resident& resident : residents) {
-            for (InternodeId axis = index.axis(resident.id); marks.setOnce(axis, kCandidate);
+        for (const InternodeId id : residents) {
+            for (InternodeId axis = index.axis(id); marks.setOnce(axis, kCandidate);
                  axis = index.axis(tree.parent(axis)))
                 candidates.push_back(axis);
         }

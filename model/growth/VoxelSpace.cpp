@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/VoxelSpace.h"
 
+#include "model/base/Headroom.h"
+
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -47,7 +49,7 @@ VoxelSpace::Place VoxelSpace::insert(InternodeId id, const Vec3& position)
     const Cell cell = cellAt(position);
     const std::uint32_t brick = makeBrick(cell.x >> 3, cell.y >> 3, cell.z >> 3);
     const auto voxel = static_cast<std::uint32_t>(voxelOf(cell));
-    m_moves.push_back({brick, voxel, {position.x(), position.y(), position.z(), id}, 1});
+    m_moves.push_back({brick, voxel, id, 1});
     m_pending.push_back({cell, 1});
     return brick * static_cast<std::uint32_t>(kVoxels) + voxel;
 }
@@ -56,22 +58,22 @@ void VoxelSpace::remove(InternodeId id, Place place)
 {
     const auto brick = place / static_cast<std::uint32_t>(kVoxels);
     const auto voxel = static_cast<int>(place % kVoxels);
-    m_moves.push_back({brick, static_cast<std::uint32_t>(voxel), {0.0F, 0.0F, 0.0F, id}, -1});
+    m_moves.push_back({brick, static_cast<std::uint32_t>(voxel), id, -1});
     const Cell& b = m_coordinates[brick];
     m_pending.push_back({{b.x * 8 + voxel % 8, b.y * 8 + voxel / 64, b.z * 8 + voxel / 8 % 8}, -1});
 }
 
-bool VoxelSpace::isAt(InternodeId id, Place place, const Vec3& position) const
+bool VoxelSpace::isAt(Place place, const Vec3& position) const
 {
-    const Residents residents = m_bricks[place / kVoxels]->in(place % kVoxels, place % kVoxels);
-    const auto found = std::ranges::lower_bound(residents, id, {}, &Resident::id);
-    return *found == Resident{position.x(), position.y(), position.z(), id};
+    const Cell cell = cellAt(position);
+    return m_coordinates[place / kVoxels] == Cell{cell.x >> 3, cell.y >> 3, cell.z >> 3} &&
+           voxelOf(cell) == place % kVoxels;
 }
 
 void VoxelSpace::settle()
 {
     std::ranges::sort(m_moves, {}, [](const Move& move) {
-        return std::tuple(move.brick, move.voxel, move.resident.id, move.count);
+        return std::tuple(move.brick, move.voxel, move.id, move.count);
     });
     for (auto first = m_moves.begin(); first != m_moves.end();) {
         const auto last =
@@ -79,11 +81,13 @@ void VoxelSpace::settle()
         settle(*m_bricks[first->brick], {first, last});
         first = last;
     }
-    m_moves.clear();
+    clearScratch(m_moves);
+    clearScratch(m_merged);
 }
 
 void VoxelSpace::settle(Brick& brick, std::span<const Move> moves)
 {
+    brick.begin.resize(kVoxels + 1, 0);
     m_merged.clear();
     m_merged.reserve(brick.residents.size() + moves.size());
     auto kept = brick.residents.begin(); // the residents before it are merged
@@ -97,29 +101,24 @@ void VoxelSpace::settle(Brick& brick, std::span<const Move> moves)
             brick.begin[voxel] += shift;
         }
         int count = 0;
-        const Resident* arrived = nullptr;
-        for (; i < moves.size() && moves[i].voxel == move.voxel && moves[i].resident.id == move.resident.id;
-             ++i) {
+        for (; i < moves.size() && moves[i].voxel == move.voxel && moves[i].id == move.id; ++i)
             count += moves[i].count;
-            if (moves[i].count > 0)
-                arrived = &moves[i].resident;
-        }
-        const auto place = std::ranges::lower_bound(std::max(kept, brick.residents.begin() + from),
-                                                    brick.residents.begin() + brick.begin[move.voxel + 1],
-                                                    move.resident.id, {}, &Resident::id);
+        const auto place = std::lower_bound(std::max(kept, brick.residents.begin() + from),
+                                            brick.residents.begin() + brick.begin[move.voxel + 1], move.id);
         const bool wasThere = place != brick.residents.end() &&
                               place - brick.residents.begin() < brick.begin[move.voxel + 1] &&
-                              place->id == move.resident.id;
+                              *place == move.id;
         const bool isThere = static_cast<int>(wasThere) + count > 0;
         m_merged.insert(m_merged.end(), kept, place);
         kept = wasThere ? place + 1 : place;
         if (isThere)
-            m_merged.push_back(arrived != nullptr ? *arrived : *place);
+            m_merged.push_back(move.id);
         shift += static_cast<std::uint32_t>(count);
     }
     for (; voxel < brick.begin.size(); ++voxel)
         brick.begin[voxel] += shift;
     m_merged.insert(m_merged.end(), kept, brick.residents.end());
+    // Allocates no more than is needed if the array has to grow.
     brick.residents.assign(m_merged.begin(), m_merged.end());
 }
 
@@ -156,7 +155,7 @@ void VoxelSpace::castPending()
                 m_dirtyBricks.push_back(slab.brick);
         });
     }
-    m_pending.clear();
+    clearScratch(m_pending);
     for (const std::uint32_t index : m_dirtyBricks)
         m_bricks[index]->listed = false;
 }
@@ -242,9 +241,15 @@ VoxelSpace::Bounds VoxelSpace::bounds() const
 
 std::size_t VoxelSpace::bytes() const
 {
-    std::size_t bytes = m_bricks.size() * (sizeof(Brick) + sizeof(void*) + sizeof(Cell) + 48);
+    // A hash map has a bucket and a linked entry for each key.
+    constexpr std::size_t kEntry = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 3 * sizeof(void*);
+    std::size_t bytes = m_bricks.capacity() * sizeof(void*) + m_bricks.size() * (sizeof(Brick) + kEntry) +
+                        m_coordinates.capacity() * sizeof(Cell) + m_moves.capacity() * sizeof(Move) +
+                        m_pending.capacity() * sizeof(Caster) + m_merged.capacity() * sizeof(InternodeId) +
+                        m_dirtyBricks.capacity() * sizeof(std::uint32_t);
     for (const auto& brick : m_bricks)
-        bytes += brick->residents.capacity() * sizeof(Resident);
+        bytes += brick->residents.capacity() * sizeof(InternodeId) +
+                 brick->begin.capacity() * sizeof(std::uint32_t);
     return bytes;
 }
 

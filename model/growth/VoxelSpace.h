@@ -32,30 +32,14 @@ struct ShadowPyramid {
     bool operator==(const ShadowPyramid&) const = default;
 };
 
-/// A node in the voxel space: its position, m, and its id.
-struct Resident {
-    float x;
-    float y;
-    float z;
-    InternodeId id;
-
-    float squaredDistance(const Vec3& point) const
-    {
-        const float dx = point.x() - x;
-        const float dy = point.y() - y;
-        const float dz = point.z() - z;
-        return dx * dx + dy * dy + dz * dz;
-    }
-    bool operator==(const Resident&) const = default;
-};
-
 /// The voxel space of growth: which nodes are in a voxel, and how much shadow it has. Voxels are stored in
 /// bricks of 8³, which are made where they are needed. A brick's nodes are in one array, by voxel and id, so
-/// that a search reads consecutive memory. Shadow is a sum of integers, so removing a caster restores it
-/// exactly.
+/// that a search reads consecutive memory; their positions are those of the TreeIndex. Shadow is a sum of
+/// integers, so removing a caster restores it exactly.
 class VoxelSpace {
 public:
-    using Residents = std::span<const Resident>;
+    /// The nodes of some voxels.
+    using Residents = std::span<const InternodeId>;
 
     /// Shadow 1.0 in the integer unit of the sums.
     static constexpr double kShadowUnit = 1 << 18;
@@ -82,8 +66,8 @@ public:
     Place insert(InternodeId id, const Vec3& position);
     /// Removes a node in the same way. To move a node, remove it and insert it again.
     void remove(InternodeId id, Place place);
-    /// Whether the node, which was put at @p place and is settled, has the position @p position.
-    bool isAt(InternodeId id, Place place, const Vec3& position) const;
+    /// Whether @p position is in the voxel @p place.
+    bool isAt(Place place, const Vec3& position) const;
     /// Carries out the insertions and removals in the arrays of nodes.
     void settle();
     /// Calls settle(), adds and removes the shadows of the nodes inserted and removed, then calls
@@ -95,10 +79,12 @@ public:
         castPending();
         for (const std::uint32_t index : m_dirtyBricks) {
             Brick& brick = *m_bricks[index];
-            forEachBit(brick.dirty, [&](std::size_t voxel) {
-                if (const Residents residents = brick.in(voxel, voxel); !residents.empty())
-                    visit(residents, brick.shadow[voxel]);
-            });
+            if (!brick.residents.empty()) {
+                forEachBit(brick.dirty, [&](std::size_t voxel) {
+                    if (const Residents residents = brick.in(voxel, voxel); !residents.empty())
+                        visit(residents, brick.shadow[voxel]);
+                });
+            }
             brick.dirty = {};
         }
         m_dirtyBricks.clear();
@@ -114,6 +100,8 @@ public:
             forEachPyramidSlab(cell, [&](const Slab& slab) { marks[slab.brick][slab.y] |= slab.bits(); });
         }
         for (std::size_t brick = 0; brick < marks.size(); ++brick) {
+            if (m_bricks[brick]->residents.empty())
+                continue;
             forEachBit(marks[brick], [&](std::size_t voxel) {
                 if (const Residents residents = m_bricks[brick]->in(voxel, voxel); !residents.empty())
                     visit(residents);
@@ -159,7 +147,8 @@ public:
         for (std::size_t i = 0; i < m_bricks.size(); ++i) {
             const Cell& b = m_coordinates[i];
             if (isWithin(b.x, lower.x, upper.x) && isWithin(b.y, lower.y, upper.y) &&
-                isWithin(b.z, lower.z, upper.z) && anyInBox(*m_bricks[i], b, lower, upper, visit))
+                isWithin(b.z, lower.z, upper.z) && !m_bricks[i]->residents.empty() &&
+                anyInBox(*m_bricks[i], b, lower, upper, visit))
                 return true;
         }
         return false;
@@ -189,11 +178,13 @@ private:
 
     struct Brick {
         std::array<std::uint32_t, kVoxels> shadow{};
-        std::array<std::uint32_t, kVoxels + 1> begin{}; ///< Of each voxel's residents
-        std::vector<Resident> residents;                ///< By voxel and id
+        /// Of each voxel's residents; kVoxels + 1 elements, or none if the brick has never had residents
+        std::vector<std::uint32_t> begin;
+        std::vector<InternodeId> residents; ///< By voxel and id
         BitSet dirty{};
         bool listed = false; ///< in m_dirtyBricks
 
+        /// Precondition: the brick has residents.
         Residents in(std::size_t firstVoxel, std::size_t lastVoxel) const
         {
             return {residents.data() + begin[firstVoxel], residents.data() + begin[lastVoxel + 1]};
@@ -204,7 +195,7 @@ private:
     struct Move {
         std::uint32_t brick;
         std::uint32_t voxel;
-        Resident resident;
+        InternodeId id;
         int count;
     };
     struct Caster {
@@ -275,6 +266,7 @@ private:
         }
     }
 
+    /// Precondition: the brick has residents.
     template <class Visit>
     static bool anyInBox(const Brick& brick, const Cell& b, const Cell& lower, const Cell& upper,
                          Visit&& visit)
@@ -312,7 +304,7 @@ private:
     std::vector<std::unique_ptr<Brick>> m_bricks;
     std::vector<Cell> m_coordinates; ///< Of the bricks
     std::vector<Move> m_moves;
-    std::vector<Resident> m_merged; ///< Scratch
+    std::vector<InternodeId> m_merged; ///< Scratch
     std::vector<Caster> m_pending;
     std::vector<std::uint32_t> m_dirtyBricks;
 };

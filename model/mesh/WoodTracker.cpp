@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/WoodTracker.h"
 
+#include "model/base/Headroom.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -148,18 +150,18 @@ bool WoodTracker::noteInexact(const Tree& tree, const TreeIndex& index)
 std::size_t WoodTracker::bytes() const
 {
     constexpr std::size_t row = 2 * sizeof(float) + 3 + 2 * sizeof(std::uint32_t);
-    return m_radius.size() * row;
+    return m_radius.capacity() * row;
 }
 
 void WoodTracker::resize(std::uint32_t size)
 {
-    m_joins.resize(size, 0);
-    m_isPiece.resize(size, 0);
-    m_supportRadius.resize(size, 0.0F);
-    m_radius.resize(size, 0.0F);
-    m_bears.resize(size, 0);
-    m_inspected.resize(size, 0);
-    m_visited.resize(size, 0);
+    resizeColumn(m_joins, size, std::uint8_t{0});
+    resizeColumn(m_isPiece, size, std::uint8_t{0});
+    resizeColumn(m_supportRadius, size, 0.0F);
+    resizeColumn(m_radius, size, 0.0F);
+    resizeColumn(m_bears, size, std::uint8_t{0});
+    resizeColumn(m_inspected, size, 0U);
+    resizeColumn(m_visited, size, 0U);
 }
 
 /// Handles rows that were taken out: pieces that continued in them now end at their parents.

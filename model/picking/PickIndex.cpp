@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/picking/PickIndex.h"
 
+#include "model/base/Headroom.h"
+
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace espalier {
 
@@ -20,6 +21,8 @@ constexpr std::uint32_t kSmallTree = 2'000;
 /// Cells are numbered from -kFarthestPoint to kFarthestPoint along each axis; what lies farther out is in the
 /// outermost.
 constexpr float kFarthestPoint = 1'000'000.0F;
+/// Least room for further nodes in a cell that has to grow; most cells hold some dozens.
+constexpr std::size_t kCellHeadroom = 4;
 
 } // namespace
 
@@ -35,9 +38,11 @@ void PickIndex::follow(const Tree& tree, const TreeIndex& index, const TreeDelta
         return;
     const auto note = [this](InternodeId id) {
         if (id >= m_isNoted.size())
-            m_isNoted.resize(id + std::size_t{1}, 0);
-        if (std::exchange(m_isNoted[id], 1) == 0)
+            m_isNoted.resize(id + std::size_t{1}, false);
+        if (!m_isNoted[id]) {
+            m_isNoted[id] = true;
             m_noted.push_back(id);
+        }
     };
     delta.forEachTouched(note);
     for (const InternodeId id : index.recentlyMoved())
@@ -58,14 +63,14 @@ void PickIndex::settle(const Tree& tree, const TreeIndex& index)
         ++m_lastCost;
         remove(static_cast<InternodeId>(id));
     }
-    m_place.resize(tree.size(), kNowhere);
+    resizeColumn(m_place, tree.size(), kNowhere);
     for (const InternodeId id : m_noted) {
-        m_isNoted[id] = 0;
+        m_isNoted[id] = false;
         if (id < tree.size())
             update(tree, index, id);
     }
     m_lastCost += m_noted.size();
-    m_noted.clear();
+    clearScratch(m_noted);
     while (suitDensity())
         fill(tree, index);
 }
@@ -152,8 +157,10 @@ std::uint32_t PickIndex::cellAt(const Vec3& position)
 {
     const auto [found, isNew] =
         m_cellOf.try_emplace(keyOf(position), static_cast<std::uint32_t>(m_cells.size()));
-    if (isNew)
+    if (isNew) {
+        makeRoom(m_cells, m_cells.size() + 1);
         m_cells.emplace_back();
+    }
     return found->second;
 }
 
@@ -163,6 +170,7 @@ void PickIndex::insert(InternodeId id, const Vec3& position)
     Cell& cell = m_cells[place];
     cell.lower = cell.nodes.empty() ? position : Vec3(cell.lower.cwiseMin(position));
     cell.upper = cell.nodes.empty() ? position : Vec3(cell.upper.cwiseMax(position));
+    makeRoom(cell.nodes, cell.nodes.size() + 1, kCellHeadroom);
     cell.nodes.push_back({position.x(), position.y(), position.z(), id});
     m_place[id] = place;
     ++m_nodeCount;
@@ -177,6 +185,8 @@ void PickIndex::remove(InternodeId id)
     const auto found = std::ranges::find(nodes.rbegin(), nodes.rend(), id, &Node::id);
     *found = nodes.back();
     nodes.pop_back();
+    if (nodes.capacity() > withHeadroom(nodes.size(), kCellHeadroom))
+        nodes.shrink_to_fit();
     m_place[id] = kNowhere;
     --m_nodeCount;
 }
@@ -186,7 +196,7 @@ std::size_t PickIndex::bytes() const
     // A hash map has a bucket and a linked entry for each key.
     constexpr std::size_t kEntry = sizeof(std::uint64_t) + sizeof(std::uint32_t) + 3 * sizeof(void*);
     std::size_t bytes = m_cells.capacity() * sizeof(Cell) + m_cellOf.size() * kEntry +
-                        m_place.capacity() * sizeof(std::uint32_t) + m_isNoted.capacity() +
+                        m_place.capacity() * sizeof(std::uint32_t) + m_isNoted.capacity() / 8 +
                         m_noted.capacity() * sizeof(InternodeId);
     for (const Cell& cell : m_cells)
         bytes += cell.nodes.capacity() * sizeof(Node);

@@ -78,7 +78,7 @@ private:
     std::unordered_map<std::uint64_t, std::uint32_t> m_cellOf; ///< By keyOf()
     std::vector<std::uint32_t> m_place; ///< The cell of each node; kNowhere for dead nodes
     std::uint32_t m_nodeCount = 0;
-    std::vector<std::uint8_t> m_isNoted;
+    std::vector<bool> m_isNoted;
     std::vector<InternodeId> m_noted; ///< Nodes that settle() has to process
     std::size_t m_lastCost = 0;
 };

@@ -1,62 +1,136 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/Headroom.h"
 #include "model/base/Ids.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace espalier {
 
-/// Visits marked internodes and all their ancestors, each once, children before parents. A parent's id is
-/// smaller than its children's, so this is one pass down a bit set. Its cost is the number of ancestors plus
-/// a 64th of the ids.
+/// Carries differences of sums over subtrees down to the base: each internode with a difference is visited
+/// once, children before parents, and passes its difference on to its parent. A parent's id is smaller than
+/// its children's, so this is one pass down a bit set. Its cost is the number of visited internodes plus a
+/// 64th of the ids.
+///
+/// Differences are stored only where there are any, in pages of 64 ids. A page is used again as soon as the
+/// pass has left its ids, so a sweep along a few paths needs a few pages, whatever the size of the tree.
+///
+/// @tparam Difference a value with operators += and ==; Difference{} is none
+template <class Difference>
 class AncestorSweep {
 public:
-    void mark(InternodeId id)
+    /// Adds @p difference to that of internode @p id.
+    void add(InternodeId id, const Difference& difference)
     {
-        const std::size_t word = id / 64;
-        if (word >= m_words.size())
-            m_words.resize(word + word / 2 + 1, 0);
-        m_words[word] |= std::uint64_t{1} << (id % 64);
-        m_end = std::max(m_end, word + 1);
+        const std::size_t at = id / kPageSize;
+        if (at >= m_words.size())
+            resizeColumn(m_words, at + 1);
+        m_end = std::max(m_end, at + 1);
+        entry(id) += difference;
     }
 
-    /// Removes the marks of the ids from @p size on.
+    /// Removes the differences of the ids from @p size on.
     void truncate(InternodeId size)
     {
-        const std::size_t words = (std::size_t{size} + 63) / 64;
-        if (m_end >= words && size % 64 != 0)
-            m_words[words - 1] &= (std::uint64_t{1} << (size % 64)) - 1;
-        for (std::size_t word = words; word < m_end; ++word)
-            m_words[word] = 0;
-        m_end = std::min(m_end, words);
+        for (std::size_t at = size / kPageSize; at < m_end; ++at) {
+            Word& word = m_words[at];
+            const std::size_t kept = at == size / kPageSize ? size % kPageSize : 0;
+            for (std::uint64_t gone = word.marks >> kept << kept; gone != 0; gone &= gone - 1)
+                m_pages[word.page][static_cast<std::size_t>(std::countr_zero(gone))] = {};
+            word.marks &= (std::uint64_t{1} << kept) - 1;
+            if (word.marks == 0)
+                release(word);
+        }
+        m_end = std::min(m_end, (std::size_t{size} + kPageSize - 1) / kPageSize);
     }
 
-    /// Calls @p visit(id, parent) from the highest id down and removes the marks. @p parents has the parent
-    /// of each id; kNoInternode for a root.
+    /// Calls @p visit(id, difference) for each internode whose difference is not none, from the highest id
+    /// down, and removes the differences. @p parents has the parent of each id; kNoInternode for a root.
     template <class Visit>
     void run(std::span<const InternodeId> parents, Visit&& visit)
     {
-        for (std::size_t word = m_end; word-- > 0;) {
-            while (m_words[word] != 0) {
-                const int bit = 63 - std::countl_zero(m_words[word]);
-                m_words[word] &= ~(std::uint64_t{1} << bit);
-                const auto id = static_cast<InternodeId>(word * 64 + static_cast<std::size_t>(bit));
-                const InternodeId parent = parents[id];
-                visit(id, parent);
-                if (parent != kNoInternode)
-                    m_words[parent / 64] |= std::uint64_t{1} << (parent % 64);
+        for (std::size_t at = m_end; at-- > 0;) {
+            // Parents can be in the same word, so the page is released only when all of it is done.
+            Word& word = m_words[at];
+            while (word.marks != 0) {
+                const auto bit = static_cast<std::size_t>(63 - std::countl_zero(word.marks));
+                word.marks &= ~(std::uint64_t{1} << bit);
+                const Difference difference = std::exchange(m_pages[word.page][bit], Difference{});
+                if (difference == Difference{})
+                    continue;
+                const auto id = static_cast<InternodeId>(at * kPageSize + bit);
+                visit(id, difference);
+                if (const InternodeId parent = parents[id]; parent != kNoInternode)
+                    entry(parent) += difference;
             }
+            release(word);
         }
         m_end = 0;
+        if (m_pages.size() > kMostPagesKept) {
+            freeList(m_pages);
+            freeList(m_unused);
+        }
+    }
+
+    /// Memory in bytes.
+    std::size_t bytes() const
+    {
+        return m_words.capacity() * sizeof(Word) + m_pages.capacity() * sizeof(Page) +
+               m_unused.capacity() * sizeof(std::uint32_t);
     }
 
 private:
-    std::vector<std::uint64_t> m_words;
-    std::size_t m_end = 0;
+    static constexpr std::size_t kPageSize = 64;
+    /// 64 KB of differences of 8 bytes. After a sweep that needed more, all pages are freed.
+    static constexpr std::size_t kMostPagesKept = 128;
+    static constexpr std::uint32_t kNoPage = ~0U;
+
+    using Page = std::array<Difference, kPageSize>;
+    /// 64 consecutive ids.
+    struct Word {
+        std::uint64_t marks = 0; ///< Bit set of the ids that may have a difference
+        std::uint32_t page = kNoPage;
+    };
+
+    /// Marks @p id and returns its difference.
+    Difference& entry(InternodeId id)
+    {
+        Word& word = m_words[id / kPageSize];
+        if (word.page == kNoPage)
+            word.page = unusedPage();
+        word.marks |= std::uint64_t{1} << (id % kPageSize);
+        return m_pages[word.page][id % kPageSize];
+    }
+
+    /// A page without differences.
+    std::uint32_t unusedPage()
+    {
+        if (m_unused.empty()) {
+            m_pages.emplace_back();
+            return static_cast<std::uint32_t>(m_pages.size() - 1);
+        }
+        const std::uint32_t page = m_unused.back();
+        m_unused.pop_back();
+        return page;
+    }
+
+    void release(Word& word)
+    {
+        if (word.page != kNoPage)
+            m_unused.push_back(std::exchange(word.page, kNoPage));
+    }
+
+    std::vector<Word> m_words;
+    std::size_t m_end = 0; ///< Words from here on have no marks
+    std::vector<Page> m_pages;
+    std::vector<std::uint32_t> m_unused; ///< Pages that no word has; all their differences are none
 };
 
 } // namespace espalier

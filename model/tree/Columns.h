@@ -81,6 +81,14 @@ public:
     const CellChange<T>& front() const { return m_changes->front(); }
     void reserve(std::size_t count) { list().reserve(count); }
     void push_back(CellChange<T> change) { list().push_back(std::move(change)); }
+    /// Frees the memory beyond its size.
+    void squeeze()
+    {
+        if (empty())
+            m_changes.reset();
+        else
+            m_changes->shrink_to_fit();
+    }
 
     std::size_t bytes() const
     {

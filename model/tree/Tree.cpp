@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/tree/Tree.h"
 
+#include "model/base/Headroom.h"
 #include "model/base/Random.h"
 
 namespace espalier {
@@ -104,10 +105,14 @@ void Tree::apply(const TreeDelta& delta)
     Q_ASSERT(c.step == delta.stepBefore && delta.born.first == size());
     Q_ASSERT(delta.bringsRows() == (delta.rows != nullptr));
     if (delta.rows) {
-        const auto append = [](const auto&, auto& column, const auto& rows) { column.append(rows); };
+        const auto append = [](const auto&, auto& column, const auto& rows) {
+            makeRoom(column, static_cast<std::size_t>(column.size() + rows.size()));
+            column.append(rows);
+        };
         InternodeTable::visit(append, c.internodes, delta.rows->internodes);
         LeafTable::visit(append, c.leaves, delta.rows->leaves);
-        KeptTable::visit(append, c.kept, delta.rows->kept);
+        KeptTable::visit([](const auto&, auto& column, const auto& values) { column.append(values); }, c.kept,
+                         delta.rows->kept);
     }
     for (const InternodeId id : delta.died)
         c.internodes.death[id] = delta.stepAfter;

@@ -18,6 +18,16 @@ void TreeDelta::addFrame(InternodeId id, const Rotation& before, const Rotation&
         internodes.length.push_back({id, lengthBefore, lengthAfter});
 }
 
+void TreeDelta::squeeze()
+{
+    died.shrink_to_fit();
+    lassos.shrink_to_fit();
+    const auto squeeze = [](const auto&, auto& changes) { changes.squeeze(); };
+    InternodeTable::visit(squeeze, internodes);
+    LeafTable::visit(squeeze, leaves);
+    SparseTable::visit(squeeze, sparse);
+}
+
 bool TreeDelta::isEmpty() const
 {
     bool isEmpty = stepBefore == stepAfter && parametersBefore == parametersAfter && !bringsRows() &&

@@ -64,6 +64,9 @@ struct TreeDelta {
     void addFrame(InternodeId id, const Rotation& before, const Rotation& after, float lengthBefore,
                   float lengthAfter);
 
+    /// Frees the memory beyond the sizes of its lists. For deltas that are kept.
+    void squeeze();
+
     bool isEmpty() const;
     bool bringsRows() const { return born.count > 0 || bornLeaves.count > 0 || kept != KeptCounts(); }
     /// Memory in bytes, without rows.

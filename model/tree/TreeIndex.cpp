@@ -27,16 +27,8 @@ void TreeIndex::rebuild(const Tree& tree)
     }
     for (InternodeId id = 0; id < tree.size(); ++id)
         refreshOwn(tree, id);
-    m_changed.clear();
-    m_sweep.run(tree.columns().parent, [&](InternodeId id, InternodeId parent) {
-        const Sums pending = std::exchange(m_pending[id], {});
-        m_sums[id].internodes += pending.internodes;
-        m_sums[id].tips += pending.tips;
-        if (parent != kNoInternode) {
-            m_pending[parent].internodes += pending.internodes;
-            m_pending[parent].tips += pending.tips;
-        }
-    });
+    sweep(tree);
+    freeList(m_changed);
 }
 
 void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
@@ -63,9 +55,7 @@ void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
         else
             link(tree, id);
         m_own[id] ^= kOwnAlive;
-        const std::uint32_t one = linked ? ~0U : 1U;
-        m_pending[id].internodes += one;
-        m_sweep.mark(id);
+        m_sweep.add(id, {.internodes = linked ? ~0U : 1U});
     });
     // A birth or a death can change whether the internode or its parent is a tip.
     forEachTouched([&](InternodeId id) {
@@ -74,26 +64,26 @@ void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
             refreshOwn(tree, parent);
     });
 
-    m_changed.clear();
-    m_sweep.run(tree.columns().parent, [&](InternodeId id, InternodeId parent) {
-        const Sums pending = std::exchange(m_pending[id], {});
-        if (pending == Sums{})
-            return;
-        m_sums[id].internodes += pending.internodes;
-        m_sums[id].tips += pending.tips;
+    sweep(tree);
+}
+
+void TreeIndex::sweep(const Tree& tree)
+{
+    clearScratch(m_changed);
+    m_sweep.run(tree.columns().parent, [&](InternodeId id, const Sums& difference) {
+        m_sums[id] += difference;
         m_changed.push_back(id);
-        if (parent != kNoInternode) {
-            m_pending[parent].internodes += pending.internodes;
-            m_pending[parent].tips += pending.tips;
-        }
     });
 }
 
 std::size_t TreeIndex::bytes() const
 {
-    constexpr std::size_t row =
-        4 * sizeof(InternodeId) + sizeof(Vec3) + sizeof(Rotation) + 2 * sizeof(Sums) + 1;
-    return m_sums.capacity() * row;
+    const auto bytesOf = [](const auto&... lists) {
+        return ((lists.capacity() * sizeof(lists.front())) + ...);
+    };
+    return bytesOf(m_firstChild, m_nextSibling, m_mainChild, m_axis, m_roots, m_position, m_rotation, m_sums,
+                   m_own, m_changed, m_moved, m_moves) +
+           m_sweep.bytes();
 }
 
 void TreeIndex::appendRows(const Tree& tree)
@@ -103,15 +93,14 @@ void TreeIndex::appendRows(const Tree& tree)
     const std::uint32_t end = tree.size();
     if (begin == end)
         return;
-    m_firstChild.resize(end, kNoInternode);
-    m_nextSibling.resize(end, kNoInternode);
-    m_mainChild.resize(end, kNoInternode);
-    m_axis.resize(end);
-    m_position.resize(end);
-    m_rotation.resize(end);
-    m_sums.resize(end);
-    m_own.resize(end, 0);
-    m_pending.resize(end);
+    resizeColumn(m_firstChild, end, kNoInternode);
+    resizeColumn(m_nextSibling, end, kNoInternode);
+    resizeColumn(m_mainChild, end, kNoInternode);
+    resizeColumn(m_axis, end);
+    resizeColumn(m_position, end);
+    resizeColumn(m_rotation, end);
+    resizeColumn(m_sums, end);
+    resizeColumn(m_own, end, std::uint8_t{0});
     for (InternodeId id = begin; id < end; ++id) {
         const InternodeId parent = c.parent[id];
         const bool isBase = parent == kNoInternode;
@@ -135,9 +124,7 @@ void TreeIndex::removeRows(const Tree& tree, const TreeDelta& delta)
         if ((m_own[id] & kOwnAlive) == 0 || parent == kNoInternode || parent >= end)
             continue;
         unlinkFrom(parent, id);
-        m_pending[parent].internodes -= m_sums[id].internodes;
-        m_pending[parent].tips -= m_sums[id].tips;
-        m_sweep.mark(parent);
+        m_sweep.add(parent, {.internodes = 0U - m_sums[id].internodes, .tips = 0U - m_sums[id].tips});
         stems.push_back(parent);
     }
     m_firstChild.resize(end);
@@ -150,7 +137,6 @@ void TreeIndex::removeRows(const Tree& tree, const TreeDelta& delta)
     m_rotation.resize(end);
     m_sums.resize(end);
     m_own.resize(end);
-    m_pending.resize(end);
     for (const InternodeId id : stems)
         refreshOwn(tree, id);
 }
@@ -197,9 +183,12 @@ void TreeIndex::place(const Tree& tree, InternodeId id)
 /// Places changed internodes and all their descendants again; dead ones as well, since undo can revive them.
 void TreeIndex::moveAll(const Tree& tree, const TreeDelta& delta)
 {
-    m_moved.clear();
-    if (!delta.reframes())
+    if (!delta.reframes()) {
+        clearScratch(m_moved);
+        clearScratch(m_moves);
         return;
+    }
+    m_moved.clear();
     m_moves.assign(tree.size(), 0);
     InternodeId first = tree.size();
     delta.forEachReframed([&](InternodeId id) {
@@ -255,9 +244,11 @@ void TreeIndex::refreshOwn(const Tree& tree, InternodeId id)
     const std::uint8_t before = std::exchange(m_own[id], own);
     if (own == before)
         return;
-    m_pending[id].internodes += static_cast<std::uint32_t>(own & kOwnAlive) - (before & kOwnAlive);
-    m_pending[id].tips += static_cast<std::uint32_t>((own & kOwnTip) >> 1) - ((before & kOwnTip) >> 1);
-    m_sweep.mark(id);
+    const auto change = [&](std::uint8_t flag) {
+        return static_cast<std::uint32_t>((own & flag) != 0) -
+               static_cast<std::uint32_t>((before & flag) != 0);
+    };
+    m_sweep.add(id, {.internodes = change(kOwnAlive), .tips = change(kOwnTip)});
 }
 
 } // namespace espalier

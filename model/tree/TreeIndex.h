@@ -71,6 +71,12 @@ private:
         std::uint32_t internodes = 0;
         std::uint32_t tips = 0;
         bool operator==(const Sums&) const = default;
+        Sums& operator+=(const Sums& other)
+        {
+            internodes += other.internodes;
+            tips += other.tips;
+            return *this;
+        }
     };
 
     void appendRows(const Tree& tree);
@@ -81,6 +87,7 @@ private:
     void unlink(const Tree& tree, InternodeId id);
     void unlinkFrom(InternodeId parent, InternodeId id);
     void refreshOwn(const Tree& tree, InternodeId id);
+    void sweep(const Tree& tree);
 
     std::vector<InternodeId> m_firstChild;
     std::vector<InternodeId> m_nextSibling;
@@ -91,9 +98,8 @@ private:
     std::vector<Rotation> m_rotation;
     std::vector<Sums> m_sums;
     std::vector<std::uint8_t> m_own; ///< Bit 0: counted as living; bit 1: counted as a tip
-    std::vector<Sums> m_pending;     ///< Differences on their way to the base, modulo 2^32
     float m_greatestLength = 0.0F;
-    AncestorSweep m_sweep;
+    AncestorSweep<Sums> m_sweep; ///< Differences of m_sums, modulo 2^32
     std::vector<InternodeId> m_changed;
     std::vector<InternodeId> m_moved;
     Box3 m_removed;

@@ -105,6 +105,9 @@ void timeToSize(benchmark::State& state)
         steps = document.tree().step();
         state.counters["bytes_per_row"] = static_cast<double>(document.bytes()) / document.tree().size();
         state.counters["rows"] = document.tree().size();
+        document.growthModel();
+        document.pickIndex();
+        state.counters["bytes_per_living"] = static_cast<double>(document.bytes()) / internodes;
     }
     state.counters["internodes"] = internodes;
     state.counters["steps"] = steps;

@@ -14,10 +14,10 @@ QString at(const char* what, InternodeId id)
     return QStringLiteral("%1 of internode %2").arg(QLatin1String(what)).arg(id);
 }
 
-std::vector<Resident> residents(const VoxelSpace& space, const VoxelSpace::Bounds& bounds)
+std::vector<InternodeId> residents(const VoxelSpace& space, const Cell& voxel)
 {
-    std::vector<Resident> result;
-    space.anyRun(bounds.lower, bounds.upper, [&](VoxelSpace::Residents run) {
+    std::vector<InternodeId> result;
+    space.anyRun(voxel, voxel, [&](VoxelSpace::Residents run) {
         result.insert(result.end(), run.begin(), run.end());
         return false;
     });
@@ -92,11 +92,11 @@ QString indexFault(const TreeDocument& document)
             for (int z = bounds.lower.z; z <= bounds.upper.z; ++z) {
                 if (space.shadow({x, y, z}) != fresh.space().shadow({x, y, z}))
                     return QStringLiteral("shadow of voxel %1, %2, %3").arg(x).arg(y).arg(z);
+                if (residents(space, {x, y, z}) != residents(fresh.space(), {x, y, z}))
+                    return QStringLiteral("nodes in voxel %1, %2, %3").arg(x).arg(y).arg(z);
             }
         }
     }
-    if (residents(space, bounds) != residents(fresh.space(), bounds))
-        return QStringLiteral("nodes in their voxels");
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/MeshPool.h"
 
+#include "model/base/Headroom.h"
 #include "model/base/Parallel.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ bool MeshPool::finishSome(const Tree& tree, const TreeIndex& index, std::size_t 
     // Some of these may be rows that were removed.
     for (const InternodeId base : work.gone)
         release(m_pieces[base]);
-    m_pieces.resize(tree.size());
+    resizeColumn(m_pieces, tree.size());
     mesh(tree, index, work.wood, true);
     mesh(tree, index, work.leaves, false);
     return m_tracker.isDone();
@@ -118,7 +119,7 @@ MeshPool::Changes MeshPool::takeChanges()
 std::size_t MeshPool::bytes() const
 {
     return m_vertices.size() * sizeof(MeshVertex) + m_indices.size() * sizeof(VertexIndex) +
-           m_leaves.size() * sizeof(LeafInstance) + m_pieces.size() * sizeof(Piece) + m_tracker.bytes();
+           m_leaves.size() * sizeof(LeafInstance) + m_pieces.capacity() * sizeof(Piece) + m_tracker.bytes();
 }
 
 void MeshPool::mesh(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> bases,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/base/Error.h"
+#include "model/base/Headroom.h"
 #include "model/base/Ids.h"
 #include "model/base/Parallel.h"
 #include "model/base/Random.h"
@@ -27,6 +28,10 @@ private Q_SLOTS:
     void perpendicular_isAUnitVectorAtRightAngles();
     void degrees_andRadiansInvert();
     void parallelFor_coversEachIndexOnce();
+    void columnThatGrows_keepsAnEighthOfHeadroom();
+    void columnThatGrows_isCopiedInLinearTime();
+    void columnThatIsShared_leavesItsCopyAlone();
+    void clearedScratch_keepsLittleMemory();
     void idRange_containsItsMembersOnly();
     void result_holdsAValueOrAnError();
 };
@@ -170,6 +175,83 @@ void BaseTest::parallelFor_coversEachIndexOnce()
         });
         QVERIFY(std::ranges::all_of(visits, [](const auto& n) { return n == 1; }));
     }
+}
+
+namespace {
+
+/// Grows a column to @p end elements, @p step at a time; returns how many elements were copied to new memory.
+template <class Column>
+std::size_t growColumn(Column& column, std::size_t end, std::size_t step)
+{
+    std::size_t copied = 0;
+    while (static_cast<std::size_t>(column.size()) < end) {
+        const auto size = static_cast<std::size_t>(column.size());
+        const auto capacity = column.capacity();
+        resizeColumn(column, size + step, 7);
+        if (column.capacity() != capacity)
+            copied += size;
+    }
+    return copied;
+}
+
+} // namespace
+
+void BaseTest::columnThatGrows_keepsAnEighthOfHeadroom()
+{
+    const auto check = [](auto column) {
+        for (const std::size_t size : {1U, 63U, 1'000U, 65'537U, 200'000U}) {
+            growColumn(column, size, 13);
+            const auto now = static_cast<std::size_t>(column.size());
+            const auto capacity = static_cast<std::size_t>(column.capacity());
+            QVERIFY2(capacity <= now + std::max<std::size_t>(64, now / 8),
+                     qPrintable(QStringLiteral("%1 for %2").arg(capacity).arg(now)));
+            QVERIFY(std::ranges::all_of(column, [](int value) { return value == 7; }));
+        }
+    };
+    check(std::vector<int>());
+    check(QList<int>());
+}
+
+void BaseTest::columnThatGrows_isCopiedInLinearTime()
+{
+    const auto check = [](auto column) {
+        for (const std::size_t size : {100U, 10'000U, 1'000'000U}) {
+            column.clear();
+            column.shrink_to_fit();
+            const std::size_t copied = growColumn(column, size, 1);
+            QVERIFY2(copied <= 9 * size, qPrintable(QStringLiteral("%1 for %2").arg(copied).arg(size)));
+        }
+    };
+    check(std::vector<int>());
+    check(QList<int>());
+}
+
+void BaseTest::columnThatIsShared_leavesItsCopyAlone()
+{
+    QList<int> column;
+    growColumn(column, 10'000, 1);
+    const QList<int> snapshot = column;
+    // With room and without.
+    for (const qsizetype more : {1, 5'000}) {
+        const QList<int> rows(more, 8);
+        makeRoom(column, static_cast<std::size_t>(column.size() + more));
+        column.append(rows);
+        QCOMPARE(column.back(), 8);
+        QVERIFY(column.capacity() <= column.size() + column.size() / 8);
+    }
+    QCOMPARE(snapshot, QList<int>(10'000, 7));
+}
+
+void BaseTest::clearedScratch_keepsLittleMemory()
+{
+    std::vector<int> list(1'000, 1);
+    clearScratch(list);
+    QVERIFY(list.empty());
+    QVERIFY(list.capacity() >= 1'000); // no new allocation when it is filled again
+    list.resize(100'000);
+    clearScratch(list);
+    QVERIFY(list.empty());
+    QCOMPARE(list.capacity(), std::size_t{0});
 }
 
 void BaseTest::idRange_containsItsMembersOnly()

@@ -21,6 +21,8 @@ private Q_SLOTS:
     void reset_startsAnew();
     void resetToAJournal_revertsThroughIt();
     void revertAndApplyOfEachDelta_passesThroughTheSameTrees();
+    void memoryOfALivingInternode_isLimited();
+    void journal_hasNoUnusedMemory();
 };
 
 void TreeDocumentTest::newDocument_isASeedling()
@@ -171,6 +173,37 @@ void TreeDocumentTest::revertAndApplyOfEachDelta_passesThroughTheSameTrees()
         QVERIFY(document.tree() == trees[trees.size() - 1]);
         QCOMPARE(indexFault(document), QString());
     }
+}
+
+void TreeDocumentTest::memoryOfALivingInternode_isLimited()
+{
+    TreeDocument document;
+    GrowGesture growth(document);
+    // At many sizes, since the headroom of columns depends on it.
+    std::size_t most = 0;
+    while (document.index().livingCount() < 30'000 && growth.step()) {
+        document.growthModel();
+        document.pickIndex();
+        if (document.index().livingCount() > 15'000)
+            most = std::max(most, document.bytes() / document.index().livingCount());
+    }
+    growth.finish();
+    QVERIFY(document.index().livingCount() >= 30'000);
+    QVERIFY2(most <= 300, qPrintable(QStringLiteral("%1 bytes").arg(most)));
+}
+
+void TreeDocumentTest::journal_hasNoUnusedMemory()
+{
+    TreeDocument document;
+    grow(document, 30);
+    std::size_t changes = 0;
+    for (const auto& delta : document.journal()) {
+        QCOMPARE(delta->died.capacity(), delta->died.size());
+        TreeDelta exact = *delta; // a copy has room for its changes only
+        QCOMPARE(delta->bytes(), exact.bytes());
+        changes += delta->internodes.buds.size();
+    }
+    QVERIFY(changes > 100);
 }
 
 const TestClass<TreeDocumentTest> treeDocumentTest;

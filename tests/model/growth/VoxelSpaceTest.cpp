@@ -28,6 +28,8 @@ private Q_SLOTS:
     void light_betweenVoxelCentresIsInterpolated();
     void light_staysWithinZeroAndOne();
     void nodes_areFoundInTheBoxThatHoldsThem();
+    void place_containsThePositionsOfItsVoxel();
+    void bricksThatAreOnlyShaded_takeLessMemory();
     void shaded_areTheOccupiedVoxelsBelowTheCasters();
 };
 
@@ -218,7 +220,7 @@ void VoxelSpaceTest::castShadows_visitsOccupiedVoxelsWhoseShadowChanged()
         space.remove(id, places[id]);
     std::set<Cell> visited;
     space.castShadows([&](VoxelSpace::Residents residents, std::uint32_t shadow) {
-        const Cell cell = space.cellAt(positions[residents.front().id]);
+        const Cell cell = space.cellAt(positions[residents.front()]);
         QVERIFY(visited.insert(cell).second);
         QCOMPARE(shadow, space.shadow(cell));
     });
@@ -287,15 +289,13 @@ void VoxelSpaceTest::nodes_areFoundInTheBoxThatHoldsThem()
                          lower.y + static_cast<int>(random.bits() % 12),
                          lower.z + static_cast<int>(random.bits() % 12)};
         std::set<InternodeId> found;
+        bool isTwice = false;
         const bool any = space.anyRun(lower, upper, [&](VoxelSpace::Residents residents) {
-            for (const Resident& resident : residents) {
-                found.insert(resident.id);
-                if (resident.squaredDistance(positions[resident.id]) != 0.0F)
-                    return true;
-            }
+            for (const InternodeId id : residents)
+                isTwice = isTwice || !found.insert(id).second;
             return false;
         });
-        QVERIFY(!any);
+        QVERIFY(!any && !isTwice);
         std::set<InternodeId> expected;
         for (InternodeId id = 0; id < 400; ++id) {
             const Cell c = space.cellAt(positions[id]);
@@ -306,6 +306,40 @@ void VoxelSpaceTest::nodes_areFoundInTheBoxThatHoldsThem()
         QVERIFY(found == expected);
         QCOMPARE(space.anyRun(lower, upper, [](VoxelSpace::Residents) { return true; }), !expected.empty());
     }
+}
+
+void VoxelSpaceTest::place_containsThePositionsOfItsVoxel()
+{
+    VoxelSpace space(0.25F, kKnownPyramid);
+    const auto positions = randomPositions(10, 200, 2.0F);
+    const auto places = insertAll(space, positions, 0, 200);
+    int together = 0;
+    for (InternodeId a = 0; a < 200; ++a) {
+        for (InternodeId b = 0; b < 200; ++b) {
+            const bool isSame = space.cellAt(positions[a]) == space.cellAt(positions[b]);
+            QCOMPARE(space.isAt(places[a], positions[b]), isSame);
+            together += isSame && a != b ? 1 : 0;
+        }
+    }
+    QVERIFY(together > 0);
+}
+
+void VoxelSpaceTest::bricksThatAreOnlyShaded_takeLessMemory()
+{
+    VoxelSpace space(1.0F, kKnownPyramid);
+    // The pyramid of shadow is in the caster's brick and in the four below it.
+    space.insert(0, {0.5F, 0.5F, 0.5F});
+    cast(space);
+    const std::size_t one = space.bytes();
+    QVERIFY2(one > 5 * 2048, qPrintable(QString::number(one)));
+    QVERIFY2(one < 5 * 3072, qPrintable(QString::number(one)));
+    // Memory for many insertions is freed after them.
+    std::vector<VoxelSpace::Place> places;
+    for (InternodeId id = 1; id < 20'000; ++id)
+        places.push_back(space.insert(id, {0.5F, 0.5F, 0.5F}));
+    cast(space);
+    QVERIFY2(space.bytes() < one + 3 * 20'000 * sizeof(InternodeId),
+             qPrintable(QString::number(space.bytes())));
 }
 
 void VoxelSpaceTest::shaded_areTheOccupiedVoxelsBelowTheCasters()
@@ -320,7 +354,7 @@ void VoxelSpaceTest::shaded_areTheOccupiedVoxelsBelowTheCasters()
         casters.push_back(space.cellAt(position));
     std::set<Cell> found;
     space.forEachShaded(casters, [&](VoxelSpace::Residents residents) {
-        QVERIFY(found.insert(space.cellAt(positions[residents.front().id])).second);
+        QVERIFY(found.insert(space.cellAt(positions[residents.front()])).second);
     });
     std::set<Cell> expected;
     for (const Vec3& position : positions) {
