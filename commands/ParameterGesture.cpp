@@ -10,7 +10,9 @@ std::unique_ptr<Edit> ParameterGesture::takeEdit()
 {
     const bool isLast = m_revision == m_document.revision();
     m_revision.reset();
-    return isLast ? Edit::resumed(m_document) : std::make_unique<Edit>(m_document);
+    if (isLast)
+        return Edit::resumed(m_document, Edit::Kind::ParameterTrial);
+    return std::make_unique<Edit>(m_document, Edit::Interrupted(), Edit::Kind::ParameterTrial);
 }
 
 void ParameterGesture::tryOut(const TreeParameters& parameters, const QString& text)

@@ -17,7 +17,11 @@ GrowthRunner::GrowthRunner(TreeDocument& document, QObject* parent) : QObject(pa
     connect(&document, &TreeDocument::parametersHeld, this, &GrowthRunner::holdParameters);
 }
 
-GrowthRunner::~GrowthRunner() = default;
+GrowthRunner::~GrowthRunner()
+{
+    if (isRunning())
+        stop();
+}
 
 void GrowthRunner::start(std::unique_ptr<GrowthGesture> gesture, Pace pace, Continuation goOn)
 {
@@ -80,7 +84,11 @@ void GrowthRunner::holdParameters(bool held)
     if (held) {
         stop();
         m_gesture->finish();
-    } else if ((m_gesture = m_goOn())) {
+        m_document.setPausedWork([this] { end(); });
+        return;
+    }
+    m_document.setPausedWork({});
+    if ((m_gesture = m_goOn())) {
         m_gesture->setInterrupted([this] { end(); });
         grow();
     } else {
@@ -93,6 +101,7 @@ void GrowthRunner::stop()
     m_due.stop();
     m_next.reset();
     m_replica.reset();
+    m_document.setPausedWork({});
 }
 
 void GrowthRunner::release()

@@ -16,18 +16,21 @@ EditCommand& lastCommand(const QUndoStack& stack)
 
 } // namespace
 
-Edit::Edit(TreeDocument& document, Interrupted interrupted)
+Edit::Edit(TreeDocument& document, Interrupted interrupted, Kind kind)
     : m_document(document), m_interrupted(std::move(interrupted))
 {
-    document.interruptEdit();
+    if (kind == Kind::ParameterTrial)
+        document.interruptOpenEdit();
+    else
+        document.interruptEdit();
     document.setEdit(this, {m_interrupted, [this] { cancel(); }});
     m_from = m_to = document.journal().size();
     document.note({Event::Began});
 }
 
-std::unique_ptr<Edit> Edit::resumed(TreeDocument& document)
+std::unique_ptr<Edit> Edit::resumed(TreeDocument& document, Kind kind)
 {
-    auto edit = std::make_unique<Edit>(document);
+    auto edit = std::make_unique<Edit>(document, Interrupted(), kind);
     QUndoStack& stack = document.undoStack();
     Q_ASSERT(stack.index() > 0);
     EditCommand& last = lastCommand(stack);

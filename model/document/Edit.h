@@ -20,12 +20,18 @@ public:
     /// edit, usually with commit(), which keeps the changes; otherwise the document cancels the edit.
     using Interrupted = std::function<void()>;
 
+    enum class Kind {
+        Change,
+        ParameterTrial, ///< Work that waits for such trials goes on waiting; see
+                        ///< TreeDocument::setPausedWork()
+    };
+
     /// Begins, after interrupting the edit that is under way. If @p interrupted is empty, an interruption
-    /// cancels this edit.
-    explicit Edit(TreeDocument& document, Interrupted interrupted = {});
+    /// cancels this edit. Precondition: no listener of TreeDocument::changed() is being called.
+    explicit Edit(TreeDocument& document, Interrupted interrupted = {}, Kind kind = Kind::Change);
     /// Continues the last command of the undo stack: the command leaves the stack, and its deltas count as
     /// applied by this edit. Precondition: the document's last change was the commit of that command.
-    static std::unique_ptr<Edit> resumed(TreeDocument& document);
+    static std::unique_ptr<Edit> resumed(TreeDocument& document, Kind kind = Kind::Change);
     ~Edit();
     Edit(const Edit&) = delete;
     Edit& operator=(const Edit&) = delete;

@@ -3,6 +3,8 @@
 
 #include "model/document/PreparedTree.h"
 
+#include <QScopedValueRollback>
+
 namespace espalier {
 
 TreeDocument::TreeDocument(QObject* parent) : QObject(parent)
@@ -45,6 +47,16 @@ void TreeDocument::setEdit(const Edit* edit, EditHooks hooks)
 
 void TreeDocument::interruptEdit()
 {
+    if (const auto interrupted = std::exchange(m_pausedWork, {}))
+        interrupted();
+    interruptOpenEdit();
+}
+
+void TreeDocument::interruptOpenEdit()
+{
+    // The edit whose change is being told would be destroyed while it works.
+    if (m_isTelling)
+        qFatal("A listener of TreeDocument::changed() began or interrupted an edit.");
     if (!m_edit)
         return;
     const EditHooks hooks = m_editHooks; // a copy: the owner may destroy the edit
@@ -133,6 +145,7 @@ void TreeDocument::tell(const TreeChange& change)
     const InternodeId node = m_competitors.node;
     if (node != kNoInternode && (change.kind == TreeChange::Kind::Reset || !m_tree.isAlive(node)))
         setCompetitors({});
+    const QScopedValueRollback telling(m_isTelling, true);
     Q_EMIT changed(change);
 }
 

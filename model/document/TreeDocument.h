@@ -97,9 +97,14 @@ public:
     /// A number that increases with every change of the tree.
     std::uint64_t revision() const { return m_revision; }
     /// Makes the owner of the edit that is under way end it, usually by a commit; cancels the edit if the
-    /// owner does not. To be called before the document is saved, replaced or closed. Undo and redo of this
-    /// class call it themselves.
+    /// owner does not. Ends paused work, too. To be called before the document is saved, replaced or closed.
+    /// Undo and redo of this class call it themselves. Precondition: no listener of changed() is being
+    /// called.
     void interruptEdit();
+    /// Work that has committed its edit, and will begin another when no parameters are held any more.
+    /// @p interrupted is called once, when an edit begins that is not a trial of parameters, or at
+    /// interruptEdit(); it must end the work. An empty function says that there is no such work any more.
+    void setPausedWork(std::function<void()> interrupted) { m_pausedWork = std::move(interrupted); }
     /// Calls interruptEdit(), then undo or redo of the stack. If an edit was interrupted and committed,
     /// undo() takes that one back.
     void undo();
@@ -130,6 +135,7 @@ private:
     };
 
     void setEdit(const Edit* edit, EditHooks hooks = {});
+    void interruptOpenEdit();
     void note(EditEvent event) const
     {
         if (m_editListener)
@@ -152,6 +158,8 @@ private:
     std::unique_ptr<GrowthModel> m_growthModel;
     const Edit* m_edit = nullptr;
     EditHooks m_editHooks;
+    std::function<void()> m_pausedWork;
+    bool m_isTelling = false; ///< Listeners of changed() are being called
     EditListener m_editListener;
     std::uint64_t m_revision = 0;
     Journal m_journal;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/CommandLine.h"
 
+#include "tests/support/TestClasses.h"
+
 #include <QtTest>
 
 using namespace espalier;
@@ -132,5 +134,6 @@ void CommandLineTest::wrongLines_saySo()
     QVERIFY(!line.error().message.contains(QLatin1Char('\n')));
 }
 
-QTEST_GUILESS_MAIN(CommandLineTest)
+static const test::TestClass<CommandLineTest> commandLineTest;
+
 #include "CommandLineTest.moc"

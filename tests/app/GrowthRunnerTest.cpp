@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/runners/GrowRunner.h"
 #include "app/runners/LassoRunner.h"
+#include "app/runners/TimeRunner.h"
 #include "commands/GrowGesture.h"
+#include "model/shape/Pruning.h"
 #include "panels/ParameterEditor.h"
 #include "tests/support/TestClasses.h"
 
@@ -46,6 +48,8 @@ private Q_SLOTS:
     void runnerThatGoes_takesBackWhatItBegan();
     void parametersChangedMeanwhile_affectWhatGrowsAfterwards();
     void parametersHeld_growthWaits();
+    void waitingGrowth_endsWithAnotherEdit_data();
+    void waitingGrowth_endsWithAnotherEdit();
     void parametersChangedWhileALassoIsFilled_areTakenUp();
 };
 
@@ -239,6 +243,55 @@ void GrowthRunnerTest::parametersHeld_growthWaits()
     QTRY_VERIFY_WITH_TIMEOUT(document.tree().step() > again, kPatience);
     runner.cancel();
     QVERIFY(!document.areParametersHeld());
+}
+
+void GrowthRunnerTest::waitingGrowth_endsWithAnotherEdit_data()
+{
+    using Act = std::function<void(TreeDocument&, TimeRunner&)>;
+    QTest::addColumn<Act>("act");
+    QTest::newRow("travel") << Act([](TreeDocument&, TimeRunner& time) {
+        time.moveTo(1);
+        time.moveTo(2);
+        time.release();
+    });
+    QTest::newRow("film") << Act([](TreeDocument&, TimeRunner& time) {
+        time.play();
+        time.release();
+    });
+    QTest::newRow("undo") << Act([](TreeDocument& document, TimeRunner&) { document.undo(); });
+    QTest::newRow("prune") << Act([](TreeDocument& document, TimeRunner&) {
+        Edit edit(document);
+        edit.apply(pruneDelta(document.tree(), document.index(), 2));
+        edit.commit(QStringLiteral("Prune"));
+    });
+    QTest::newRow("interruption") << Act(
+        [](TreeDocument& document, TimeRunner&) { document.interruptEdit(); });
+}
+
+void GrowthRunnerTest::waitingGrowth_endsWithAnotherEdit()
+{
+    QFETCH(std::function<void(TreeDocument&, TimeRunner&)>, act);
+    TreeDocument document;
+    GrowRunner runner(document);
+    TimeRunner time(document);
+    ParameterEditor editor(document);
+    const QSignalSpy ended(&runner, &GrowthRunner::runningChanged);
+    runner.run(GrowthRunner::kEndless);
+    QTRY_VERIFY_WITH_TIMEOUT(document.tree().step() >= 5, kPatience);
+    editor.nudge(this, "growth.setPointAngle", 60.0, QStringLiteral("Set-point angle"));
+    QVERIFY(document.areParametersHeld());
+
+    act(document, time);
+    QVERIFY(!runner.isRunning() && !document.edit());
+    QCOMPARE(ended.count(), 2); // began, ended
+    const std::uint64_t revision = document.revision();
+    QTRY_VERIFY_WITH_TIMEOUT(!document.areParametersHeld(), kPatience);
+    QTest::qWait(100);
+    QCOMPARE(document.revision(), revision);
+    while (document.undoStack().canUndo())
+        document.undo();
+    QCOMPARE(document.index().livingCount(), 1U);
+    QVERIFY(document.future().empty());
 }
 
 void GrowthRunnerTest::parametersChangedWhileALassoIsFilled_areTakenUp()

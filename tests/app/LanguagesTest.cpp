@@ -6,6 +6,7 @@
 #include "panels/HelpPanel.h"
 #include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
+#include "tests/support/TestClasses.h"
 #include "views/Viewport.h"
 
 #include <QAbstractButton>
@@ -306,7 +307,8 @@ void LanguagesTest::textsOfQt_areBuiltIn()
     speakLanguage(QStringLiteral("en"));
 }
 
+static const test::TestClass<LanguagesTest> languagesTest;
+
 } // namespace espalier
 
-QTEST_MAIN(espalier::LanguagesTest)
 #include "LanguagesTest.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/TestClasses.h"
 #include "tests/support/ZipEntries.h"
 
 #include <QtTest>
@@ -480,5 +481,6 @@ void ProgramTest::demonstration_onAVirtualDisplay_writesItsFiles()
     }
 }
 
-QTEST_MAIN(ProgramTest)
+static const espalier::test::TestClass<ProgramTest> programTest;
+
 #include "ProgramTest.moc"

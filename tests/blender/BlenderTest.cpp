@@ -4,6 +4,7 @@
 #include "model/io/export/Exporter.h"
 #include "model/texture/OwnTextures.h"
 #include "tests/support/OwnImages.h"
+#include "tests/support/TestClasses.h"
 #include "views/render/OffscreenRenderer.h"
 
 #include <QFile>
@@ -230,6 +231,6 @@ void BlenderTest::blender_readsAndRendersEveryFormat()
     }
 }
 
-QTEST_MAIN(BlenderTest)
+static const test::TestClass<BlenderTest> blenderTest;
 
 #include "BlenderTest.moc"

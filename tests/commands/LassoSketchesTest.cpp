@@ -6,6 +6,7 @@
 #include "model/envelope/LassoLoop.h"
 #include "tests/support/CrownSilhouette.h"
 #include "tests/support/Sketches.h"
+#include "tests/support/TestClasses.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
@@ -75,7 +76,8 @@ void LassoSketchesTest::crown_fillsTheSilhouetteAndKeepsToIt()
     QVERIFY(outside <= 0.03);
 }
 
+static const TestClass<LassoSketchesTest> lassoSketchesTest;
+
 } // namespace espalier::test
 
-QTEST_GUILESS_MAIN(espalier::test::LassoSketchesTest)
 #include "LassoSketchesTest.moc"

@@ -3,6 +3,7 @@
 
 #include "commands/GrowGesture.h"
 #include "commands/SetParameters.h"
+#include "tests/support/TestClasses.h"
 
 #include <QtTest>
 
@@ -102,5 +103,6 @@ void ParameterGestureTest::finish_beginsAnotherUndoStep()
     QCOMPARE(document.parameters().leaves.length, 0.2);
 }
 
-QTEST_GUILESS_MAIN(ParameterGestureTest)
+static const test::TestClass<ParameterGestureTest> parameterGestureTest;
+
 #include "ParameterGestureTest.moc"

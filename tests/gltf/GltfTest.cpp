@@ -5,6 +5,7 @@
 #include "model/mesh/UvWrap.h"
 #include "model/texture/OwnTextures.h"
 #include "tests/support/OwnImages.h"
+#include "tests/support/TestClasses.h"
 
 #include <QDir>
 #include <QProcess>
@@ -134,6 +135,6 @@ void GltfTest::brokenFile_isFound()
              output.constData());
 }
 
-QTEST_GUILESS_MAIN(GltfTest)
+static const test::TestClass<GltfTest> gltfTest;
 
 #include "GltfTest.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/TestClasses.h"
 #include "views/camera/CameraFlight.h"
 
 #include <QtTest>
@@ -225,5 +226,6 @@ void CameraTest::flight_arrivesExactlyByTheShortWay()
     QVERIFY(std::abs(camera.distance() - 20.0F) < 1e-4F);
 }
 
-QTEST_GUILESS_MAIN(CameraTest)
+static const test::TestClass<CameraTest> cameraTest;
+
 #include "CameraTest.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/FramePacer.h"
 
+#include "tests/support/TestClasses.h"
+
 #include <QtTest>
 
 using namespace espalier;
@@ -130,5 +132,6 @@ void FramePacerTest::nextMovement_startsBetter()
     QCOMPARE(applied(pacer).shadowStrength, 1.0);
 }
 
-QTEST_GUILESS_MAIN(FramePacerTest)
+static const test::TestClass<FramePacerTest> framePacerTest;
+
 #include "FramePacerTest.moc"

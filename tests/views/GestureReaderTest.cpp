@@ -2,6 +2,7 @@
 #include "views/input/GestureReader.h"
 
 #include "model/base/Vector.h"
+#include "tests/support/TestClasses.h"
 #include "views/input/HeldKeys.h"
 #include "views/input/PointerReader.h"
 
@@ -617,5 +618,6 @@ void GestureReaderTest::heldKeys_leaveShortcutsAlone()
     QVERIFY(!keys.isAnyHeld());
 }
 
-QTEST_MAIN(GestureReaderTest)
+static const test::TestClass<GestureReaderTest> gestureReaderTest;
+
 #include "GestureReaderTest.moc"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/input/LatinKey.h"
 
+#include "tests/support/TestClasses.h"
+
 #include <QKeyEvent>
 #include <QtTest>
 
@@ -78,5 +80,6 @@ void LatinKeyTest::scripts_areToldApart()
     QCOMPARE(scriptOf(event(Qt::Key_unknown, 30, 0, QStringLiteral("я"))), KeyScript::Foreign);
 }
 
-QTEST_GUILESS_MAIN(LatinKeyTest)
+static const test::TestClass<LatinKeyTest> latinKeyTest;
+
 #include "LatinKeyTest.moc"

@@ -3,6 +3,7 @@
 
 #include "model/document/TreeDocument.h"
 #include "tests/support/Documents.h"
+#include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
 #include <QtTest>
@@ -145,5 +146,6 @@ void LightGridTest::otherVoxels_makeAnotherGrid()
     QVERIFY(std::abs(grid.cellEdge() - 2.0F * edge) < 1e-6F);
 }
 
-QTEST_GUILESS_MAIN(LightGridTest)
+static const test::TestClass<LightGridTest> lightGridTest;
+
 #include "LightGridTest.moc"

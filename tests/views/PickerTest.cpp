@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/shape/Widths.h"
 #include "tests/support/Growing.h"
+#include "tests/support/TestClasses.h"
 #include "views/tools/BudPicker.h"
 
 #include <QtTest>
@@ -150,5 +151,6 @@ void PickerTest::buds_areAllWithinReach()
     QVERIFY2(hits > 100, qPrintable(QString::number(hits)));
 }
 
-QTEST_GUILESS_MAIN(PickerTest)
+static const TestClass<PickerTest> pickerTest;
+
 #include "PickerTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/Documents.h"
+#include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 #include "views/render/OffscreenRenderer.h"
 
@@ -488,5 +489,6 @@ void RendererTest::renderImage_drawsADocument()
     QVERIFY(difference(*image, *renderImage(seedling, request)) > 1000);
 }
 
-QTEST_MAIN(RendererTest)
+static const test::TestClass<RendererTest> rendererTest;
+
 #include "RendererTest.moc"

@@ -2,6 +2,7 @@
 #include "model/settings/Lengths.h"
 #include "model/shape/Widths.h"
 #include "tests/support/Documents.h"
+#include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 #include "tests/support/ViewportFixture.h"
 #include "views/tools/BendTool.h"
@@ -570,5 +571,6 @@ void ShapingToolsTest::labels_saySoInCentimetres()
     QVERIFY(with != m_view->grabFramebuffer());
 }
 
-QTEST_MAIN(ShapingToolsTest)
+static const TestClass<ShapingToolsTest> shapingToolsTest;
+
 #include "ShapingToolsTest.moc"

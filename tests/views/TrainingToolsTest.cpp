@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/Documents.h"
+#include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 #include "tests/support/ViewportFixture.h"
 #include "views/tools/PruneTool.h"
@@ -235,6 +236,6 @@ void TrainingToolsTest::stripFinger_windsTheTrunk()
     QVERIFY(box.sizes().y() > 0.3F);
 }
 
-QTEST_MAIN(TrainingToolsTest)
+static const TestClass<TrainingToolsTest> trainingToolsTest;
 
 #include "TrainingToolsTest.moc"

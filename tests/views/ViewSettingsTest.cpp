@@ -2,6 +2,7 @@
 #include "model/settings/ViewSettings.h"
 
 #include "model/settings/Lengths.h"
+#include "tests/support/TestClasses.h"
 
 #include <QLocale>
 #include <QtTest>
@@ -193,5 +194,6 @@ void ViewSettingsTest::studio_followsTheTheme()
     QVERIFY(isBackdropLight(values));
 }
 
-QTEST_GUILESS_MAIN(ViewSettingsTest)
+static const test::TestClass<ViewSettingsTest> viewSettingsTest;
+
 #include "ViewSettingsTest.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/TestClasses.h"
 #include "tests/support/ViewportFixture.h"
 #include "views/tools/BrushTool.h"
 
@@ -405,5 +406,6 @@ void ViewportTest::heldSun_staysUnderThePointerWhileTheTreeTurns()
     QVERIFY(std::abs(m_settings->values().sunAzimuth - azimuth - 0.6) < 0.01);
 }
 
-QTEST_MAIN(ViewportTest)
+static const TestClass<ViewportTest> viewportTest;
+
 #include "ViewportTest.moc"

@@ -17,6 +17,7 @@
 #include "tests/support/Growing.h"
 #include "tests/support/OwnImages.h"
 #include "tests/support/Replaying.h"
+#include "tests/support/TestClasses.h"
 
 #include <QtTest>
 
@@ -466,6 +467,6 @@ void JournalRecipeTest::anotherFileInAnImagesPlace_isNotReplaced()
     QCOMPARE(other.size(), 4);
 }
 
-QTEST_MAIN(JournalRecipeTest)
+static const TestClass<JournalRecipeTest> journalRecipeTest;
 
 #include "JournalRecipeTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/picking/PickIndex.h"
 
+#include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
 #include <QtTest>
@@ -181,5 +182,6 @@ void PickIndexTest::nodesAtOnePlaceAndFarAway_areFound()
     QCOMPARE(fault(nodes, builder.tree, builder.index), QString());
 }
 
-QTEST_GUILESS_MAIN(PickIndexTest)
+static const TestClass<PickIndexTest> pickIndexTest;
+
 #include "PickIndexTest.moc"
