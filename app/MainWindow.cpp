@@ -269,7 +269,6 @@ void MainWindow::changeEvent(QEvent* event)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    m_recipeRunner.stop();
     if (!m_files->mayLeave()) {
         event->ignore();
         return;

@@ -40,7 +40,7 @@ bool MainWindow::mayLeave()
 
 bool MainWindow::hasUnfinishedWork() const
 {
-    return m_document.edit() != nullptr && m_document.edit()->hasChanges();
+    return m_recipeRunner.isRunning() || (m_document.edit() != nullptr && m_document.edit()->hasChanges());
 }
 
 void MainWindow::finishHand()

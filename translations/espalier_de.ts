@@ -2571,22 +2571,14 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
-    <name>espalier::FileController</name>
-    <message>
-        <source>Not saved. %1</source>
-        <translation>Nicht gespeichert. %1</translation>
-    </message>
-    <message>
-        <source>The tree cannot be kept safe from a crash: %1</source>
-        <translation>Der Baum kann nicht gegen einen Absturz gesichert werden: %1</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>%1 wird gespeichert</translation>
-    </message>
+    <name>espalier::ExportQueue</name>
     <message>
         <source>Writing %1</source>
         <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing %1, then %2</source>
+        <translation>%1 wird geschrieben, dann %2</translation>
     </message>
     <message>
         <source>Wrote %1</source>
@@ -2599,6 +2591,21 @@ geschrieben werden konnte.
     <message>
         <source>Not exported. %1</source>
         <translation>Nicht exportiert. %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::FileController</name>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Nicht gespeichert. %1</translation>
+    </message>
+    <message>
+        <source>The tree cannot be kept safe from a crash: %1</source>
+        <translation>Der Baum kann nicht gegen einen Absturz gesichert werden: %1</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
     </message>
     <message>
         <source>Saved %1</source>

@@ -2570,22 +2570,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
-    <name>espalier::FileController</name>
-    <message>
-        <source>Not saved. %1</source>
-        <translation>Non enregistré. %1</translation>
-    </message>
-    <message>
-        <source>The tree cannot be kept safe from a crash: %1</source>
-        <translation>L’arbre ne peut pas être protégé d’un plantage&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>Enregistrement de %1</translation>
-    </message>
+    <name>espalier::ExportQueue</name>
     <message>
         <source>Writing %1</source>
         <translation>Écriture de %1</translation>
+    </message>
+    <message>
+        <source>Writing %1, then %2</source>
+        <translation>Écriture de %1, puis de %2</translation>
     </message>
     <message>
         <source>Wrote %1</source>
@@ -2598,6 +2590,21 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Not exported. %1</source>
         <translation>Non exporté. %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::FileController</name>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Non enregistré. %1</translation>
+    </message>
+    <message>
+        <source>The tree cannot be kept safe from a crash: %1</source>
+        <translation>L’arbre ne peut pas être protégé d’un plantage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Enregistrement de %1</translation>
     </message>
     <message>
         <source>Saved %1</source>

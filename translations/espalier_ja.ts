@@ -2570,22 +2570,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
-    <name>espalier::FileController</name>
-    <message>
-        <source>Not saved. %1</source>
-        <translation>保存できませんでした。%1</translation>
-    </message>
-    <message>
-        <source>The tree cannot be kept safe from a crash: %1</source>
-        <translation>クラッシュに備えた控えを保存できません: %1</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>%1 を保存中</translation>
-    </message>
+    <name>espalier::ExportQueue</name>
     <message>
         <source>Writing %1</source>
         <translation>%1 を書き出し中</translation>
+    </message>
+    <message>
+        <source>Writing %1, then %2</source>
+        <translation>%1 を書き出し中、次は %2</translation>
     </message>
     <message>
         <source>Wrote %1</source>
@@ -2598,6 +2590,21 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Not exported. %1</source>
         <translation>書き出せませんでした。%1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::FileController</name>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>保存できませんでした。%1</translation>
+    </message>
+    <message>
+        <source>The tree cannot be kept safe from a crash: %1</source>
+        <translation>クラッシュに備えた控えを保存できません: %1</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 を保存中</translation>
     </message>
     <message>
         <source>Saved %1</source>

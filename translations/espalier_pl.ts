@@ -2570,22 +2570,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
-    <name>espalier::FileController</name>
-    <message>
-        <source>Not saved. %1</source>
-        <translation>Nie zapisano. %1</translation>
-    </message>
-    <message>
-        <source>The tree cannot be kept safe from a crash: %1</source>
-        <translation>Nie można zabezpieczyć drzewa na wypadek awarii: %1</translation>
-    </message>
-    <message>
-        <source>Saving %1</source>
-        <translation>Zapisywanie %1</translation>
-    </message>
+    <name>espalier::ExportQueue</name>
     <message>
         <source>Writing %1</source>
         <translation>Eksportowanie %1</translation>
+    </message>
+    <message>
+        <source>Writing %1, then %2</source>
+        <translation>Eksportowanie %1, potem %2</translation>
     </message>
     <message>
         <source>Wrote %1</source>
@@ -2598,6 +2590,21 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Not exported. %1</source>
         <translation>Nie wyeksportowano. %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::FileController</name>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Nie zapisano. %1</translation>
+    </message>
+    <message>
+        <source>The tree cannot be kept safe from a crash: %1</source>
+        <translation>Nie można zabezpieczyć drzewa na wypadek awarii: %1</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Zapisywanie %1</translation>
     </message>
     <message>
         <source>Saved %1</source>

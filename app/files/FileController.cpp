@@ -3,7 +3,6 @@
 
 #include "app/files/FileDialogs.h"
 #include "app/files/Library.h"
-#include "app/files/Outputs.h"
 #include "app/runners/Background.h"
 #include "panels/Notice.h"
 
@@ -39,7 +38,8 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_thumbnail(std::move(thumbnail)),
       m_file(document),
       m_autosave(document, m_file, settings.preferences().autosaveInterval),
-      m_recovery(notice)
+      m_recovery(notice),
+      m_exports(notice)
 {
     connectFile();
     connect(&m_autosave, &Autosave::failed, this, [this](const QString& sentence) {
@@ -50,8 +50,6 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
 
 FileController::~FileController()
 {
-    if (m_exportCancelled)
-        *m_exportCancelled = true;
     // Whatever a file being written has to tell is told while all members are there to hear it.
     m_file.waitForSaving();
     m_file.disconnect(this);
@@ -153,6 +151,7 @@ void FileController::keepIn(const QString& fileName)
         saveTo(fileName, DocumentFile::Overwrite::WhatIsKnown);
         return;
     }
+    m_document.interruptEdit();
     Project project = m_file.snapshot();
     project.name = QFileInfo(fileName).completeBaseName();
     project.thumbnail = m_thumbnail();
@@ -251,6 +250,7 @@ void FileController::save()
 
 void FileController::saveTo(const QString& fileName, DocumentFile::Overwrite overwrite)
 {
+    m_document.interruptEdit();
     m_file.waitForSaving();
     m_file.save(fileName, m_thumbnail(), overwrite);
     QTimer::singleShot(kSlow, this, [this] {
@@ -307,43 +307,13 @@ void FileController::exportTree()
 
 void FileController::exportTo(const QString& fileName)
 {
-    if (m_exportCancelled)
-        *m_exportCancelled = true;
-    const auto cancelled = std::make_shared<std::atomic<bool>>(false);
-    m_exportCancelled = cancelled;
+    m_document.interruptEdit();
     m_settings.setExportSuffix(suffixOf(fileName));
     rememberFolder(fileName);
-
-    const QString shortName = QFileInfo(fileName).fileName();
-    const auto cancel = [cancelled] { *cancelled = true; };
-    m_notice->showProgress(tr("Writing %1").arg(shortName), 0.0, cancel);
-    const auto tell = [this, guard = QPointer<FileController>(this), cancelled, cancel,
-                       shortName](double share) {
-        QMetaObject::invokeMethod(
-            QCoreApplication::instance(),
-            [this, guard, cancelled, cancel, shortName, share] {
-                if (guard && m_exportCancelled == cancelled && !*cancelled)
-                    m_notice->showProgress(tr("Writing %1").arg(shortName), share, cancel);
-            },
-            Qt::QueuedConnection);
-        return !*cancelled;
-    };
     Project project = m_file.snapshot();
     if (project.name.isEmpty())
         project.name = QFileInfo(fileName).completeBaseName();
-    runInBackground(
-        this, [project = std::move(project), fileName, tell] { return writeOutput(project, fileName, tell); },
-        [this, cancelled, shortName](const Result<void>& written) {
-            if (m_exportCancelled != cancelled)
-                return;
-            m_exportCancelled.reset();
-            if (written)
-                m_notice->showInformation(tr("Wrote %1").arg(shortName));
-            else if (written.error().kind == Error::Kind::Cancelled)
-                m_notice->showInformation(tr("%1 was not written.").arg(shortName));
-            else
-                warn(tr("Not exported. %1").arg(written.error().message));
-        });
+    m_exports.add(std::move(project), fileName);
 }
 
 void FileController::showSaved(const QString& fileName)

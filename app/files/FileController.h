@@ -3,6 +3,7 @@
 
 #include "app/files/Autosave.h"
 #include "app/files/DocumentFile.h"
+#include "app/files/ExportQueue.h"
 #include "app/files/Recovery.h"
 #include "app/files/Settings.h"
 #include "app/files/WorkInHand.h"
@@ -126,8 +127,7 @@ private:
     DocumentFile m_file;
     Autosave m_autosave;
     Recovery m_recovery;
-    /// Of the export under way, if there is one.
-    std::shared_ptr<std::atomic<bool>> m_exportCancelled;
+    ExportQueue m_exports;
 };
 
 } // namespace espalier

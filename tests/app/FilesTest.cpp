@@ -26,6 +26,7 @@ private Q_SLOTS:
     void recentFiles_listWhatWasSaved();
     void crash_losesNothingThatWasFinished();
     void export_writesTheFileInTheBackground();
+    void secondExport_followsTheFirst();
     void cancelledExport_leavesNothing();
     void saveAsRecipe_writesWhatWasDone();
     void saveAsRecipe_saysWhatIsNotKnownOfAnOldTree();
@@ -286,6 +287,24 @@ void FilesTest::export_writesTheFileInTheBackground()
     m_window->files().exportTo(m_folder->filePath(QStringLiteral("no/such/folder/tree.csv")));
     QTRY_VERIFY_WITH_TIMEOUT(m_window->workspace().notice().isWarning(), 10000);
     QVERIFY2(notice().contains(QStringLiteral("tree.csv")), qPrintable(notice()));
+}
+
+void FilesTest::secondExport_followsTheFirst()
+{
+    GrowGesture growth(m_window->document());
+    for (int i = 0; i < 12; ++i)
+        growth.step();
+    growth.finish();
+    const QString first = m_folder->filePath(QStringLiteral("first.fbx"));
+    const QString second = m_folder->filePath(QStringLiteral("second.obj"));
+    m_window->files().exportTo(first);
+    m_window->files().exportTo(second);
+    m_window->files().exportTo(m_folder->filePath(QStringLiteral("no/such/folder/tree.csv")));
+    QCOMPARE(notice(), QStringLiteral("Writing first.fbx, then second.obj"));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->workspace().notice().isWarning(), 30'000);
+    QVERIFY2(notice().contains(QStringLiteral("Wrote first.fbx, second.obj")), qPrintable(notice()));
+    QVERIFY2(notice().contains(QStringLiteral("tree.csv")), qPrintable(notice()));
+    QVERIFY(QFileInfo(first).size() > 1000 && QFileInfo(second).size() > 1000);
 }
 
 void FilesTest::cancelledExport_leavesNothing()

@@ -9,6 +9,8 @@
 
 #include <QtTest>
 
+#include <array>
+
 using namespace espalier;
 
 namespace {
@@ -261,7 +263,8 @@ void GrowthRunnerTest::waitingGrowth_endsWithAnotherEdit_data()
     QTest::newRow("undo") << Act([](TreeDocument& document, TimeRunner&) { document.undo(); });
     QTest::newRow("prune") << Act([](TreeDocument& document, TimeRunner&) {
         Edit edit(document);
-        edit.apply(pruneDelta(document.tree(), document.index(), 2));
+        const std::array<InternodeId, 1> cuts{2};
+        edit.apply(prune(document.tree(), document.index(), cuts));
         edit.commit(QStringLiteral("Prune"));
     });
     QTest::newRow("interruption") << Act(

@@ -15,8 +15,6 @@
 
 using namespace espalier;
 
-namespace {
-
 /// A widget that turns pointer events into gestures and logs them.
 class Pad : public QWidget, public GestureTarget {
 public:
@@ -68,8 +66,6 @@ protected:
         magnified *= factor;
     }
 };
-
-} // namespace
 
 class GestureReaderTest : public QObject {
     Q_OBJECT
