@@ -37,10 +37,12 @@ constexpr std::uint64_t mixedBits(std::uint64_t value)
     return value ^ (value >> 31);
 }
 
-/// The key of the first internode of a tree that is grown from @p seed.
-constexpr InternodeKey rootKey(std::uint64_t seed)
+/// The key of a root of a tree that is grown from @p seed. @p number: 0 for the seedling, and for another
+/// root the number of roots, the dead included, that the tree had before it.
+constexpr InternodeKey rootKey(std::uint64_t seed, std::uint32_t number = 0)
 {
-    return mixedBits(seed);
+    const InternodeKey key = mixedBits(seed);
+    return number == 0 ? key : mixedBits(mixedBits(key ^ 0x2545f4914f6cdd1dU) ^ number);
 }
 
 /// The key of an internode that grows from the bud @p slot of the internode with the key @p parent and is

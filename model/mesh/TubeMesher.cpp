@@ -43,9 +43,12 @@ namespace {
 
 class TubeWood final : public WoodMesher {
 public:
-    bool joinsParent(const Tree& tree, const TreeIndex& index, InternodeId id) const override
+    void joinedChildren(const TreeIndex& index, InternodeId id,
+                        std::vector<InternodeId>& children) const override
     {
-        return !beginsTube(tree, index, id);
+        children.clear();
+        if (const InternodeId next = tubeContinuation(index, id); next != kNoInternode)
+            children.push_back(next);
     }
     std::unique_ptr<WoodPieceMesher> pieceMesher(const Tree& tree, const TreeIndex& index,
                                                  const Widths& widths,

@@ -39,9 +39,15 @@ inline bool beginsTube(const Tree& tree, const TreeIndex& index, InternodeId id)
 /// The first internodes of all tubes of a tree, ascending.
 inline std::vector<InternodeId> tubesOf(const Tree& tree, const TreeIndex& index)
 {
+    // beginsTube() would visit all children of a node for each of them.
+    std::vector<bool> continues(tree.size(), false);
     std::vector<InternodeId> tubes;
     for (InternodeId id = 0; id < tree.size(); ++id) {
-        if (tree.isAlive(id) && beginsTube(tree, index, id))
+        if (!tree.isAlive(id))
+            continue;
+        if (const InternodeId next = tubeContinuation(index, id); next != kNoInternode)
+            continues[next] = true;
+        if (!continues[id])
             tubes.push_back(id);
     }
     return tubes;

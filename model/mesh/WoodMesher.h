@@ -65,8 +65,11 @@ class WoodMesher {
 public:
     virtual ~WoodMesher() = default;
 
-    /// Whether a living internode belongs to the piece of its parent; if not, it begins a piece.
-    virtual bool joinsParent(const Tree& tree, const TreeIndex& index, InternodeId id) const = 0;
+    /// Makes @p children the living children of the living internode @p id that belong to its piece,
+    /// ascending; the other children begin pieces, and so do roots. It costs no more than to visit all
+    /// children once.
+    virtual void joinedChildren(const TreeIndex& index, InternodeId id,
+                                std::vector<InternodeId>& children) const = 0;
     /// @p tree, @p index and @p widths must outlive the returned mesher.
     virtual std::unique_ptr<WoodPieceMesher> pieceMesher(const Tree& tree, const TreeIndex& index,
                                                          const Widths& widths,
@@ -75,9 +78,16 @@ public:
     /// The first internodes of all pieces of a tree, ascending.
     std::vector<InternodeId> pieces(const Tree& tree, const TreeIndex& index) const
     {
+        std::vector<bool> joins(tree.size(), false);
         std::vector<InternodeId> bases;
+        std::vector<InternodeId> children;
         for (InternodeId id = 0; id < tree.size(); ++id) {
-            if (tree.isAlive(id) && !joinsParent(tree, index, id))
+            if (!tree.isAlive(id))
+                continue;
+            joinedChildren(index, id, children);
+            for (const InternodeId child : children)
+                joins[child] = true;
+            if (!joins[id])
                 bases.push_back(id);
         }
         return bases;

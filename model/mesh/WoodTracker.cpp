@@ -31,8 +31,13 @@ void WoodTracker::restart(const Tree& tree, const TreeIndex& index)
     m_widths.emplace(tree, index);
     startRound();
     resize(tree.size());
-    for (InternodeId id = 0; id < tree.size(); ++id)
-        m_joins[id] = tree.isAlive(id) && m_mesher->joinsParent(tree, index, id) ? 1 : 0;
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id))
+            continue;
+        m_mesher->joinedChildren(index, id, m_joined);
+        for (const InternodeId child : m_joined)
+            m_joins[child] = 1;
+    }
     m_hasChanged = true;
     m_woodIsDirty = true;
 }
@@ -56,7 +61,7 @@ void WoodTracker::follow(const Tree& tree, const TreeIndex& index, const TreeDel
     m_parameters = now;
     // Where radii depend on more than tips, an edit can change widths anywhere: take() computes and compares
     // all of them, once. With neither constraints nor a base diameter, they do not depend on the tree.
-    const bool isTapered = now.widths.baseDiameter > 0.0 && index.tipCount(0) == 1;
+    const bool isTapered = now.widths.baseDiameter > 0.0 && index.greatestTipCount() == 1;
     if (!tree.widthConstraints().empty() || !delta.sparse.width.empty() || isTapered ||
         !m_widths->dependOnTipsAlone())
         m_widthsAreStale = true;
@@ -185,14 +190,14 @@ void WoodTracker::collectTouched(const Tree& tree, const TreeIndex& index, const
         if (id >= tree.size()) {
             const InternodeId below = delta.rows->internodes.parent[id - delta.born.first];
             if (below < tree.size() && tree.isAlive(below))
-                inspect(tree, index, below, kTolerance);
+                inspect(index, below, kTolerance);
             return;
         }
         const InternodeId parent = tree.parent(id);
         const bool standsOnWood = parent != kNoInternode && tree.isAlive(parent);
         if (tree.isAlive(id)) {
             m_dirty.push_back(id);
-            inspect(tree, index, id, kTolerance);
+            inspect(index, id, kTolerance);
         } else {
             // The piece that it continued now ends at its parent.
             if (standsOnWood && m_joins[id] != 0)
@@ -200,7 +205,7 @@ void WoodTracker::collectTouched(const Tree& tree, const TreeIndex& index, const
             forget(id);
         }
         if (standsOnWood)
-            inspect(tree, index, parent, kTolerance);
+            inspect(index, parent, kTolerance);
     };
     // Buds are not meshed, so only these internodes of the delta matter.
     for (InternodeId id = delta.born.first; id != delta.born.end(); ++id)
@@ -228,9 +233,9 @@ void WoodTracker::collectChanged(const Tree& tree, const TreeIndex& index)
         checkRadius(index, id, kTolerance);
         if (placer.bears(id) != (m_bears[id] != 0))
             m_dirty.push_back(id);
-        inspect(tree, index, id, kTolerance);
+        inspect(index, id, kTolerance);
         if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
-            inspect(tree, index, parent, kTolerance);
+            inspect(index, parent, kTolerance);
     }
 }
 
@@ -240,7 +245,7 @@ void WoodTracker::collectRange(const Tree& tree, const TreeIndex& index, IdRange
         if (!tree.isAlive(id))
             continue;
         checkRadius(index, id, tolerance);
-        inspect(tree, index, id, tolerance);
+        inspect(index, id, tolerance);
     }
 }
 
@@ -266,7 +271,7 @@ void WoodTracker::followWidths(const Tree& tree, const TreeIndex& index)
         return;
     constexpr float tolerance = (1.0F - kDriftShare) * kTolerance;
     ++m_update;
-    const double drift = std::pow(std::max(1U, index.tipCount(0)), power - m_checkedPower);
+    const double drift = std::pow(std::max(1U, index.greatestTipCount()), power - m_checkedPower);
     if (std::abs(drift - 1.0) > kDriftShare * kTolerance) {
         collectRange(tree, index, {0, tree.size()}, tolerance);
         startRound();
@@ -290,13 +295,17 @@ void WoodTracker::checkRadius(const TreeIndex& index, InternodeId id, float tole
 
 /// Checks a living internode's node: which children belong to its piece, and whether the other children still
 /// fit.
-void WoodTracker::inspect(const Tree& tree, const TreeIndex& index, InternodeId id, float tolerance)
+void WoodTracker::inspect(const TreeIndex& index, InternodeId id, float tolerance)
 {
     if (std::exchange(m_inspected[id], m_update) == m_update)
         return;
     const float radius = m_widths->radius(index, id);
+    m_mesher->joinedChildren(index, id, m_joined);
+    auto next = m_joined.begin(); // by ascending id, like the children
     for (InternodeId child = index.firstChild(id); child != kNoInternode; child = index.nextSibling(child)) {
-        const std::uint8_t joins = m_mesher->joinsParent(tree, index, child) ? 1 : 0;
+        const std::uint8_t joins = next != m_joined.end() && *next == child ? 1 : 0;
+        if (joins != 0)
+            ++next;
         if (std::exchange(m_joins[child], joins) != joins) {
             m_dirty.push_back(id);
             m_dirty.push_back(child);

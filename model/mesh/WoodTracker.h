@@ -69,7 +69,7 @@ private:
     void collectTouched(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
     void collectChanged(const Tree& tree, const TreeIndex& index);
     void collectRange(const Tree& tree, const TreeIndex& index, IdRange range, float tolerance);
-    void inspect(const Tree& tree, const TreeIndex& index, InternodeId id, float tolerance);
+    void inspect(const TreeIndex& index, InternodeId id, float tolerance);
     void checkRadius(const TreeIndex& index, InternodeId id, float tolerance);
     void resize(std::uint32_t size);
     void startRound();
@@ -104,8 +104,9 @@ private:
     std::vector<InternodeId> m_waiting;
     /// First internodes of the pieces that only need leaves; the last one is the next.
     std::vector<InternodeId> m_bare;
-    bool m_hasChanged = false;  ///< The tree has changed since collectWaiting()
-    bool m_woodIsDirty = false; ///< All pieces must be meshed
+    std::vector<InternodeId> m_joined; ///< Scratch of inspect()
+    bool m_hasChanged = false;         ///< The tree has changed since collectWaiting()
+    bool m_woodIsDirty = false;        ///< All pieces must be meshed
     bool m_leavesAreDirty = false;
 };
 

@@ -26,7 +26,7 @@ struct TreeContent {
 /// The plant graph. An internode is a row of the columns; its upper end is a node, which has buds. An axis is
 /// a chain of internodes of which each continues the one before (slot kTerminalSlot). Internodes that are
 /// shed or pruned get a death step; only undo removes rows. Internode 0 is the seedling: it is a root, stands
-/// upright and never dies; other roots may stand beside it.
+/// upright and never dies; other roots may stand beside it. Each root begins a trunk.
 ///
 /// A Tree is a value: copies share their columns until one of them changes.
 class Tree {
@@ -47,6 +47,7 @@ public:
 
     // Values of columns; see TreeTables.h for their units and ranges.
     InternodeId parent(InternodeId id) const { return columns().parent[id]; }
+    bool isRoot(InternodeId id) const { return parent(id) == kNoInternode; }
     float length(InternodeId id) const { return columns().length[id]; }
     float vigour(InternodeId id) const { return columns().vigour[id]; }
     /// The active buds at its node.

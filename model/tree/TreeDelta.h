@@ -75,8 +75,8 @@ struct TreeDelta {
     bool operator==(const TreeDelta& other) const;
 
     /// Calls @p visit(id) for each internode that the delta creates, or whose death or buds it changes; not
-    /// for neighbours of these internodes, nor for internodes that only move. After a revert, ids from the
-    /// tree's size on are those of rows that are no longer in the tree.
+    /// for neighbours of these internodes, nor for internodes that only move. After a revert, the new
+    /// internodes' ids are those of rows that are no longer in the tree.
     template <class Visit>
     void forEachTouched(Visit&& visit) const
     {
@@ -88,8 +88,10 @@ struct TreeDelta {
     template <class Visit>
     void forEachTouchedRow(Visit&& visit) const
     {
-        for (const InternodeId id : died)
-            visit(id);
+        for (const InternodeId id : died) {
+            if (!born.contains(id))
+                visit(id);
+        }
         for (const auto& change : internodes.buds)
             visit(change.row);
         for (const auto& change : internodes.death)

@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 
 #include <cmath>
-#include <unordered_set>
+#include <vector>
 
 namespace espalier {
 
@@ -58,6 +58,28 @@ QString internodeFault(const TreeContent& t, InternodeId id)
     return {};
 }
 
+/// The first row whose key an earlier row has as well. Sorts, since a file can hold keys that all fall into
+/// one bucket of a hash table.
+std::optional<InternodeId> repeatedKey(const InternodeColumns& c)
+{
+    std::vector<std::pair<InternodeKey, InternodeId>> keys;
+    keys.reserve(c.size());
+    for (InternodeId id = 0; id < c.size(); ++id)
+        keys.emplace_back(c.key[id], id);
+    std::ranges::sort(keys);
+    std::optional<InternodeId> first;
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+        if (keys[i].first == keys[i - 1].first && (!first || keys[i].second < *first))
+            first = keys[i].second;
+    }
+    return first;
+}
+
+QString faultOfInternode(InternodeId id, const QString& fault)
+{
+    return TreeText::tr("internode %1: %2").arg(id).arg(fault);
+}
+
 QString internodesFault(const TreeContent& t)
 {
     const InternodeColumns& c = t.internodes;
@@ -68,8 +90,6 @@ QString internodesFault(const TreeContent& t)
     if (t.kept.parameters.size() > kMostParameterSets)
         return TreeText::tr("the tree has more than %1 parameter sets").arg(kMostParameterSets);
     std::vector<bool> continued(c.size(), false);
-    std::unordered_set<InternodeKey> keys;
-    keys.reserve(c.size());
     for (InternodeId id = 0; id < c.size(); ++id) {
         QString fault = valueFault<InternodeTable>(c, id);
         if (id == 0 && (c.parent[0] != kNoInternode || c.death[0] != kNever))
@@ -82,11 +102,11 @@ QString internodesFault(const TreeContent& t)
                 fault = TreeText::tr("two internodes continue the same axis");
             continued[parent] = true;
         }
-        if (fault.isEmpty() && !keys.insert(c.key[id]).second)
-            fault = TreeText::tr("another internode has its key");
         if (!fault.isEmpty())
-            return TreeText::tr("internode %1: %2").arg(id).arg(fault);
+            return faultOfInternode(id, fault);
     }
+    if (const std::optional<InternodeId> id = repeatedKey(c))
+        return faultOfInternode(*id, TreeText::tr("another internode has its key"));
     return {};
 }
 

@@ -21,10 +21,7 @@ void TreeIndex::rebuild(const Tree& tree)
 {
     *this = {};
     appendRows(tree);
-    for (InternodeId id = 0; id < tree.size(); ++id) {
-        if (tree.isAlive(id))
-            link(tree, id);
-    }
+    linkAll(tree);
     for (InternodeId id = 0; id < tree.size(); ++id)
         refreshOwn(tree, id);
     sweep(tree);
@@ -40,28 +37,30 @@ void TreeIndex::update(const Tree& tree, const TreeDelta& delta)
     else
         appendRows(tree);
     moveAll(tree, delta);
+    changeLengths(tree, delta);
+    findGreatestLength(tree);
     const auto forEachTouched = [&](auto&& visit) {
         if (isReverted)
             delta.forEachTouchedRow(visit);
         else
             delta.forEachTouched(visit);
     };
+    std::vector<Relink> relinks;
     forEachTouched([&](InternodeId id) {
         const bool linked = (m_own[id] & kOwnAlive) != 0;
         if (tree.isAlive(id) == linked)
             return;
-        if (linked)
-            unlink(tree, id);
-        else
-            link(tree, id);
+        if (!tree.isRoot(id))
+            relinks.push_back({tree.parent(id), id});
         m_own[id] ^= kOwnAlive;
         m_sweep.add(id, {.internodes = linked ? ~0U : 1U});
     });
+    relink(tree, relinks);
     // A birth or a death can change whether the internode or its parent is a tip.
     forEachTouched([&](InternodeId id) {
         refreshOwn(tree, id);
-        if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
-            refreshOwn(tree, parent);
+        if (!tree.isRoot(id))
+            refreshOwn(tree, tree.parent(id));
     });
 
     sweep(tree);
@@ -108,6 +107,7 @@ void TreeIndex::appendRows(const Tree& tree)
         if (isBase)
             m_roots.push_back(id);
         place(tree, id);
+        addLength(c.length[id]);
     }
 }
 
@@ -115,17 +115,29 @@ void TreeIndex::appendRows(const Tree& tree)
 void TreeIndex::removeRows(const Tree& tree, const TreeDelta& delta)
 {
     const std::uint32_t end = tree.size();
-    const QList<InternodeId>& parents = delta.rows->internodes.parent;
+    const InternodeColumns& rows = delta.rows->internodes;
     std::vector<InternodeId> stems; // remaining parents of removed rows
     for (InternodeId id = size(); id-- > end;) {
-        const InternodeId parent = parents[id - end];
+        const InternodeId parent = rows.parent[id - end];
+        dropLength(rows.length[id - end]);
         if ((m_own[id] & kOwnAlive) != 0)
             m_removed.extend(m_position[id]);
         if ((m_own[id] & kOwnAlive) == 0 || parent == kNoInternode || parent >= end)
             continue;
-        unlinkFrom(parent, id);
         m_sweep.add(parent, {.internodes = 0U - m_sums[id].internodes, .tips = 0U - m_sums[id].tips});
         stems.push_back(parent);
+    }
+    std::ranges::sort(stems);
+    const auto repeated = std::ranges::unique(stems);
+    stems.erase(repeated.begin(), repeated.end());
+    for (const InternodeId stem : stems) {
+        // Removed rows have the highest ids, so they end the list.
+        InternodeId* place = &m_firstChild[stem];
+        while (*place < end)
+            place = &m_nextSibling[*place];
+        *place = kNoInternode;
+        if (m_mainChild[stem] >= end)
+            m_mainChild[stem] = kNoInternode;
     }
     m_firstChild.resize(end);
     m_nextSibling.resize(end);
@@ -160,9 +172,17 @@ std::uint32_t TreeIndex::livingCount() const
     return count;
 }
 
+std::uint32_t TreeIndex::greatestTipCount() const
+{
+    std::uint32_t greatest = 0;
+    for (const InternodeId root : m_roots)
+        greatest = std::max(greatest, m_sums[root].tips);
+    return greatest;
+}
+
 InternodeId TreeIndex::rootOf(const Tree& tree, InternodeId id) const
 {
-    while (tree.parent(m_axis[id]) != kNoInternode)
+    while (!tree.isRoot(m_axis[id]))
         id = tree.parent(m_axis[id]);
     return m_axis[id];
 }
@@ -177,7 +197,6 @@ void TreeIndex::place(const Tree& tree, InternodeId id)
                 c.rotation[id], c.length[id]);
     m_position[id] = placement.node;
     m_rotation[id] = placement.rotation;
-    m_greatestLength = std::max(m_greatestLength, c.length[id]);
 }
 
 /// Places changed internodes and all their descendants again; dead ones as well, since undo can revive them.
@@ -197,8 +216,8 @@ void TreeIndex::moveAll(const Tree& tree, const TreeDelta& delta)
     });
     // Parents come before their children.
     for (InternodeId id = first; id < tree.size(); ++id) {
-        if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
-            m_moves[id] |= m_moves[parent];
+        if (!tree.isRoot(id))
+            m_moves[id] |= m_moves[tree.parent(id)];
         if (m_moves[id] == 0)
             continue;
         place(tree, id);
@@ -206,34 +225,79 @@ void TreeIndex::moveAll(const Tree& tree, const TreeDelta& delta)
     }
 }
 
-void TreeIndex::link(const Tree& tree, InternodeId id)
+/// Links all living internodes to their parents, which have no children yet.
+void TreeIndex::linkAll(const Tree& tree)
 {
-    const InternodeId parent = tree.parent(id);
-    if (parent == kNoInternode)
+    // From the last to the first, so that each one becomes the first of its list.
+    for (InternodeId id = tree.size(); id-- > 0;) {
+        if (!tree.isAlive(id) || tree.isRoot(id))
+            continue;
+        const InternodeId parent = tree.parent(id);
+        m_nextSibling[id] = std::exchange(m_firstChild[parent], id);
+        if (tree.continuesAxis(id))
+            m_mainChild[parent] = id;
+    }
+}
+
+/// Takes each internode of @p changes out of its parent's list of children, or puts it in if it is not there.
+/// Walks each list once, whatever the number of changes in it. Sorts @p changes.
+void TreeIndex::relink(const Tree& tree, std::vector<Relink>& changes)
+{
+    std::ranges::sort(changes);
+    InternodeId* place = nullptr;
+    InternodeId walked = kNoInternode; // the parent whose list is being walked
+    for (const auto& [parent, id] : changes) {
+        if (parent != walked)
+            place = &m_firstChild[parent];
+        walked = parent;
+        while (*place < id) // kNoInternode is larger than any id
+            place = &m_nextSibling[*place];
+        if (*place == id) {
+            *place = std::exchange(m_nextSibling[id], kNoInternode);
+            if (m_mainChild[parent] == id)
+                m_mainChild[parent] = kNoInternode;
+            continue;
+        }
+        m_nextSibling[id] = std::exchange(*place, id);
+        if (tree.continuesAxis(id))
+            m_mainChild[parent] = id;
+    }
+}
+
+void TreeIndex::addLength(float length)
+{
+    if (length > m_greatestLength) {
+        m_greatestLength = length;
+        m_longest = 0;
+    }
+    if (length == m_greatestLength)
+        ++m_longest;
+}
+
+void TreeIndex::dropLength(float length)
+{
+    if (length == m_greatestLength)
+        --m_longest;
+}
+
+void TreeIndex::changeLengths(const Tree& tree, const TreeDelta& delta)
+{
+    for (const auto& change : delta.internodes.length) {
+        const float now = tree.length(change.row);
+        // The delta was applied or reverted; it does not say which.
+        dropLength(now == change.after ? change.before : change.after);
+        addLength(now);
+    }
+}
+
+/// Looks for the longest internodes if those that were are gone.
+void TreeIndex::findGreatestLength(const Tree& tree)
+{
+    if (m_longest > 0)
         return;
-    if (tree.continuesAxis(id))
-        m_mainChild[parent] = id;
-    InternodeId* place = &m_firstChild[parent];
-    while (*place < id) // kNoInternode is larger than any id
-        place = &m_nextSibling[*place];
-    m_nextSibling[id] = *place;
-    *place = id;
-}
-
-void TreeIndex::unlink(const Tree& tree, InternodeId id)
-{
-    if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
-        unlinkFrom(parent, id);
-}
-
-void TreeIndex::unlinkFrom(InternodeId parent, InternodeId id)
-{
-    if (m_mainChild[parent] == id)
-        m_mainChild[parent] = kNoInternode;
-    InternodeId* place = &m_firstChild[parent];
-    while (*place != id)
-        place = &m_nextSibling[*place];
-    *place = std::exchange(m_nextSibling[id], kNoInternode);
+    m_greatestLength = 0.0F;
+    for (const float length : tree.columns().length)
+        addLength(length);
 }
 
 void TreeIndex::refreshOwn(const Tree& tree, InternodeId id)

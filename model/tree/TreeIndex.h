@@ -11,8 +11,9 @@ namespace espalier {
 
 /// Data derived from a tree that most algorithms need: children, axes, world positions and frames, and sums
 /// over subtrees. The index follows the tree's deltas, forwards and backwards. An update costs in proportion
-/// to the touched internodes and their ancestors; if the delta moves internodes, also one pass over the tree.
-/// Equal trees have equal links, positions and sums, no matter which deltas led to them.
+/// to the touched internodes, their siblings and their ancestors; if the delta moves internodes, or takes
+/// away the longest one, also one pass over the tree. Equal trees have equal indices, no matter which deltas
+/// led to them.
 class TreeIndex {
 public:
     TreeIndex() = default;
@@ -30,7 +31,8 @@ public:
     InternodeId nextSibling(InternodeId id) const { return m_nextSibling[id]; }
     /// The living internode that continues the axis, or kNoInternode.
     InternodeId mainChild(InternodeId id) const { return m_mainChild[id]; }
-    /// The first internode of the axis that @p id is on. It serves as the axis's id; 0 is the trunk.
+    /// The first internode of the axis that @p id is on. It serves as the axis's id; a root is the id of its
+    /// trunk.
     InternodeId axis(InternodeId id) const { return m_axis[id]; }
 
     /// World position of the node, which is at the upper end, m.
@@ -47,12 +49,14 @@ public:
     std::uint32_t tipCount(InternodeId id) const { return m_sums[id].tips; }
     /// Number of living internodes of all roots together.
     std::uint32_t livingCount() const;
+    /// The number of living twig tips that the root with the most of them carries.
+    std::uint32_t greatestTipCount() const;
     /// Internodes without a parent, the dead included, ascending; 0 is the seedling.
     std::span<const InternodeId> roots() const { return m_roots; }
     /// The root that @p id descends from; @p id itself if it is a root.
     InternodeId rootOf(const Tree& tree, InternodeId id) const;
 
-    /// An upper limit of the lengths of all internodes, m. It does not fall when long internodes are removed.
+    /// The length of the longest internode, the dead included, m.
     float greatestLength() const { return m_greatestLength; }
 
     /// Ids whose subtreeSize or tipCount changed in the last update, descending.
@@ -79,13 +83,23 @@ private:
         }
     };
 
+    /// An internode that has begun to live, or has died.
+    struct Relink {
+        InternodeId parent;
+        InternodeId id;
+        auto operator<=>(const Relink&) const = default;
+    };
+
     void appendRows(const Tree& tree);
     void removeRows(const Tree& tree, const TreeDelta& delta);
     void place(const Tree& tree, InternodeId id);
     void moveAll(const Tree& tree, const TreeDelta& delta);
-    void link(const Tree& tree, InternodeId id);
-    void unlink(const Tree& tree, InternodeId id);
-    void unlinkFrom(InternodeId parent, InternodeId id);
+    void linkAll(const Tree& tree);
+    void relink(const Tree& tree, std::vector<Relink>& changes);
+    void addLength(float length);
+    void dropLength(float length);
+    void changeLengths(const Tree& tree, const TreeDelta& delta);
+    void findGreatestLength(const Tree& tree);
     void refreshOwn(const Tree& tree, InternodeId id);
     void sweep(const Tree& tree);
 
@@ -99,6 +113,7 @@ private:
     std::vector<Sums> m_sums;
     std::vector<std::uint8_t> m_own; ///< Bit 0: counted as living; bit 1: counted as a tip
     float m_greatestLength = 0.0F;
+    std::uint32_t m_longest = 0; ///< Number of internodes of that length
     AncestorSweep<Sums> m_sweep; ///< Differences of m_sums, modulo 2^32
     std::vector<InternodeId> m_changed;
     std::vector<InternodeId> m_moved;

@@ -29,6 +29,10 @@ QString treeIndexFault(const Tree& tree, const TreeIndex& index)
     const TreeIndex fresh(tree);
     if (index.size() != fresh.size())
         return QStringLiteral("size of the tree index");
+    if (!std::ranges::equal(index.roots(), fresh.roots()) || index.livingCount() != fresh.livingCount())
+        return QStringLiteral("roots of the tree index");
+    if (index.greatestLength() != fresh.greatestLength())
+        return QStringLiteral("greatest length of the tree index");
     for (InternodeId id = 0; id < fresh.size(); ++id) {
         if (index.firstChild(id) != fresh.firstChild(id))
             return at("first child", id);

@@ -82,6 +82,26 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
     return delta;
 }
 
+/// A step in which another root is born, a seedling with its lower end at @p position, m.
+inline TreeDelta rootBirth(const Tree& tree, const TreeIndex& index, const Vec3& position)
+{
+    TreeDelta delta = deltaStartingAt(tree);
+    delta.stepAfter = delta.stepBefore + 1;
+    delta.born = {tree.size(), 1};
+    delta.rows = std::make_shared<TreeRows>();
+    delta.rows->internodes.append(
+        {.parent = kNoInternode,
+         .length = static_cast<float>(tree.parameters().growth.internodeLength),
+         .vigour = 1.0F,
+         .slot = kTerminalSlot,
+         .buds = BudStates::active(kTerminalBud),
+         .birth = delta.stepAfter,
+         .parameterSet = static_cast<std::uint16_t>(tree.currentParameterSet()),
+         .key = rootKey(tree.seed(), static_cast<std::uint32_t>(index.roots().size()))});
+    delta.sparse.rootPosition.push_back({tree.size(), std::nullopt, position});
+    return delta;
+}
+
 /// A step in which the branch that begins with @p root dies. Precondition: it is alive and not the seedling.
 inline TreeDelta death(const Tree& tree, const TreeIndex& index, InternodeId root)
 {

@@ -3,6 +3,7 @@
 
 #include "model/mesh/TubeMesher.h"
 #include "model/mesh/Tubes.h"
+#include "model/mesh/WoodTracker.h"
 #include "tests/support/MeshTopology.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
@@ -22,6 +23,7 @@ private Q_SLOTS:
     void mesh_ofTheWholeTree_isAClosedManifold();
     void mesh_isTheSameOnOneThreadAndMany();
     void mesh_ofADeadBranch_isGone();
+    void wideNode_isDividedInTimeInProportionToItsChildren();
 };
 
 void BranchMesherTest::mesh_ofASeedling_isOneTube()
@@ -104,6 +106,24 @@ void BranchMesherTest::mesh_ofADeadBranch_isGone()
     const BranchMesh again = meshBranches(builder.tree, builder.index, Widths(builder.tree, builder.index));
     QVERIFY(again.vertices == before.vertices);
     QVERIFY(again.indices == before.indices);
+}
+
+void BranchMesherTest::wideNode_isDividedInTimeInProportionToItsChildren()
+{
+    constexpr std::uint32_t count = 60'000;
+    TreeBuilder builder;
+    WoodTracker tracker;
+    tracker.restart(builder.tree, builder.index);
+    const std::vector<NewInternode> fan(count, {.parent = 0, .slot = 0});
+    QElapsedTimer clock;
+    clock.start();
+    tracker.follow(builder.tree, builder.index, builder.apply(births(builder.tree, fan)));
+    QCOMPARE(tracker.take(builder.tree, builder.index, 2 * count).wood.size(), std::size_t{count});
+    tracker.restart(builder.tree, builder.index);
+    QCOMPARE(tracker.take(builder.tree, builder.index, 2 * count).wood.size(), std::size_t{count});
+    QCOMPARE(tubesOf(builder.tree, builder.index).size(), std::size_t{count});
+    // To visit all children of the node for each of them takes a hundred times as long.
+    QVERIFY2(clock.elapsed() < 1'500, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
 }
 
 const TestClass<BranchMesherTest> branchMesherTest;

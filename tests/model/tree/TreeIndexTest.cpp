@@ -22,7 +22,9 @@ private Q_SLOTS:
     void afterAnyEdits_theIndexIsAsIfFreshlyMade();
     void recentlyChanged_namesExactlyWhatChanged();
     void longAxis_staysStraightAndUnitLength();
-    void noInternode_isLongerThanTheGreatestLength();
+    void greatestLength_isThatOfTheLongestInternode();
+    void wideNode_isIndexedInTimeInProportionToItsChildren();
+    void internodeBornAndShedInOneStep_isForgottenWhenThatIsReverted();
 };
 
 namespace {
@@ -114,7 +116,7 @@ void TreeIndexTest::afterAnyEdits_theIndexIsAsIfFreshlyMade()
         Random random(seed, 0, 0, Purpose::ShootLength);
         std::vector<TreeDelta> undone;
         for (int edit = 0; edit < 120; ++edit) {
-            const auto kind = random.bits() % 6;
+            const auto kind = random.bits() % 8;
             if (kind < 3) {
                 undone.clear();
                 builder.apply(randomGrowth(builder.tree, 12, seed + static_cast<std::uint64_t>(edit)));
@@ -129,8 +131,20 @@ void TreeIndexTest::afterAnyEdits_theIndexIsAsIfFreshlyMade()
             } else if (kind == 5 && !undone.empty()) {
                 builder.apply(std::move(undone.back()));
                 undone.pop_back();
+            } else if (kind == 6) {
+                undone.clear();
+                const auto id = static_cast<InternodeId>(random.bits() % builder.tree.size());
+                const auto stretch = static_cast<float>(random.uniform(0.3, 3.0));
+                builder.apply(bend(builder.tree, id, Rotation::Identity(), stretch));
+            } else if (kind == 7 && builder.index.roots().size() < 4) {
+                undone.clear();
+                const Vec3 place(static_cast<float>(edit), 0.0F, 0.0F);
+                builder.apply(rootBirth(builder.tree, builder.index, place));
             }
             const TreeIndex fresh(builder.tree);
+            QCOMPARE(builder.index.greatestLength(), fresh.greatestLength());
+            QCOMPARE(builder.index.greatestTipCount(), fresh.greatestTipCount());
+            QVERIFY(std::ranges::equal(builder.index.roots(), fresh.roots()));
             QCOMPARE(builder.index.size(), fresh.size());
             QCOMPARE(builder.index.livingCount(), fresh.livingCount());
             for (InternodeId id = 0; id < fresh.size(); ++id) {
@@ -166,7 +180,7 @@ void TreeIndexTest::recentlyChanged_namesExactlyWhatChanged()
     }
 }
 
-void TreeIndexTest::noInternode_isLongerThanTheGreatestLength()
+void TreeIndexTest::greatestLength_isThatOfTheLongestInternode()
 {
     TreeBuilder builder = randomTree(200, 4);
     const auto longest = [&] { return *std::ranges::max_element(builder.tree.columns().length); };
@@ -174,8 +188,61 @@ void TreeIndexTest::noInternode_isLongerThanTheGreatestLength()
     builder.apply(bend(builder.tree, 50, Rotation::Identity(), 9.0F));
     QCOMPARE(builder.index.greatestLength(), longest());
     builder.revert();
-    QVERIFY(builder.index.greatestLength() >= longest());
-    QCOMPARE(TreeIndex(builder.tree).greatestLength(), longest());
+    QCOMPARE(builder.index.greatestLength(), longest());
+    const float before = longest();
+    builder.grow({.parent = 50, .slot = 0, .length = 7.0F});
+    builder.grow({.parent = 60, .slot = 0, .length = 7.0F});
+    builder.revert();
+    QCOMPARE(builder.index.greatestLength(), 7.0F);
+    builder.revert();
+    QCOMPARE(builder.index.greatestLength(), before);
+}
+
+void TreeIndexTest::wideNode_isIndexedInTimeInProportionToItsChildren()
+{
+    constexpr std::uint32_t count = 100'000;
+    TreeBuilder builder;
+    const InternodeId sibling = builder.grow({.parent = 0});
+    QElapsedTimer clock;
+    clock.start();
+    const std::vector<NewInternode> fan(count, {.parent = 0, .slot = 0});
+    builder.apply(births(builder.tree, fan));
+    const auto isComplete = [&](const TreeIndex& index) {
+        const std::vector<InternodeId> children = childrenOf(index, 0);
+        return children.size() == count + 1 && std::ranges::is_sorted(children) &&
+               index.mainChild(0) == sibling;
+    };
+    QVERIFY(isComplete(builder.index));
+    QVERIFY(isComplete(TreeIndex(builder.tree)));
+    const TreeDelta fanDelta = builder.revert();
+    QVERIFY(childrenOf(builder.index, 0) == std::vector<InternodeId>{sibling});
+    builder.apply(fanDelta);
+    // From the last to the first, and every second one.
+    TreeDelta deaths = deltaStartingAt(builder.tree);
+    for (InternodeId id = builder.tree.size() - 1; id > sibling; id -= 2)
+        deaths.died.push_back(id);
+    builder.apply(deaths);
+    QCOMPARE(childrenOf(builder.index, 0).size(), std::size_t{count / 2 + 1});
+    builder.revert();
+    QVERIFY(isComplete(builder.index));
+    // To walk the list of children for each of them takes a hundred times as long.
+    QVERIFY2(clock.elapsed() < 1'500, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
+}
+
+void TreeIndexTest::internodeBornAndShedInOneStep_isForgottenWhenThatIsReverted()
+{
+    TreeBuilder builder = randomTree(50, 3);
+    const Tree before = builder.tree;
+    const std::uint32_t living = builder.index.livingCount();
+    TreeDelta delta = randomGrowth(builder.tree, 6);
+    delta.died = {delta.born.end() - 1};
+    builder.apply(std::move(delta));
+    QCOMPARE(builder.index.livingCount(), living + 5);
+    builder.apply(builder.revert());
+    QCOMPARE(builder.index.livingCount(), living + 5);
+    builder.revert();
+    QCOMPARE(builder.index.livingCount(), living);
+    QVERIFY(builder.tree == before);
 }
 
 void TreeIndexTest::longAxis_staysStraightAndUnitLength()

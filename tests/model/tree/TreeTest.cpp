@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <unordered_set>
 
 namespace espalier::test {
 
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void fromContent_acceptsWhatATreeHolds();
     void fromContent_refusesFaults_data();
     void fromContent_refusesFaults();
+    void keysOfOneBucket_areCheckedQuickly();
     void emptyDelta_isEmpty();
 };
 
@@ -226,12 +228,7 @@ void TreeTest::attachmentAlong_placesTheBaseOnTheParent()
 void TreeTest::severalRoots_standWhereTheyAre()
 {
     TreeBuilder builder;
-    TreeDelta delta = births(builder.tree, std::array{NewInternode{.parent = 0, .slot = 0}});
-    delta.internodes = {};
-    delta.rows->internodes.parent[0] = kNoInternode;
-    delta.rows->internodes.slot[0] = kTerminalSlot;
-    delta.sparse.rootPosition.push_back({1, std::nullopt, Vec3(2.0F, 0.0F, -1.0F)});
-    builder.apply(delta);
+    builder.apply(rootBirth(builder.tree, builder.index, Vec3(2.0F, 0.0F, -1.0F)));
     QCOMPARE(builder.index.roots().size(), std::size_t{2});
     QCOMPARE(builder.index.livingCount(), 2U);
     QVERIFY((builder.index.basePosition(builder.tree, 1) - Vec3(2.0F, 0.0F, -1.0F)).norm() < 1e-6F);
@@ -364,6 +361,28 @@ void TreeTest::fromContent_refusesFaults()
     const Result<Tree> read = Tree::fromContent(content);
     QVERIFY(!read);
     QVERIFY2(read.error().message.contains(named), qPrintable(read.error().message));
+}
+
+void TreeTest::keysOfOneBucket_areCheckedQuickly()
+{
+    constexpr std::uint32_t count = 60'000;
+    TreeBuilder builder;
+    builder.growAxis(0, kTerminalSlot, continuing(), count - 1);
+    std::unordered_set<InternodeKey> table;
+    table.reserve(count);
+    InternodeColumns columns = builder.tree.columns();
+    for (InternodeId id = 0; id < count; ++id)
+        columns.key[id] = id * InternodeKey{table.bucket_count()};
+    QElapsedTimer clock;
+    clock.start();
+    QVERIFY(reread(builder.tree, columns));
+    // A hash table of these keys takes a hundred times as long.
+    QVERIFY2(clock.elapsed() < 1'000, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
+    columns.key[count - 1] = columns.key[7];
+    columns.key[100] = columns.key[9];
+    const Result<Tree> refused = reread(builder.tree, columns);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().message, QStringLiteral("internode 100: another internode has its key"));
 }
 
 void TreeTest::emptyDelta_isEmpty()
