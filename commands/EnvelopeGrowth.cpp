@@ -159,9 +159,11 @@ std::optional<EnvelopeGrowth::Leader> EnvelopeGrowth::nextLeader(const Tree& tre
         return {};
     ++m_leaders;
     const double length = tree.parameters().growth.internodeLength;
-    const bool isSeedling = index.tipCount(0) == 1;
-    const BudRef bud = isSeedling && (tree.buds(trunkTip(index)) & kTerminalBud) != 0
-                           ? BudRef{trunkTip(index), kTerminalSlot}
+    const InternodeId root = index.rootOf(tree, from);
+    const bool isSeedling = index.tipCount(root) == 1;
+    const InternodeId tip = trunkTip(index, root);
+    const BudRef bud = isSeedling && (tree.buds(tip) & kTerminalBud) != 0
+                           ? BudRef{tip, kTerminalSlot}
                            : bestBud(tree, index, from, target, m_workspace);
     return Leader{bud, target, 10 + static_cast<int>(std::min(2.0 * std::sqrt(least) / length, 1e5))};
 }

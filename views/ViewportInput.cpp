@@ -160,7 +160,9 @@ void Viewport::resizeEvent(QResizeEvent* event)
 template <class Pick>
 auto Viewport::withPickScene(Pick&& pick) const
 {
-    float greatest = branchRadius(0);
+    float greatest = 0.0F;
+    for (const InternodeId root : m_document.index().roots())
+        greatest = std::max(greatest, branchRadius(root));
     for (const WidthConstraint& constraint : m_document.tree().widthConstraints())
         greatest = std::max(greatest, constraint.value / 2.0F);
     const std::function<float(InternodeId)> radius = [&](InternodeId id) {

@@ -13,8 +13,8 @@ QString PruneOperation::perform(TreeDocument& document) const
         const Result<InternodeId> id = internode.resolve(document);
         if (!id)
             faults.append(id.error().message);
-        else if (*id == 0)
-            faults.append(RecipeText::tr("internode 0 is the seedling, which cannot be pruned"));
+        else if (document.tree().isRoot(*id))
+            faults.append(RecipeText::tr("internode %1 is a root, which cannot be pruned").arg(*id));
         else
             cuts.push_back(*id);
     }

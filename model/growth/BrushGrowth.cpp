@@ -144,16 +144,29 @@ TreeDelta BrushGrowth::step(const Tree& tree, const TreeIndex& index, const Grow
         const double cosine = std::clamp(m_strokeDirection.normalized().y(), -1.0F, 1.0F);
         options.setPointAngle = std::acos(cosine);
     }
-    // A seedling grows a bare trunk toward a brush that is too far away to be perceived.
     const float sight = brush.radius + 0.5F * options.perception.reach;
-    const bool isSeedling = index.tipCount(0) == 1 && m_competitors.node == kNoInternode;
-    const auto isOutOfSight = [&] {
-        const BudRef nearest = nearestBud(tree, index, brush.position);
-        return (brush.position - index.nodePosition(nearest.node)).norm() > sight;
-    };
-    if (isSeedling && isOutOfSight())
-        return growLeader(tree, index, brush.position, sight, p.maxShootLength, m_workspace);
+    if (const std::optional<InternodeId> seedling = seedlingFor(tree, index, brush.position, sight)) {
+        return growLeader(tree, index, {trunkTip(index, *seedling), kTerminalSlot}, brush.position, sight,
+                          p.maxShootLength, m_workspace);
+    }
     return model.growToward(tree, index, m_markers, options, m_workspace);
+}
+
+/// A seedling grows a bare trunk toward a brush that is too far away to be perceived. Returns the root of
+/// that seedling; nothing if the bud nearest to the brush is in sight, or belongs to a tree that has
+/// branches.
+std::optional<InternodeId> BrushGrowth::seedlingFor(const Tree& tree, const TreeIndex& index,
+                                                    const Vec3& brush, float sight) const
+{
+    const auto isSeedling = [&index](InternodeId root) { return index.tipCount(root) == 1; };
+    // To find the nearest bud is a pass over the tree.
+    if (m_competitors.node != kNoInternode || std::ranges::none_of(index.roots(), isSeedling))
+        return {};
+    const BudRef nearest = nearestBud(tree, index, brush);
+    const InternodeId root = index.rootOf(tree, nearest.node);
+    if (!isSeedling(root) || (brush - index.nodePosition(nearest.node)).norm() <= sight)
+        return {};
+    return root;
 }
 
 void BrushGrowth::layMarkers(const Tree& tree, const BrushSample& previous, const BrushSample& brush)

@@ -31,6 +31,8 @@ public:
     std::span<const Vec3> markers() const { return m_markers.positions; }
 
 private:
+    std::optional<InternodeId> seedlingFor(const Tree& tree, const TreeIndex& index, const Vec3& brush,
+                                           float sight) const;
     void layMarkers(const Tree& tree, const BrushSample& previous, const BrushSample& brush);
     TreeDelta draw(const Tree& tree, const TreeIndex& index, const BrushSample& previous,
                    const BrushSample& brush);

@@ -59,7 +59,7 @@ bool competes(const GrowingTree& tree, const Competitors& competitors, BudRef bu
     if (competitors.node == kNoInternode || (bud.node == competitors.node && bud.slot == competitors.slot))
         return true;
     InternodeId id = bud.node;
-    while (id > competitors.node) {
+    while (id != kNoInternode && id > competitors.node) {
         const InternodeId parent = tree.parent(id);
         if (parent == competitors.node)
             return tree.slot(id) == competitors.slot;

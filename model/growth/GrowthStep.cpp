@@ -91,7 +91,8 @@ double planarRoll(const GrowingTree& tree, const BudRef& bud)
     if (bud.slot != kTerminalSlot)
         return 0.0;
     int place = 0; // along the axis
-    for (InternodeId id = bud.node; id != 0 && tree.slot(id) == kTerminalSlot; id = tree.parent(id))
+    for (InternodeId id = bud.node; tree.parent(id) != kNoInternode && tree.slot(id) == kTerminalSlot;
+         id = tree.parent(id))
         ++place;
     const auto isTurned = [&](int at) {
         return std::cos(at * tree.tree().parameters().growth.phyllotaxis) < -1e-9;
@@ -327,9 +328,9 @@ TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthI
     return growing.takeDelta();
 }
 
-InternodeId trunkTip(const TreeIndex& index)
+InternodeId trunkTip(const TreeIndex& index, InternodeId root)
 {
-    InternodeId tip = 0;
+    InternodeId tip = root;
     while (index.mainChild(tip) != kNoInternode)
         tip = index.mainChild(tip);
     return tip;
@@ -352,12 +353,6 @@ TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const BudRef& bud
         tip = {grown, kTerminalSlot};
     }
     return growing.takeDelta();
-}
-
-TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const Vec3& target, float distance, int count,
-                     GrowthWorkspace& workspace)
-{
-    return growLeader(tree, index, {trunkTip(index), kTerminalSlot}, target, distance, count, workspace);
 }
 
 } // namespace espalier

@@ -52,11 +52,7 @@ int shootLength(double vigour, double greatestVigour, int longest);
 TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const BudRef& bud, const Vec3& target,
                      float distance, int count, GrowthWorkspace& workspace);
 
-/// The last living internode of the trunk.
-InternodeId trunkTip(const TreeIndex& index);
-
-/// The same for the terminal bud of the trunk: a seedling grows toward a distant brush.
-TreeDelta growLeader(const Tree& tree, const TreeIndex& index, const Vec3& target, float distance, int count,
-                     GrowthWorkspace& workspace);
+/// The last living internode of the trunk that begins with @p root.
+InternodeId trunkTip(const TreeIndex& index, InternodeId root);
 
 } // namespace espalier

@@ -16,7 +16,7 @@ TreeCounts countTree(const Tree& tree, const TreeIndex& index)
             continue;
         ++counts.internodes;
         counts.buds += static_cast<std::uint64_t>(std::popcount(tree.buds(id)));
-        if (id == 0 || !tree.continuesAxis(id))
+        if (tree.isRoot(id) || !tree.continuesAxis(id))
             ++counts.axes;
         if (leaves.bears(id))
             counts.leaves += leaves.leavesPerInternode();
@@ -27,6 +27,10 @@ TreeCounts countTree(const Tree& tree, const TreeIndex& index)
 Box3 treeBounds(const Tree& tree, const TreeIndex& index)
 {
     Box3 bounds{Vec3(Vec3::Zero())};
+    for (const InternodeId root : index.roots()) {
+        if (tree.isAlive(root))
+            bounds.extend(index.basePosition(tree, root));
+    }
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (tree.isAlive(id))
             bounds.extend(index.nodePosition(id));

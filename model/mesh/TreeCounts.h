@@ -18,7 +18,7 @@ struct TreeCounts {
 
 TreeCounts countTree(const Tree& tree, const TreeIndex& index);
 
-/// The box around all living nodes and the base, m.
+/// The box around all living nodes, the bases of the trunks and the origin, m.
 Box3 treeBounds(const Tree& tree, const TreeIndex& index);
 
 } // namespace espalier

@@ -7,23 +7,22 @@ namespace espalier {
 
 InternodeId cutBelow(const Tree& tree, const TreeIndex& index, InternodeId id)
 {
-    if (!tree.isAlive(id))
-        return 0;
-    while (id != 0) {
+    if (!tree.isAlive(id) || tree.isRoot(id))
+        return kNoInternode;
+    for (;;) {
         const InternodeId parent = tree.parent(id);
         const bool branches = index.nextSibling(index.firstChild(parent)) != kNoInternode;
-        if (branches || parent == 0 || tree.widthConstraint(parent) > 0.0F)
-            break;
+        if (branches || tree.isRoot(parent) || tree.widthConstraint(parent) > 0.0F)
+            return id;
         id = parent;
     }
-    return id;
 }
 
 std::vector<InternodeId> falling(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> cuts)
 {
     std::vector<InternodeId> fallen;
     for (const InternodeId cut : cuts) {
-        if (cut != 0 && cut < tree.size() && tree.isAlive(cut))
+        if (tree.isAlive(cut) && !tree.isRoot(cut))
             fallen.push_back(cut);
     }
     std::ranges::sort(fallen);

@@ -70,11 +70,13 @@ double solveExponent(double logBase, std::span<const WidthExtremities> extremiti
 /// Computes the radii; one object for each call of constrainedRadii.
 class Regions {
 public:
-    Regions(const Tree& tree, const TreeIndex& index, std::span<const WidthConstraint> constraints)
+    Regions(const Tree& tree, const TreeIndex& index, std::span<const WidthConstraint> constraints,
+            double power)
         : m_tree(tree),
           m_index(index),
           m_parameters(tree.parameters().widths),
           m_constraints(constraints),
+          m_power(power),
           m_logTip(std::log(std::max(m_parameters.tipDiameter, kSmallestTip)))
     {
     }
@@ -123,39 +125,60 @@ private:
         return diameter > 0.0 ? std::log(std::clamp(diameter, kSmallestTip, kLargestDiameter)) : m_logTip;
     }
 
-    /// The base diameter parameter, m; for a tree that is still a single axis, limited by its length.
-    double baseDiameter() const
+    /// The base diameter of the trunk of a living root, m, where @p mostTips is the greatest number of tips
+    /// of a trunk: the parameter for a trunk of so many tips, less for the others. If all trunks are still
+    /// single axes, limited by the trunk's length.
+    double baseDiameter(InternodeId root, std::uint32_t mostTips) const
     {
-        if (m_index.tipCount(0) != 1)
-            return m_parameters.baseDiameter;
+        if (mostTips > 1) {
+            const std::uint32_t tips = m_index.tipCount(root);
+            return tips == mostTips ? m_parameters.baseDiameter
+                                    : std::exp(m_logTip + m_power * std::log(static_cast<double>(tips)));
+        }
         double length = 0.0;
-        for (InternodeId id = 0; id != kNoInternode; id = m_index.firstChild(id))
+        for (InternodeId id = root; id != kNoInternode; id = m_index.firstChild(id))
             length += static_cast<double>(m_tree.length(id));
         return std::min(m_parameters.baseDiameter,
                         std::max(m_parameters.tipDiameter, kThickestStem * length));
     }
 
-    /// Region 0 is the one at the tree's base, region i + 1 the one above constraint i.
+    /// The first regions are those at the bases of the roots, in their order; the others are those above the
+    /// constraints, in their order.
     void findRegions()
     {
-        m_regions.resize(m_constraints.size() + 1);
-        if (m_parameters.baseDiameter > 0.0)
-            m_regions[0].logBase = std::log(std::max(baseDiameter(), kSmallestTip));
+        const std::span<const InternodeId> roots = m_index.roots();
+        const std::uint32_t mostTips = m_index.greatestTipCount();
+        m_regions.resize(roots.size() + m_constraints.size());
+        for (std::size_t i = 0; i < roots.size(); ++i) {
+            m_regions[i].base = roots[i];
+            if (m_parameters.baseDiameter > 0.0 && m_index.tipCount(roots[i]) > 0)
+                m_regions[i].logBase = std::log(std::max(baseDiameter(roots[i], mostTips), kSmallestTip));
+        }
         m_regionOf.assign(m_tree.size(), 0);
         const InternodeId* parents = m_tree.columns().parent.constData();
+        std::uint32_t nextRoot = 1;
         std::size_t next = 0;
-        const InternodeId first = m_constraints.empty() ? m_tree.size() : m_constraints.front().id;
+        // All internodes before these belong to the region of the first root.
+        const InternodeId secondRoot = roots.size() > 1 ? roots[1] : m_tree.size();
+        const InternodeId first =
+            m_constraints.empty() ? secondRoot : std::min(secondRoot, m_constraints.front().id);
         for (InternodeId id = first; id < m_tree.size(); ++id) {
-            const std::uint32_t below = id > 0 ? m_regionOf[parents[id]] : 0;
+            const bool isRoot = parents[id] == kNoInternode;
+            std::uint32_t below = 0;
+            if (!isRoot)
+                below = m_regionOf[parents[id]];
+            else if (id != roots.front())
+                below = nextRoot++;
             m_regionOf[id] = below;
             if (next == m_constraints.size() || m_constraints[next].id != id)
                 continue;
-            if (id > 0)
+            if (!isRoot)
                 m_regions[below].ends.push_back(static_cast<std::uint32_t>(next));
+            const std::size_t above = roots.size() + next;
+            m_regionOf[id] = static_cast<std::uint32_t>(above);
+            m_regions[above].base = id;
+            m_regions[above].logBase = logOf(m_constraints[next]);
             ++next;
-            m_regionOf[id] = static_cast<std::uint32_t>(next);
-            m_regions[next].base = id;
-            m_regions[next].logBase = logOf(m_constraints[next - 1]);
         }
     }
 
@@ -252,6 +275,7 @@ private:
     const TreeIndex& m_index;
     const WidthParameters& m_parameters;
     std::span<const WidthConstraint> m_constraints;
+    double m_power;
     double m_logTip;
     std::vector<Region> m_regions;
     /// By internode; an internode with a constraint belongs to the region above it.
@@ -291,9 +315,9 @@ WidthLaw solveWidths(std::optional<double> logBase, std::span<const WidthExtremi
 }
 
 std::vector<float> constrainedRadii(const Tree& tree, const TreeIndex& index,
-                                    std::span<const WidthConstraint> constraints)
+                                    std::span<const WidthConstraint> constraints, double power)
 {
-    return Regions(tree, index, constraints).radii();
+    return Regions(tree, index, constraints, power).radii();
 }
 
 } // namespace espalier

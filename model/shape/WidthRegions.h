@@ -35,8 +35,9 @@ WidthLaw solveWidths(std::optional<double> logBase, std::span<const WidthExtremi
 double logDiameter(double exponent, std::span<const WidthExtremities> extremities);
 
 /// Radii of all internodes, m, 0 for dead ones, for @p constraints of living internodes in ascending order.
-/// The cost is a pass over the rows, and the paths that lead down from the constraints.
+/// The cost is a pass over the rows, and the paths that lead down from the constraints. @p power: p of
+/// d = d_e · tips^p, which gives the base diameters of trunks that carry fewer tips than the greatest one.
 std::vector<float> constrainedRadii(const Tree& tree, const TreeIndex& index,
-                                    std::span<const WidthConstraint> constraints);
+                                    std::span<const WidthConstraint> constraints, double power);
 
 } // namespace espalier

@@ -34,28 +34,28 @@ double widthExponent(std::uint32_t tips, double tipDiameter, double baseDiameter
     return std::clamp(exponent, kSmallestExponent, kLargestExponent);
 }
 
-Widths::Widths(const WidthParameters& parameters, std::uint32_t treeTips)
+Widths::Widths(const WidthParameters& parameters, std::uint32_t trunkTips)
     : m_exponent(
-          widthExponent(treeTips, parameters.tipDiameter, parameters.baseDiameter, parameters.exponent)),
-      m_power(widthPower(parameters, treeTips, m_exponent)),
+          widthExponent(trunkTips, parameters.tipDiameter, parameters.baseDiameter, parameters.exponent)),
+      m_power(widthPower(parameters, trunkTips, m_exponent)),
       m_tipRadius(parameters.tipDiameter / 2.0)
 {
     m_table.reserve(kTableSize);
-    for (std::uint32_t tips = 0; tips < std::min(kTableSize, treeTips + 1); ++tips)
+    for (std::uint32_t tips = 0; tips < std::min(kTableSize, trunkTips + 1); ++tips)
         m_table.push_back(tips == 0 ? 0.0F : static_cast<float>(m_tipRadius * std::pow(tips, m_power)));
 }
 
 Widths::Widths(const Tree& tree, const TreeIndex& index, std::span<const WidthConstraint> constraints)
-    : Widths(tree.parameters().widths, index.tipCount(0))
+    : Widths(tree.parameters().widths, index.greatestTipCount())
 {
     std::vector<WidthConstraint> living;
     for (const WidthConstraint& constraint : constraints) {
         if (constraint.id < tree.size() && tree.isAlive(constraint.id))
             living.push_back(constraint);
     }
-    const bool tapersByLength = index.tipCount(0) == 1 && tree.parameters().widths.baseDiameter > 0.0;
+    const bool tapersByLength = index.greatestTipCount() == 1 && tree.parameters().widths.baseDiameter > 0.0;
     if (!living.empty() || tapersByLength)
-        m_radii = constrainedRadii(tree, index, living);
+        m_radii = constrainedRadii(tree, index, living, m_power);
 }
 
 float Widths::radiusOfTips(std::uint32_t tips) const

@@ -21,18 +21,23 @@ double widthExponent(std::uint32_t tips, double tipDiameter, double baseDiameter
 /// one above, and each region has its own exponent (see WidthRegions). Then all radii are computed at once;
 /// so are those of a single axis with a base diameter, which tapers by its length.
 ///
+/// Where several roots stand side by side, the base diameter is that of the trunk with the most tips. The
+/// same power leads to the diameters of the other trunks. If all trunks are single axes, each tapers by its
+/// own length.
+///
 /// A snapshot: make a new one when the parameters, or (with a base diameter) the number of tips, or (with
 /// constraints) anything else of the tree has changed.
 class Widths {
 public:
-    Widths(const WidthParameters& parameters, std::uint32_t treeTips);
+    /// @p trunkTips: the number of tips that the trunk with the most of them carries.
+    Widths(const WidthParameters& parameters, std::uint32_t trunkTips);
     /// Uses the tree's constraints.
     Widths(const Tree& tree, const TreeIndex& index) : Widths(tree, index, tree.widthConstraints()) {}
     /// @p constraints: ascending, at most one for each internode.
     Widths(const Tree& tree, const TreeIndex& index, std::span<const WidthConstraint> constraints);
 
-    /// Exponent of the region at the base of the tree; if a constraint is there, the exponent without
-    /// constraints.
+    /// Exponent of the region at the base of the trunk with the most tips; if a constraint is there, the
+    /// exponent without constraints.
     double exponent() const { return m_exponent; }
     /// p of d = d_e · tips^p, where radii depend on the number of tips alone: 1 / exponent() within its
     /// limits, and beyond them the power that leads to the base diameter.

@@ -48,9 +48,13 @@ void main()
     float shade = 0.88 * frame.sunDirection.w * (1.0 - (1.0 - texture(sharpShadow, at).r) * (1.0 - texture(softShadow, at).g));
     vec2 world = groundPlace * frame.ground.w;
 
-    // The tree darkens the ground around its foot.
-    float foot = max(length(world) - frame.foot.x, 0.0) / frame.foot.x;
-    float contact = 0.75 * exp(-1.1 * foot) + 0.25 * exp(-0.3 * foot);
+    // Each trunk darkens the ground around its foot.
+    float contact = 0.0;
+    for (int i = 0; i < int(frame.foot.w); ++i) {
+        vec3 foot = frame.feet[i].xyz;
+        float away = max(length(world - foot.xy) - foot.z, 0.0) / foot.z;
+        contact = max(contact, 0.75 * exp(-1.1 * away) + 0.25 * exp(-0.3 * away));
+    }
     float sky = (1.0 - 0.5 * texture(skyShadow, at).b) * (1.0 - 0.8 * contact);
     float sun = frame.sunDirection.y * (1.0 - shade);
 

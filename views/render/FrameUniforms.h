@@ -11,6 +11,7 @@ namespace espalier {
 struct FrameUniforms {
     using Vector = std::array<float, 4>;
     using Matrix = std::array<float, 16>;
+    static constexpr std::size_t kMostFeet = 8; ///< As in frame.glsl
 
     Matrix viewProjection{};
     Matrix inverseViewProjection{};
@@ -31,8 +32,10 @@ struct FrameUniforms {
     Vector ground{};
     Vector foot{};
     Vector pass{};
+    std::array<Vector, kMostFeet> feet{};
     Matrix centredViewProjection{}; ///< For the middles of the pixels; not in the block
 };
-static_assert(offsetof(FrameUniforms, centredViewProjection) == 3 * 64 + 16 * 16);
+static_assert(offsetof(FrameUniforms, centredViewProjection) ==
+              3 * 64 + (16 + FrameUniforms::kMostFeet) * 16);
 
 } // namespace espalier

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace espalier {
 
@@ -22,6 +23,9 @@ constexpr int kSurfaceUnit = 3;
 constexpr int kSharpUnit = 2;
 constexpr int kSoftUnit = 3;
 constexpr int kSkyUnit = 4;
+
+/// The least radius of a trunk's foot, m.
+constexpr float kLeastFoot = 0.005F;
 
 using Vector = FrameUniforms::Vector;
 
@@ -236,13 +240,27 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
         frame.backgroundInner[3] = isTransparent(options) ? 3.0F : 2.0F;
     frame.ground = lighting.groundAlbedo;
     frame.ground[3] = radius;
-    const float foot = std::max(scene.mesh().tracker().meshedRadius(0), 0.005F);
     const bool isGridShown = options.view.gridShown && !options.background;
-    frame.foot = {foot, options.view.groundShown ? 1.0F : 0.0F, isGridShown ? 1.0F : 0.0F, 0.0F};
+    frame.foot = {0.0F, options.view.groundShown ? 1.0F : 0.0F, isGridShown ? 1.0F : 0.0F, 0.0F};
+    setFeet(scene);
     // With several samples a pixel, the textures can be sharper.
     const bool isOnly = options.samples == 1;
     frame.pass = {offset.x(), offset.y(), isOnly ? 0.0F : -0.7F, isOnly ? -1.0F : lotOf(pass)};
     sendFrame();
+}
+
+/// Keeps the thickest trunks, as many as the shaders know.
+void Renderer::setFeet(const TreeScene& scene)
+{
+    std::vector<TreeScene::Foot> feet = scene.feet();
+    std::ranges::stable_sort(feet, std::greater(), &TreeScene::Foot::radius);
+    const std::size_t count = std::min(feet.size(), FrameUniforms::kMostFeet);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float radius = std::max(feet[i].radius, kLeastFoot);
+        m_frame.feet[i] = {feet[i].base.x(), feet[i].base.z(), radius, 0.0F};
+    }
+    m_frame.foot[0] = std::max(feet.front().radius, kLeastFoot);
+    m_frame.foot[3] = static_cast<float>(count);
 }
 
 void Renderer::sendFrame()

@@ -43,6 +43,7 @@ private:
     void drawTracing(const Camera& camera, const RenderOptions& options);
     /// @p saturation of the leaves, 0...1.
     void drawTree(const RenderOptions& options, float saturation);
+    void setFeet(const TreeScene& scene);
     void sendFrame();
     void bindTexture(int unit, GLenum kind, GLuint texture);
 

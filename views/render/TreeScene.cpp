@@ -108,11 +108,24 @@ bool TreeScene::settleSome()
     return m_isExact;
 }
 
+std::vector<TreeScene::Foot> TreeScene::feet() const
+{
+    std::vector<Foot> feet;
+    for (const InternodeId root : m_document.index().roots()) {
+        if (m_document.tree().isAlive(root))
+            feet.push_back({m_document.index().basePosition(m_document.tree(), root),
+                            m_mesh.tracker().meshedRadius(root)});
+    }
+    return feet;
+}
+
 std::vector<Vec3> TreeScene::outline() const
 {
     const Tree& tree = m_document.tree();
-    std::vector<Vec3> points{Vec3::Zero()};
-    points.reserve(m_document.index().livingCount() + m_mesh.leaves().size() + 1);
+    std::vector<Vec3> points;
+    for (const Foot& foot : feet())
+        points.push_back(foot.base);
+    points.reserve(m_document.index().livingCount() + m_mesh.leaves().size() + points.size());
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (tree.isAlive(id))
             points.push_back(m_document.index().nodePosition(id));
@@ -181,6 +194,8 @@ void TreeScene::updateBounds()
         return;
     const Tree& tree = m_document.tree();
     m_bounds = Box3(Vec3::Zero());
+    for (const Foot& foot : feet())
+        m_bounds.extend(foot.base);
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (tree.isAlive(id))
             m_bounds.extend(m_document.index().nodePosition(id));

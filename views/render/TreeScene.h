@@ -42,10 +42,18 @@ public:
     const MeshPool& mesh() const { return m_mesh; }
     LightGrid& light() { return m_light; }
     const LightGrid& light() const { return m_light; }
-    /// Bounds of the living tree with its leaves and the seedling's base, m; never empty.
+    /// Bounds of the living tree with its leaves, the bases of its trunks and the origin, m; never empty.
     const Box3& bounds() const { return m_bounds; }
-    /// Points that a picture of the whole tree must show: its nodes, its base, and the tips of its leaves, m.
+    /// Points that a picture of the whole tree must show: its nodes, the bases of its trunks, and the tips of
+    /// its leaves, m.
     std::vector<Vec3> outline() const;
+    /// The lower end of a trunk, m, and the radius there as meshed, m.
+    struct Foot {
+        Vec3 base;
+        float radius;
+    };
+    /// Those of the living roots, by ascending id; at least one.
+    std::vector<Foot> feet() const;
 
 private:
     void rebuild();

@@ -90,7 +90,7 @@ InternodeId BendTool::defaultBase(InternodeId id) const
     for (;;) {
         id = index.axis(id);
         const InternodeId parent = tree.parent(id);
-        if (parent == kNoInternode)
+        if (tree.isRoot(id))
             return id;
         if (2 * index.tipCount(id) < index.tipCount(parent))
             return parent;

@@ -112,8 +112,8 @@ void PruneTool::aim(const PointerSample& sample)
 {
     const TreeDocument& document = context().document();
     const std::optional<PickedBranch> picked = context().pick(sample.position, sample.device);
-    const InternodeId cut = picked ? cutBelow(document.tree(), document.index(), picked->id) : 0;
-    show(cut != 0 ? std::vector<InternodeId>{cut} : std::vector<InternodeId>{});
+    const InternodeId cut = picked ? cutBelow(document.tree(), document.index(), picked->id) : kNoInternode;
+    show(cut != kNoInternode ? std::vector<InternodeId>{cut} : std::vector<InternodeId>{});
 }
 
 void PruneTool::cutAcross(const QPointF& from, const QPointF& to)
@@ -122,8 +122,8 @@ void PruneTool::cutAcross(const QPointF& from, const QPointF& to)
     const TreeIndex& index = context().document().index();
     const Camera& camera = context().camera();
     std::vector<InternodeId> cuts = m_cuts;
-    for (InternodeId id = 1; id < tree.size(); ++id) {
-        if (!tree.isAlive(id))
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id) || tree.isRoot(id))
             continue;
         const auto lower = camera.project(index.basePosition(tree, id));
         const auto upper = camera.project(index.nodePosition(id));

@@ -42,7 +42,7 @@ struct ExportMaterial {
 
 struct ExportMesh {
     QString name;
-    TriangleMesh mesh; ///< m, Y up, the trunk's base at the origin
+    TriangleMesh mesh; ///< m, Y up, the seedling's base at the origin
     std::size_t material = 0;
 };
 

@@ -90,7 +90,7 @@ std::vector<Case> cases()
         {"prune of a number that no tree has",
          PruneOperation{{InternodeId(InternodeReference::kGreatestNumber)}}, none},
         {"prune of the seedling", PruneOperation{{0U}},
-         QStringLiteral("internode 0 is the seedling, which cannot be pruned")},
+         QStringLiteral("internode 0 is a root, which cannot be pruned")},
         {"travel", TravelOperation{-1}, {}},
         {"travel beyond the beginning", TravelOperation{-1'000'000},
          QStringLiteral("the history goes back only by ")},

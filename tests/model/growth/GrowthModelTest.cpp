@@ -38,8 +38,9 @@ public:
     TreeDelta growFreely(const Tree& tree, const TreeIndex& index, const GrowthStepOptions& /*options*/,
                          GrowthWorkspace& workspace) const override
     {
-        const Vec3 above = index.nodePosition(trunkTip(index)) + Vec3(0.0F, 100.0F, 0.0F);
-        return growLeader(tree, index, above, 0.0F, 1, workspace);
+        const BudRef tip{trunkTip(index, 0), kTerminalSlot};
+        const Vec3 above = index.nodePosition(tip.node) + Vec3(0.0F, 100.0F, 0.0F);
+        return growLeader(tree, index, tip, above, 0.0F, 1, workspace);
     }
     TreeDelta growToward(const Tree& tree, const TreeIndex& index, MarkerSet& /*markers*/,
                          const GrowthStepOptions& options, GrowthWorkspace& workspace) const override
@@ -60,7 +61,7 @@ void GrowthModelTest::document_growsByTheModelThatItHas()
     document.setGrowthModel(std::make_unique<UprightModel>());
     grow(document, 7);
     QCOMPARE(document.index().livingCount(), 8U);
-    QCOMPARE(document.index().axis(trunkTip(document.index())), 0U);
+    QCOMPARE(document.index().axis(trunkTip(document.index(), 0)), 0U);
     QCOMPARE(document.index().tipCount(0), 1U);
 }
 

@@ -472,19 +472,24 @@ void GrowthStepTest::leastVigour_ofOneLeavesTheStrongestAlone()
 
 void GrowthStepTest::leader_reachesForTheTarget()
 {
+    const auto tip = [](const TreeDocument& document) {
+        return BudRef{trunkTip(document.index(), 0), kTerminalSlot};
+    };
     for (const Vec3& target : {Vec3(0.0F, 3.0F, 0.0F), Vec3(2.0F, 2.0F, 1.0F), Vec3(-3.0F, 0.5F, 0.0F)}) {
         TreeDocument document;
         GrowthWorkspace workspace;
         float distance = (target - document.index().nodePosition(0)).norm();
         for (int step = 0; step < 100 && distance > 0.5F; ++step) {
-            TreeDelta delta = growLeader(document.tree(), document.index(), target, 0.5F, 3, workspace);
+            TreeDelta delta =
+                growLeader(document.tree(), document.index(), tip(document), target, 0.5F, 3, workspace);
             QVERIFY(delta.born.count > 0 && delta.born.count <= 3);
             apply(document, std::move(delta));
-            distance = (target - document.index().nodePosition(trunkTip(document.index()))).norm();
+            distance = (target - document.index().nodePosition(tip(document).node)).norm();
         }
         QVERIFY(distance <= 0.5F);
         QCOMPARE(document.index().tipCount(0), 1U);
-        QVERIFY(growLeader(document.tree(), document.index(), target, 0.5F, 3, workspace).isEmpty());
+        QVERIFY(growLeader(document.tree(), document.index(), tip(document), target, 0.5F, 3, workspace)
+                    .isEmpty());
     }
 }
 

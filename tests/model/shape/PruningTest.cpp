@@ -49,7 +49,7 @@ void PruningTest::cut_isAtTheBranchingPointBelow()
     QCOMPARE(cutBelow(builder.tree, builder.index, 7), 7U);
     QCOMPARE(cutBelow(builder.tree, builder.index, 6), 4U);
     QCOMPARE(cutBelow(builder.tree, builder.index, 3), 1U);
-    QCOMPARE(cutBelow(builder.tree, builder.index, 0), 0U);
+    QCOMPARE(cutBelow(builder.tree, builder.index, 0), kNoInternode);
 }
 
 void PruningTest::cut_isJustAboveAWidthConstraint()
