@@ -18,12 +18,16 @@ namespace espalier {
 template <class T>
 using FaultOf = const char* (*)(const T& value);
 
+/// Whether a delta may change the cells of a column in rows that exist.
+enum class Edits { Never, Allowed };
+
 /// One column of a table, as applying, comparing, saving, reading and migrating see it.
 template <class T>
 struct ColumnInfo {
     const char* name;          ///< The name in files; never changes
     std::optional<T> fallback; ///< The value for files that lack the column; empty if every file must have it
     FaultOf<T> faultOf;        ///< The check for values from files
+    Edits edits;               ///< Histories in files are held to it
 };
 
 template <class T>
@@ -166,19 +170,21 @@ private:
 
 } // namespace espalier
 
-// A table is described by one list of columns, LIST(COLUMN), of lines COLUMN(type, name, fallback, fault).
+// A table is described by one list of columns, LIST(COLUMN), of lines COLUMN(type, name, fallback, fault,
+// edits).
 // The macros make from it the members of the struct <Table>Columns (a QList a column), <Table>Row (a value a
 // column) and <Table>Changes (a CellChanges a column), and <Table>Table::visit(visitor, parts…), which calls
 // visitor(ColumnInfo, part.name…) for each column in the list's order. So a new column needs one line in the
 // list, and the code that uses it.
-#define ESPALIER_COLUMN_MEMBER(Type, name, fallback, fault) QList<Type> name;
-#define ESPALIER_ROW_MEMBER(Type, name, fallback, fault) Type name = initialValue<Type>(fallback);
-#define ESPALIER_CHANGES_MEMBER(Type, name, fallback, fault) CellChanges<Type> name;
-#define ESPALIER_SPARSE_MEMBER(Type, name, fallback, fault) SparseColumn<Type> name;
-#define ESPALIER_SPARSE_CHANGES_MEMBER(Type, name, fallback, fault) CellChanges<std::optional<Type>> name;
-#define ESPALIER_COUNT_MEMBER(Type, name, fallback, fault) std::uint32_t name = 0;
-#define ESPALIER_VISIT_COLUMN(Type, name, fallback, fault)                                                   \
-    visitor(ColumnInfo<Type>{#name, fallback, fault}, parts.name...);
+#define ESPALIER_COLUMN_MEMBER(Type, name, fallback, fault, edits) QList<Type> name;
+#define ESPALIER_ROW_MEMBER(Type, name, fallback, fault, edits) Type name = initialValue<Type>(fallback);
+#define ESPALIER_CHANGES_MEMBER(Type, name, fallback, fault, edits) CellChanges<Type> name;
+#define ESPALIER_SPARSE_MEMBER(Type, name, fallback, fault, edits) SparseColumn<Type> name;
+#define ESPALIER_SPARSE_CHANGES_MEMBER(Type, name, fallback, fault, edits)                                   \
+    CellChanges<std::optional<Type>> name;
+#define ESPALIER_COUNT_MEMBER(Type, name, fallback, fault, edits) std::uint32_t name = 0;
+#define ESPALIER_VISIT_COLUMN(Type, name, fallback, fault, edits)                                            \
+    visitor(ColumnInfo<Type>{#name, fallback, fault, edits}, parts.name...);
 #define ESPALIER_VISITOR(Name, LIST)                                                                         \
     struct Name {                                                                                            \
         template <class Visitor, class... Parts>                                                             \

@@ -96,7 +96,8 @@ public:
     /// Undoes apply(); moves the removed rows into the delta if it has none. Precondition: @p delta is the
     /// last one that was applied.
     void revert(TreeDelta& delta);
-    /// The same, but drops the removed rows.
+    /// The same, but drops the removed rows. It neither reads nor writes the delta's rows, so the delta may
+    /// belong to a document of another thread.
     void revertDropping(const TreeDelta& delta);
 
     bool operator==(const Tree&) const = default;

@@ -49,12 +49,13 @@ struct TreeDelta {
     KeptCounts kept;                 ///< Numbers of new kept values; the last ones of the tree
     std::vector<InternodeId> died;   ///< Internodes that died at stepAfter; all of each shed or pruned branch
     InternodeChanges internodes;     ///< Of internodes that existed before
-    LeafChanges leaves;              ///< Of placed leaves that existed before
+    LeafChanges leaves;              ///< Of placed leaves that existed before; leaves.death removes them
     SparseChanges sparse;            ///< Each id at most once a column
     std::vector<LassoChange> lassos; ///< Each index at most once
     /// The new rows and values while the tree does not have them: reverting moves them here, and applying
     /// moves them back, so that each row is stored once. Null while the delta is applied, and in a delta
-    /// that adds nothing.
+    /// that adds nothing. A document's thread writes it in deltas that snapshots share, so it belongs to that
+    /// thread: other threads use Tree::revertDropping(). All else in a shared delta never changes.
     std::shared_ptr<TreeRows> rows;
     /// The record of the edit that begins with this delta. Null in the edit's other deltas, and in deltas
     /// from files that are older than records.
@@ -93,8 +94,6 @@ struct TreeDelta {
                 visit(id);
         }
         for (const auto& change : internodes.buds)
-            visit(change.row);
-        for (const auto& change : internodes.death)
             visit(change.row);
     }
     /// Calls @p visit(id), possibly more than once, for each internode whose place on its parent, frame,

@@ -43,21 +43,21 @@ const char* ofRootPosition(const Vec3& value);
 //   vigour        of the bud that it grew from, relative to the strongest bud of that step, 0...1
 //   slot          bud of the parent's node that it grew from; kTerminalSlot continues the axis
 //   buds          at its node, the upper end
-//   birth, death  steps; kNever while it lives
+//   birth, death  steps; kNever while it lives; only TreeDelta::died sets the death
 //   parameterSet  index of the parameter set that it grew with
 //   key           seed of its random numbers, and its name in recipes
 #define ESPALIER_INTERNODE_COLUMNS(COLUMN)                                                                   \
-    COLUMN(InternodeId, parent, std::nullopt, noFault)                                                       \
-    COLUMN(float, along, 1.0F, faults::ofShare)                                                              \
-    COLUMN(Rotation, rotation, std::nullopt, faults::ofRotation)                                             \
-    COLUMN(float, length, std::nullopt, faults::ofLength)                                                    \
-    COLUMN(float, vigour, 0.0F, faults::ofVigour)                                                            \
-    COLUMN(std::uint8_t, slot, std::nullopt, faults::ofSlot)                                                 \
-    COLUMN(BudStates, buds, BudStates(), faults::ofBuds)                                                     \
-    COLUMN(Step, birth, std::nullopt, noFault)                                                               \
-    COLUMN(Step, death, kNever, noFault)                                                                     \
-    COLUMN(std::uint16_t, parameterSet, std::uint16_t{0}, noFault)                                           \
-    COLUMN(InternodeKey, key, std::nullopt, noFault)
+    COLUMN(InternodeId, parent, std::nullopt, noFault, Edits::Never)                                         \
+    COLUMN(float, along, 1.0F, faults::ofShare, Edits::Allowed)                                              \
+    COLUMN(Rotation, rotation, std::nullopt, faults::ofRotation, Edits::Allowed)                             \
+    COLUMN(float, length, std::nullopt, faults::ofLength, Edits::Allowed)                                    \
+    COLUMN(float, vigour, 0.0F, faults::ofVigour, Edits::Allowed)                                            \
+    COLUMN(std::uint8_t, slot, std::nullopt, faults::ofSlot, Edits::Never)                                   \
+    COLUMN(BudStates, buds, BudStates(), faults::ofBuds, Edits::Allowed)                                     \
+    COLUMN(Step, birth, std::nullopt, noFault, Edits::Never)                                                 \
+    COLUMN(Step, death, kNever, noFault, Edits::Never)                                                       \
+    COLUMN(std::uint16_t, parameterSet, std::uint16_t{0}, noFault, Edits::Never)                             \
+    COLUMN(InternodeKey, key, std::nullopt, noFault, Edits::Never)
 
 // The columns of leaves (flowers, fruit) that the user has placed; leaves by rule are a function of the
 // parameters:
@@ -66,30 +66,30 @@ const char* ofRootPosition(const Vec3& value);
 //   rotation      frame against the internode's; +Y along the midrib, +Z the upper side
 //   length        m, from base to tip
 //   kind
-//   birth, death  steps; kNever while it exists
+//   birth, death  steps; kNever while it exists; a delta that removes the leaf sets the death to stepAfter
 #define ESPALIER_LEAF_COLUMNS(COLUMN)                                                                        \
-    COLUMN(InternodeId, internode, std::nullopt, noFault)                                                    \
-    COLUMN(float, along, 1.0F, faults::ofShare)                                                              \
-    COLUMN(Rotation, rotation, std::nullopt, faults::ofRotation)                                             \
-    COLUMN(float, length, std::nullopt, faults::ofLeafLength)                                                \
-    COLUMN(LeafKind, kind, LeafKind::Leaf, faults::ofLeafKind)                                               \
-    COLUMN(Step, birth, std::nullopt, noFault)                                                               \
-    COLUMN(Step, death, kNever, noFault)
+    COLUMN(InternodeId, internode, std::nullopt, noFault, Edits::Allowed)                                    \
+    COLUMN(float, along, 1.0F, faults::ofShare, Edits::Allowed)                                              \
+    COLUMN(Rotation, rotation, std::nullopt, faults::ofRotation, Edits::Allowed)                             \
+    COLUMN(float, length, std::nullopt, faults::ofLeafLength, Edits::Allowed)                                \
+    COLUMN(LeafKind, kind, LeafKind::Leaf, faults::ofLeafKind, Edits::Allowed)                               \
+    COLUMN(Step, birth, std::nullopt, noFault, Edits::Never)                                                 \
+    COLUMN(Step, death, kNever, noFault, Edits::Allowed)
 
 // Properties that few internodes have:
 //   width         diameter that the user has set, m (TreeSketch §3.3); no effect while the internode is dead
 //   rootPosition  world position of a root, m; roots without one stand at the origin
 #define ESPALIER_SPARSE_COLUMNS(COLUMN)                                                                      \
-    COLUMN(float, width, std::nullopt, faults::ofDiameter)                                                   \
-    COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition)
+    COLUMN(float, width, std::nullopt, faults::ofDiameter, Edits::Allowed)                                   \
+    COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition, Edits::Allowed)
 
 // Values that are stored once and referred to by index; see KeptEntries (model/io/project) for how files hold
 // them:
 //   parameters    every set that was ever in force
 //   lassos        every stroke that was ever in force
 #define ESPALIER_KEPT_VALUES(COLUMN)                                                                         \
-    COLUMN(TreeParameters, parameters, std::nullopt, noFault)                                                \
-    COLUMN(LassoStroke, lassos, std::nullopt, noFault)
+    COLUMN(TreeParameters, parameters, std::nullopt, noFault, Edits::Never)                                  \
+    COLUMN(LassoStroke, lassos, std::nullopt, noFault, Edits::Never)
 
 ESPALIER_VISITOR(InternodeTable, ESPALIER_INTERNODE_COLUMNS)
 ESPALIER_VISITOR(LeafTable, ESPALIER_LEAF_COLUMNS)

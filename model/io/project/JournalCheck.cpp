@@ -13,14 +13,6 @@ struct JournalText {
     Q_DECLARE_TR_FUNCTIONS(JournalCheck)
 };
 
-/// Columns that no edit changes.
-template <class T>
-bool neverChanges(const ColumnInfo<T>& info)
-{
-    constexpr std::array<std::string_view, 6> kFixed{"parent", "slot", "birth", "key", "internode", "kind"};
-    return std::ranges::find(kFixed, std::string_view(info.name)) != kFixed.end();
-}
-
 enum class ChangeFault { Fixed, NoRow, Impossible };
 
 QString changeOf(QLatin1StringView column, ChangeFault fault)
@@ -50,6 +42,8 @@ public:
 private:
     QString timeFault(const TreeDelta& delta) const;
     QString birthFault(const TreeDelta& delta) const;
+    QString leafBirthFault(const TreeDelta& delta) const;
+    QString leafChangeFault(const TreeDelta& delta) const;
     QString deathFault(const TreeDelta& delta);
     template <class Table, class Columns, class Changes>
     QString changeFault(const Columns& columns, const Changes& changes, std::uint32_t end);
@@ -88,7 +82,7 @@ void Rewind::countContinuation(InternodeId id, int by)
 
 QString Rewind::revert(const TreeDelta& delta)
 {
-    for (const auto& look : {&Rewind::timeFault, &Rewind::birthFault}) {
+    for (const auto& look : {&Rewind::timeFault, &Rewind::birthFault, &Rewind::leafBirthFault}) {
         if (QString fault = (this->*look)(delta); !fault.isEmpty())
             return fault;
     }
@@ -98,6 +92,8 @@ QString Rewind::revert(const TreeDelta& delta)
         return fault;
     if (QString fault = changeFault<LeafTable>(content.leaves, delta.leaves, delta.bornLeaves.first);
         !fault.isEmpty())
+        return fault;
+    if (QString fault = leafChangeFault(delta); !fault.isEmpty())
         return fault;
     for (const auto& look : {&Rewind::deathFault, &Rewind::sparseFault, &Rewind::lassoFault}) {
         if (QString fault = (this->*look)(delta); !fault.isEmpty())
@@ -133,10 +129,37 @@ QString Rewind::birthFault(const TreeDelta& delta) const
             return JournalText::tr("it bears an internode at another time");
         if (c.death[id] != kNever && c.death[id] != delta.stepAfter)
             return JournalText::tr("it bears an internode that is not there");
+        if (c.parameterSet[id] >= m_tree.parameterSets().size())
+            return JournalText::tr("it bears an internode whose parameters are not there");
     }
+    return {};
+}
+
+QString Rewind::leafBirthFault(const TreeDelta& delta) const
+{
+    const LeafColumns& c = m_tree.placedLeaves();
     for (LeafId id = delta.bornLeaves.first; id != delta.bornLeaves.end(); ++id) {
-        if (m_tree.placedLeaves().internode[id] >= delta.born.end())
+        if (c.internode[id] >= delta.born.end())
             return JournalText::tr("it places a leaf on an internode that is not there");
+        if (c.birth[id] < delta.stepBefore || c.birth[id] > delta.stepAfter)
+            return JournalText::tr("it places a leaf at another time");
+        if (c.death[id] != kNever)
+            return JournalText::tr("it places a leaf that is not there");
+    }
+    return {};
+}
+
+/// Checks the changes of leaves against other rows and the steps: a leaf that exists dies at stepAfter, for
+/// good, and its internode exists before and after.
+QString Rewind::leafChangeFault(const TreeDelta& delta) const
+{
+    for (const auto& change : delta.leaves.death) {
+        if (change.before != kNever || change.after != delta.stepAfter)
+            return changeOf(QLatin1StringView("death"), ChangeFault::Impossible);
+    }
+    for (const auto& change : delta.leaves.internode) {
+        if (change.before >= delta.born.first || change.after >= delta.born.end())
+            return changeOf(QLatin1StringView("internode"), ChangeFault::Impossible);
     }
     return {};
 }
@@ -152,7 +175,7 @@ QString Rewind::changeFault(const Columns& columns, const Changes& changes, std:
                 if (!fault.isEmpty())
                     return;
                 const QLatin1StringView name(info.name);
-                if (neverChanges(info) || name == QLatin1StringView("death"))
+                if (info.edits == Edits::Never)
                     fault = changeOf(name, ChangeFault::Fixed);
                 else if (change.row >= end || !isNewInRound(change.row))
                     fault = changeOf(name, ChangeFault::NoRow);
@@ -238,10 +261,18 @@ QString Rewind::danglingFault() const
 
 } // namespace
 
+Error emptyDelta(std::size_t place)
+{
+    return inputError(JournalText::tr("step %1 of the history").arg(place + 1),
+                      JournalText::tr("it changes nothing"));
+}
+
 Result<void> checkJournal(const Tree& tree, const Journal& journal)
 {
     Rewind rewind(tree);
     for (std::size_t i = journal.size(); i-- > 0;) {
+        if (journal[i]->isEmpty())
+            return emptyDelta(i);
         if (const QString fault = rewind.revert(*journal[i]); !fault.isEmpty())
             return inputError(JournalText::tr("step %1 of the history").arg(i + 1), fault);
     }

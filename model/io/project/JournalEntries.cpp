@@ -3,6 +3,7 @@
 
 #include "model/io/JsonReader.h"
 #include "model/io/project/ColumnEntries.h"
+#include "model/io/project/JournalCheck.h"
 #include "model/io/project/ProjectLimits.h"
 #include "model/io/project/ProjectText.h"
 #include "model/io/project/RecordEntries.h"
@@ -27,8 +28,10 @@ struct Counts {
         count.append(static_cast<std::uint32_t>(changes));
         sum += count.back();
     }
-    /// Reads the counts. Returns whether the journal has changes of this kind.
-    Result<bool> read(const ZipReader& archive, const QByteArray& name, std::uint32_t deltas)
+    /// Reads the counts of @p deltas deltas, which change each of @p rows rows at most once. Returns whether
+    /// the journal has changes of this kind.
+    Result<bool> read(const ZipReader& archive, const QByteArray& name, std::uint32_t deltas,
+                      std::uint32_t rows)
     {
         const QByteArray entry = name + ".count";
         if (!archive.contains(entry.constData()))
@@ -36,14 +39,25 @@ struct Counts {
         if (const Result<void> read = readEntry(archive, entry, deltas, count); !read)
             return read.error();
         std::uint64_t all = 0;
-        for (const std::uint32_t changes : count)
+        for (const std::uint32_t changes : count) {
             all += changes;
-        if (all > projectLimits::kChanges)
-            return doesNotAddUp();
+            if (changes > rows || all > projectLimits::kChanges)
+                return doesNotAddUp();
+        }
         sum = static_cast<std::uint32_t>(all);
         return sum > 0;
     }
+    /// Number of changes of delta @p i.
+    std::uint32_t at(std::size_t i) const { return sum == 0 ? 0 : count[static_cast<qsizetype>(i)]; }
 };
+
+/// A number of each delta. The column is empty if all are zero.
+using Numbers = QList<std::uint32_t>;
+
+std::uint32_t numberAt(const Numbers& column, std::size_t i)
+{
+    return column.isEmpty() ? 0 : column[static_cast<qsizetype>(i)];
+}
 
 /// The changes of one column.
 template <class T>
@@ -71,9 +85,10 @@ struct ChangeColumns {
         addEntry(archive, name + ".before", before);
         addEntry(archive, name + ".after", after);
     }
-    Result<void> read(const ZipReader& archive, const QByteArray& name, std::uint32_t deltas)
+    Result<void> read(const ZipReader& archive, const QByteArray& name, std::uint32_t deltas,
+                      std::uint32_t rows)
     {
-        const Result<bool> any = counts.read(archive, name, deltas);
+        const Result<bool> any = counts.read(archive, name, deltas, rows);
         if (!any)
             return any.error();
         Result<void> read;
@@ -88,7 +103,7 @@ struct ChangeColumns {
     /// Moves the changes of delta @p i into @p changes; call it for each delta in turn.
     void take(std::size_t i, CellChanges<T>& changes)
     {
-        const std::uint32_t count = counts.sum == 0 ? 0 : counts.count[static_cast<qsizetype>(i)];
+        const std::uint32_t count = counts.at(i);
         if (count > 0)
             changes.reserve(count);
         for (const qsizetype end = counts.next + count; counts.next < end; ++counts.next)
@@ -96,9 +111,10 @@ struct ChangeColumns {
     }
 };
 
-#define ESPALIER_CHANGE_COLUMNS(Type, name, fallback, fault) ChangeColumns<Type> name;
-#define ESPALIER_SPARSE_CHANGE_COLUMNS(Type, name, fallback, fault) ChangeColumns<std::optional<Type>> name;
-#define ESPALIER_KEPT_COUNT_COLUMN(Type, name, fallback, fault) QList<std::uint32_t> name;
+#define ESPALIER_CHANGE_COLUMNS(Type, name, fallback, fault, edits) ChangeColumns<Type> name;
+#define ESPALIER_SPARSE_CHANGE_COLUMNS(Type, name, fallback, fault, edits)                                   \
+    ChangeColumns<std::optional<Type>> name;
+#define ESPALIER_KEPT_COUNT_COLUMN(Type, name, fallback, fault, edits) Numbers name;
 
 /// A journal as columns.
 struct JournalColumns {
@@ -115,12 +131,12 @@ struct JournalColumns {
         ESPALIER_KEPT_VALUES(ESPALIER_KEPT_COUNT_COLUMN)
     };
 
-    QList<Step> stepBefore;
-    QList<Step> stepAfter;
-    QList<std::uint32_t> parametersBefore;
-    QList<std::uint32_t> parametersAfter;
-    QList<std::uint32_t> born;
-    QList<std::uint32_t> bornLeaves;
+    Numbers stepBefore;
+    Numbers stepAfter;
+    Numbers parametersBefore;
+    Numbers parametersAfter;
+    Numbers born;
+    Numbers bornLeaves;
     Kept kept;
     Internodes internodes;
     Leaves leaves;
@@ -146,18 +162,32 @@ struct JournalColumns {
             [&](const auto& info, auto& column) { visit(QByteArray("kept.") + info.name, column); },
             self.kept);
     }
-    /// Calls @p visit(name, columns) for the changes of each column of each table.
+    /// Calls @p visit(table)(info, columns) for the changes of each column of each table.
     template <class Self, class Visit>
     static void visitChanges(Self& self, const Visit& visit)
     {
-        const auto in = [&visit](const char* table) {
-            return [&visit, table](const auto& info, auto& columns) {
-                visit(QByteArray(table) + '.' + info.name, columns);
-            };
-        };
-        InternodeTable::visit(in("internodes"), self.internodes);
-        LeafTable::visit(in("leaves"), self.leaves);
-        SparseTable::visit(in("sparse"), self.sparse);
+        InternodeTable::visit(visit("internodes"), self.internodes);
+        LeafTable::visit(visit("leaves"), self.leaves);
+        SparseTable::visit(visit("sparse"), self.sparse);
+    }
+    static QByteArray entryOf(QByteArrayView table, const char* column)
+    {
+        return "journal/" + table.toByteArray() + '.' + column;
+    }
+
+    /// Whether delta @p i changes nothing.
+    bool isEmpty(std::size_t i) const
+    {
+        bool isEmpty = numberAt(stepBefore, i) == numberAt(stepAfter, i) &&
+                       numberAt(parametersBefore, i) == numberAt(parametersAfter, i) &&
+                       numberAt(born, i) == 0 && numberAt(bornLeaves, i) == 0 && diedCounts.at(i) == 0 &&
+                       lassoCounts.at(i) == 0;
+        KeptTable::visit(
+            [&](const auto&, const Numbers& column) { isEmpty = isEmpty && numberAt(column, i) == 0; }, kept);
+        visitChanges(*this, [&](QByteArrayView) {
+            return [&](const auto&, const auto& columns) { isEmpty = isEmpty && columns.counts.at(i) == 0; };
+        });
+        return isEmpty;
     }
 
     void append(const TreeDelta& delta)
@@ -185,73 +215,71 @@ struct JournalColumns {
 
     TreeDelta take(std::size_t i)
     {
-        const auto row = static_cast<qsizetype>(i);
         TreeDelta delta;
-        delta.stepBefore = stepBefore[row];
-        delta.stepAfter = stepAfter[row];
-        delta.parametersBefore = parametersBefore[row];
-        delta.parametersAfter = parametersAfter[row];
-        delta.born.count = born[row];
-        delta.bornLeaves.count = bornLeaves[row];
-        KeptTable::visit([&](const auto&, const auto& column, std::uint32_t& count) { count = column[row]; },
-                         kept, delta.kept);
+        delta.stepBefore = numberAt(stepBefore, i);
+        delta.stepAfter = numberAt(stepAfter, i);
+        delta.parametersBefore = numberAt(parametersBefore, i);
+        delta.parametersAfter = numberAt(parametersAfter, i);
+        delta.born.count = numberAt(born, i);
+        delta.bornLeaves.count = numberAt(bornLeaves, i);
+        KeptTable::visit(
+            [i](const auto&, const Numbers& column, std::uint32_t& count) { count = numberAt(column, i); },
+            kept, delta.kept);
         const auto take = [i](const auto&, auto& columns, auto& changes) { columns.take(i, changes); };
         InternodeTable::visit(take, internodes, delta.internodes);
         LeafTable::visit(take, leaves, delta.leaves);
         SparseTable::visit(take, sparse, delta.sparse);
-        if (diedCounts.sum > 0) {
-            const auto first = died.cbegin() + diedCounts.next;
-            delta.died.assign(first, first + diedCounts.count[row]);
-            diedCounts.next += diedCounts.count[row];
-        }
-        if (lassoCounts.sum > 0) {
-            for (std::uint32_t j = 0; j < lassoCounts.count[row]; ++j, ++lassoCounts.next)
-                delta.lassos.push_back({lassoIndex[lassoCounts.next], lassoInForce[lassoCounts.next] != 0});
-        }
+        const auto firstDied = died.cbegin() + diedCounts.next;
+        delta.died.assign(firstDied, firstDied + diedCounts.at(i));
+        diedCounts.next += diedCounts.at(i);
+        for (const qsizetype end = lassoCounts.next + lassoCounts.at(i); lassoCounts.next < end;
+             ++lassoCounts.next)
+            delta.lassos.push_back({lassoIndex[lassoCounts.next], lassoInForce[lassoCounts.next] != 0});
         return delta;
     }
 };
 
-/// Sets the first ids of births: the births of all deltas are the last rows of the tables, in the same order.
-bool numberBirths(Journal& journal, const TreeContent& content)
+/// The first of @p rows rows that the deltas bring, which are the last rows of their table. Empty if there
+/// are fewer rows.
+std::optional<std::uint32_t> firstBirth(const Numbers& born, std::uint32_t rows)
 {
-    std::uint32_t internodes = content.internodes.size();
-    std::uint32_t leaves = content.leaves.size();
-    for (auto delta = journal.rbegin(); delta != journal.rend(); ++delta) {
-        IdRange& born = (*delta)->born;
-        IdRange& bornLeaves = (*delta)->bornLeaves;
-        if (born.count > internodes || bornLeaves.count > leaves)
-            return false;
-        born.first = internodes -= born.count;
-        bornLeaves.first = leaves -= bornLeaves.count;
-    }
-    return true;
+    std::uint64_t sum = 0;
+    for (const std::uint32_t count : born)
+        sum += count;
+    return sum <= rows ? std::optional(static_cast<std::uint32_t>(rows - sum)) : std::nullopt;
 }
 
-Result<void> read(const ZipReader& archive, std::uint32_t deltas, JournalColumns& columns)
+/// Reads all columns of @p deltas deltas, whose last one leads to @p content.
+Result<void> read(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content,
+                  JournalColumns& columns)
 {
+    const std::uint32_t internodes = content.internodes.size();
     Result<void> read;
     JournalColumns::visitNumbers(columns, [&](const QByteArray& name, auto& column) {
         const QByteArray entry = "journal/" + name;
-        if (!archive.contains(entry.constData()))
-            column.fill(0, deltas);
-        else if (read)
+        if (read && archive.contains(entry.constData()))
             read = readEntry(archive, entry, deltas, column);
     });
-    JournalColumns::visitChanges(columns, [&](const QByteArray& name, auto& changes) {
-        if (read)
-            read = changes.read(archive, "journal/" + name, deltas);
+    JournalColumns::visitChanges(columns, [&](QByteArrayView table) {
+        const std::uint32_t rows = table == "leaves" ? content.leaves.size() : internodes;
+        return [&, table, rows](const auto& info, auto& changes) {
+            if (read)
+                read = changes.read(archive, JournalColumns::entryOf(table, info.name), deltas, rows);
+        };
     });
     if (!read)
         return read;
-    const Result<bool> anyDied = columns.diedCounts.read(archive, "journal/died", deltas);
+    const Result<bool> anyDied = columns.diedCounts.read(archive, "journal/died", deltas, internodes);
     if (!anyDied)
         return anyDied.error();
+    if (columns.diedCounts.sum > internodes)
+        return doesNotAddUp();
     if (*anyDied)
         read = readEntry(archive, "journal/died", columns.diedCounts.sum, columns.died);
     if (!read)
         return read;
-    const Result<bool> anyLassos = columns.lassoCounts.read(archive, "journal/lassos", deltas);
+    const Result<bool> anyLassos = columns.lassoCounts.read(
+        archive, "journal/lassos", deltas, static_cast<std::uint32_t>(content.kept.lassos.size()));
     if (!anyLassos)
         return anyLassos.error();
     if (*anyLassos)
@@ -274,8 +302,10 @@ void addJournal(ZipWriter& archive, const Journal& journal)
         if (column.count(0) < column.size())
             addEntry(archive, "journal/" + name, column);
     });
-    JournalColumns::visitChanges(columns, [&](const QByteArray& name, const auto& changes) {
-        changes.add(archive, "journal/" + name);
+    JournalColumns::visitChanges(columns, [&](QByteArrayView table) {
+        return [&archive, table](const auto& info, const auto& changes) {
+            changes.add(archive, JournalColumns::entryOf(table, info.name));
+        };
     });
     if (!columns.died.isEmpty()) {
         addEntry(archive, "journal/died.count", columns.diedCounts.count);
@@ -292,14 +322,24 @@ void addJournal(ZipWriter& archive, const Journal& journal)
 Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content)
 {
     JournalColumns columns;
-    if (const Result<void> result = read(archive, deltas, columns); !result)
+    if (const Result<void> result = read(archive, deltas, content, columns); !result)
         return result.error();
+    for (std::uint32_t i = 0; i < deltas; ++i) {
+        if (columns.isEmpty(i))
+            return emptyDelta(i);
+    }
+    std::optional<std::uint32_t> nextInternode = firstBirth(columns.born, content.internodes.size());
+    std::optional<std::uint32_t> nextLeaf = firstBirth(columns.bornLeaves, content.leaves.size());
+    if (!nextInternode || !nextLeaf)
+        return doesNotAddUp();
     Journal journal;
     journal.reserve(deltas);
-    for (std::uint32_t i = 0; i < deltas; ++i)
-        journal.push_back(std::make_shared<TreeDelta>(columns.take(i)));
-    if (!numberBirths(journal, content))
-        return doesNotAddUp();
+    for (std::uint32_t i = 0; i < deltas; ++i) {
+        auto delta = std::make_shared<TreeDelta>(columns.take(i));
+        delta->born.first = std::exchange(*nextInternode, *nextInternode + delta->born.count);
+        delta->bornLeaves.first = std::exchange(*nextLeaf, *nextLeaf + delta->bornLeaves.count);
+        journal.push_back(std::move(delta));
+    }
     if (const Result<void> records = readRecords(archive, journal); !records)
         return records.error();
     return journal;

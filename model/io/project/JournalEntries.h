@@ -14,8 +14,9 @@ namespace espalier {
 /// delta's births follow those of the one before.
 void addJournal(ZipWriter& archive, const Journal& journal);
 
-/// Reads @p deltas deltas that are applied in a tree with the sizes of @p content. Checks that counts add up;
-/// checkJournal() checks the values.
+/// Reads @p deltas deltas that are applied in a tree with the sizes of @p content. Before a delta is made, it
+/// checks that each delta changes something, that counts add up and that no delta changes or adds more rows
+/// than there are; checkJournal() checks the values.
 Result<Journal> readJournal(const ZipReader& archive, std::uint32_t deltas, const TreeContent& content);
 
 } // namespace espalier

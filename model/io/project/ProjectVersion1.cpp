@@ -196,8 +196,11 @@ InternodeColumns renumbered(const OldInternodes& old, const Renumbering& idOf, s
     return c;
 }
 
-Journal renumbered(const OldJournal& old, const Renumbering& idOf)
+/// Deltas that change nothing are left out. @p ahead: the number of the last deltas that lie ahead of the
+/// moment that was shown, among all; then, among those that are left.
+Journal renumbered(const OldJournal& old, const Renumbering& idOf, std::uint32_t& ahead)
 {
+    const qsizetype shown = old.stepBefore.size() - qsizetype{ahead};
     Journal journal;
     qsizetype death = 0;
     qsizetype bud = 0;
@@ -208,26 +211,29 @@ Journal renumbered(const OldJournal& old, const Renumbering& idOf)
         return value > 0.0F ? std::optional<float>(value) : std::nullopt;
     };
     for (qsizetype i = 0; i < old.stepBefore.size(); ++i) {
-        auto delta = std::make_shared<TreeDelta>();
-        delta->stepBefore = old.stepBefore[i];
-        delta->stepAfter = old.stepAfter[i];
-        delta->parametersBefore = old.parametersBefore[i];
-        delta->parametersAfter = old.parametersAfter[i];
-        delta->born.count = old.bornCount[i];
+        TreeDelta delta;
+        delta.stepBefore = old.stepBefore[i];
+        delta.stepAfter = old.stepAfter[i];
+        delta.parametersBefore = old.parametersBefore[i];
+        delta.parametersAfter = old.parametersAfter[i];
+        delta.born.count = old.bornCount[i];
         for (const qsizetype end = death + old.diedCount[i]; death < end; ++death)
-            delta->died.push_back(idOf(old.died[death]));
+            delta.died.push_back(idOf(old.died[death]));
         for (const qsizetype end = bud + old.budCount[i]; bud < end; ++bud)
-            delta->internodes.buds.push_back({idOf(old.budId[bud]), BudStates::active(old.budBefore[bud]),
-                                              BudStates::active(old.budAfter[bud])});
+            delta.internodes.buds.push_back({idOf(old.budId[bud]), BudStates::active(old.budBefore[bud]),
+                                             BudStates::active(old.budAfter[bud])});
         for (const qsizetype end = frame + old.frameCount[i]; frame < end; ++frame)
-            delta->addFrame(idOf(old.frameId[frame]), old.rotationBefore[frame], old.rotationAfter[frame],
-                            old.lengthBefore[frame], old.lengthAfter[frame]);
+            delta.addFrame(idOf(old.frameId[frame]), old.rotationBefore[frame], old.rotationAfter[frame],
+                           old.lengthBefore[frame], old.lengthAfter[frame]);
         for (const qsizetype end = width + old.widthCount[i]; width < end; ++width)
-            delta->sparse.width.push_back({idOf(old.widthId[width]), diameter(old.widthBefore[width]),
-                                           diameter(old.widthAfter[width])});
+            delta.sparse.width.push_back({idOf(old.widthId[width]), diameter(old.widthBefore[width]),
+                                          diameter(old.widthAfter[width])});
         for (const qsizetype end = lasso + old.lassoCount[i]; lasso < end; ++lasso)
-            delta->lassos.push_back({old.lassoIndex[lasso], old.lassoInForce[lasso] != 0});
-        journal.push_back(std::move(delta));
+            delta.lassos.push_back({old.lassoIndex[lasso], old.lassoInForce[lasso] != 0});
+        if (!delta.isEmpty())
+            journal.push_back(std::make_shared<TreeDelta>(std::move(delta)));
+        else if (i >= shown)
+            --ahead;
     }
     return journal;
 }
@@ -341,7 +347,7 @@ Result<Project> read(const ZipReader& archive, JsonReader& reader)
     content.kept.parameters = std::move(*parameters);
     if (result = readLassos(archive, content); !result)
         return result.error();
-    Journal journal = renumbered(oldJournal, *idOf);
+    Journal journal = renumbered(oldJournal, *idOf, description.ahead);
     if (!numberOldBirths(journal, content.internodes.size()))
         return inputError(ProjectText::tr("the history"), ProjectText::tr("its parts do not add up"));
     Result<Tree> tree = Tree::fromContent(std::move(content));
