@@ -4,10 +4,12 @@
 #include "model/io/project/ProjectFile.h"
 #include "tests/support/TreeBuilder.h"
 
+#include <array>
+
 namespace espalier::test {
 
 /// A project of about @p count internodes with all that a history can hold: births, deaths, parameter
-/// changes, bends, widths, envelopes, and steps that were taken back.
+/// changes, bends, widths, envelopes, placed leaves, and steps that were taken back.
 inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
 {
     TreeParameters parameters;
@@ -37,6 +39,9 @@ inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
     stroke.points.push_back({-0.3F, 1.5F});
     builder.apply(newLasso(builder.tree, stroke));
     builder.apply(lassoChange(builder.tree, 0, false));
+    builder.apply(leafPlacement(builder.tree, std::array<InternodeId, 3>{1, 2, 4}));
+    builder.apply(leafRemoval(builder.tree, 1));
+    builder.apply(leafChange(builder.tree, 2, 3, LeafKind::Fruit));
     // An undone step leaves no trace.
     builder.apply(randomGrowth(builder.tree, 5, seed));
     builder.revert();

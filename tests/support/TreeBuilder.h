@@ -161,6 +161,40 @@ inline TreeDelta lassoChange(const Tree& tree, std::uint32_t index, bool inForce
     return delta;
 }
 
+/// An edit that places leaves, one on each of @p internodes.
+inline TreeDelta leafPlacement(const Tree& tree, std::span<const InternodeId> internodes)
+{
+    TreeDelta delta = deltaStartingAt(tree);
+    delta.bornLeaves.count = static_cast<std::uint32_t>(internodes.size());
+    delta.rows = std::make_shared<TreeRows>();
+    for (const InternodeId id : internodes) {
+        delta.rows->leaves.append({.internode = id,
+                                   .along = 0.25F,
+                                   .length = 0.08F,
+                                   .kind = LeafKind::Flower,
+                                   .birth = tree.step()});
+    }
+    return delta;
+}
+
+/// An edit that removes a placed leaf.
+inline TreeDelta leafRemoval(const Tree& tree, LeafId id)
+{
+    TreeDelta delta = deltaStartingAt(tree);
+    delta.leaves.death.push_back({id, tree.placedLeaves().death[id], tree.step()});
+    return delta;
+}
+
+/// An edit that moves a placed leaf to another internode and makes it another kind.
+inline TreeDelta leafChange(const Tree& tree, LeafId id, InternodeId internode, LeafKind kind)
+{
+    TreeDelta delta = deltaStartingAt(tree);
+    const LeafColumns& leaves = tree.placedLeaves();
+    delta.leaves.internode.push_back({id, leaves.internode[id], internode});
+    delta.leaves.kind.push_back({id, leaves.kind[id], kind});
+    return delta;
+}
+
 /// One step of about @p count internodes on shoots of one to five, from random living buds; young internodes
 /// and terminal buds are preferred, so that axes become long. A pure function of the tree and @p seed.
 inline TreeDelta randomGrowth(const Tree& tree, std::uint32_t count, std::uint64_t seed = 1)

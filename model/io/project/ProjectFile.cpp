@@ -7,11 +7,11 @@
 #include "model/io/project/JournalCheck.h"
 #include "model/io/project/JournalEntries.h"
 #include "model/io/project/KeptEntries.h"
+#include "model/io/project/PositionCheck.h"
 #include "model/io/project/ProjectDescription.h"
 #include "model/io/project/ProjectImages.h"
 #include "model/io/project/ProjectVersion1.h"
 #include "model/io/project/TreeEntries.h"
-#include "model/tree/TreeIndex.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -34,29 +34,12 @@ struct ProjectFileText {
     Q_DECLARE_TR_FUNCTIONS(ProjectFile)
 };
 
-Error farAway(InternodeId id)
-{
-    return inputError(ProjectFileText::tr("internode %1").arg(id),
-                      ProjectFileText::tr("it lies further than %1 m away").arg(kFarthestNode));
-}
-
-/// Fails if a node lies beyond the limits of coordinates.
-Result<void> checkPositions(const Tree& tree)
-{
-    const TreeIndex index(tree);
-    for (InternodeId id = 0; id < tree.size(); ++id) {
-        if (!(index.nodePosition(id).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= kFarthestNode))
-            return farAway(id);
-    }
-    return {};
-}
-
 /// The check that both reader and writer apply.
 Result<void> checkProject(const Tree& tree, const Journal& journal)
 {
-    if (const Result<void> positions = checkPositions(tree); !positions)
-        return positions;
-    return checkJournal(tree, journal);
+    if (const Result<void> sound = checkJournal(tree, journal); !sound)
+        return sound;
+    return checkPositions(tree, journal);
 }
 
 bool isWithinLimits(const Project& project)
@@ -131,10 +114,8 @@ QByteArray thumbnailPng(const QImage& image)
 Tree shownTree(const Project& project)
 {
     Tree tree = project.tree;
-    for (std::size_t i = 0; i < project.ahead; ++i) {
-        TreeDelta delta = *project.journal[project.journal.size() - 1 - i];
-        tree.revert(delta);
-    }
+    for (std::size_t i = 0; i < project.ahead; ++i)
+        tree.revertDropping(*project.journal[project.journal.size() - 1 - i]);
     return tree;
 }
 

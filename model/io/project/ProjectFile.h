@@ -11,7 +11,8 @@
 
 namespace espalier {
 
-/// The tree at the moment that was shown.
+/// The tree at the moment that was shown. Can be called on any thread, also while a document that shares the
+/// project's deltas travels.
 Tree shownTree(const Project& project);
 
 /// What a project file (.espalier) holds. The format is a ZIP archive of

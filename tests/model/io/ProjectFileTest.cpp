@@ -461,7 +461,8 @@ void ProjectFileTest::wrongColumns_areRefused_data()
         setNumber(entry(e, "internodes/length"), 4, std::numeric_limits<float>::quiet_NaN());
     });
     row("far away", "internode ", [](ZipEntries& e) {
-        for (qsizetype i = 0; i < 200; ++i)
+        // A history changes the length of internode 1.
+        for (qsizetype i = 2; i < 200; ++i)
             setNumber(entry(e, "internodes/length"), i, 999.0F);
     });
     row("steps torn", "step 3 of the history: its steps do not join",
