@@ -15,7 +15,7 @@ inline constexpr std::uint32_t kLeaves = 20'000'000; ///< Placed leaves
 inline constexpr std::uint32_t kDeltas = 4'000'000;
 inline constexpr std::uint32_t kChanges = 100'000'000; ///< Changes of one column, in all deltas together
 /// Rows that the deltas move, in all deltas together; only for trees that reach further than kFarthestNode
-inline constexpr std::uint64_t kMovedRows = 200'000'000;
+inline constexpr std::uint64_t kMovedRows = 100'000'000;
 inline constexpr std::uint32_t kLassos = 100'000;
 inline constexpr std::uint32_t kLassoPoints = 10'000'000;       ///< In all
 inline constexpr qsizetype kRecordBytes = qsizetype{512} << 20; ///< Of what made the edits, in all
