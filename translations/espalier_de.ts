@@ -767,6 +767,22 @@ geschrieben werden konnte.
 <context>
     <name>JournalCheck</name>
     <message>
+        <source>it changes nothing</source>
+        <translation>er ändert nichts</translation>
+    </message>
+    <message>
+        <source>it places a leaf that is not there</source>
+        <translation>er setzt ein Blatt, das nicht da ist</translation>
+    </message>
+    <message>
+        <source>it places a leaf at another time</source>
+        <translation>er setzt ein Blatt zu einer anderen Zeit</translation>
+    </message>
+    <message>
+        <source>it bears an internode whose parameters are not there</source>
+        <translation>er bringt ein Internodium hervor, dessen Parameter nicht da sind</translation>
+    </message>
+    <message>
         <source>its steps do not join those around it</source>
         <translation>die Schritte schließen nicht an die benachbarten an</translation>
     </message>
@@ -1962,6 +1978,10 @@ geschrieben werden konnte.
 <context>
     <name>Recipe</name>
     <message>
+        <source>internode %1 is a root, which cannot be pruned</source>
+        <translation>Internodium %1 ist eine Wurzel, die nicht geschnitten werden kann</translation>
+    </message>
+    <message>
         <source>there is no room for more parameter sets</source>
         <translation>für weitere Parametersätze ist kein Platz</translation>
     </message>
@@ -2104,10 +2124,6 @@ geschrieben werden konnte.
     <message>
         <source>%1; and %2 more</source>
         <translation>%1; und %2 weitere</translation>
-    </message>
-    <message>
-        <source>internode 0 is the seedling, which cannot be pruned</source>
-        <translation>Internodium 0 ist der Sämling, der nicht geschnitten werden kann</translation>
     </message>
     <message>
         <source>there is no operation “%1”; there are %2</source>
@@ -3341,6 +3357,29 @@ geschrieben werden konnte.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>%L1 Internodien · %L2 Blätter · Schritt %L3</translation>
+    </message>
+</context>
+<context>
+    <name>PositionCheck</name>
+    <message>
+        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <translation>er und die späteren Schritte bewegen einen Baum mit Achsen von mehr als %1 m zu oft</translation>
+    </message>
+    <message>
+        <source>before it, internode %1 lies further than %2 m away</source>
+        <translation>vor ihm liegt Internodium %1 weiter als %2 m entfernt</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>Schritt %1 der Geschichte</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>liegt weiter als %1 m entfernt</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>Internodium %1</translation>
     </message>
 </context>
 </TS>

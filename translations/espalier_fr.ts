@@ -766,6 +766,22 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>JournalCheck</name>
     <message>
+        <source>it changes nothing</source>
+        <translation>elle ne change rien</translation>
+    </message>
+    <message>
+        <source>it places a leaf that is not there</source>
+        <translation>elle place une feuille qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>it places a leaf at another time</source>
+        <translation>elle place une feuille à un autre moment</translation>
+    </message>
+    <message>
+        <source>it bears an internode whose parameters are not there</source>
+        <translation>elle fait naître un entre-nœud dont les paramètres n’existent pas</translation>
+    </message>
+    <message>
         <source>its steps do not join those around it</source>
         <translation>ses étapes ne se raccordent pas à celles qui l’entourent</translation>
     </message>
@@ -1961,6 +1977,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>Recipe</name>
     <message>
+        <source>internode %1 is a root, which cannot be pruned</source>
+        <translation>l’entre-nœud %1 est une racine, qui ne peut pas être taillée</translation>
+    </message>
+    <message>
         <source>there is no room for more parameter sets</source>
         <translation>il n’y a plus de place pour d’autres jeux de paramètres</translation>
     </message>
@@ -2103,10 +2123,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>%1; and %2 more</source>
         <translation>%1&#xa0;; et encore %2</translation>
-    </message>
-    <message>
-        <source>internode 0 is the seedling, which cannot be pruned</source>
-        <translation>l’entre-nœud 0 est la plantule, qui ne peut pas être taillée</translation>
     </message>
     <message>
         <source>there is no operation “%1”; there are %2</source>
@@ -3340,6 +3356,29 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>%L1 entre-nœuds · %L2 feuilles · étape %L3</translation>
+    </message>
+</context>
+<context>
+    <name>PositionCheck</name>
+    <message>
+        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <translation>elle et les étapes suivantes déplacent trop souvent un arbre dont les axes dépassent %1 m</translation>
+    </message>
+    <message>
+        <source>before it, internode %1 lies further than %2 m away</source>
+        <translation>avant elle, l’entre-nœud %1 est à plus de %2 m</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>étape %1 de l’historique</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>il se trouve à plus de %1 m</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>entre-nœud %1</translation>
     </message>
 </context>
 </TS>

@@ -766,6 +766,22 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>JournalCheck</name>
     <message>
+        <source>it changes nothing</source>
+        <translation>何も変更していません</translation>
+    </message>
+    <message>
+        <source>it places a leaf that is not there</source>
+        <translation>存在しない葉を置いています</translation>
+    </message>
+    <message>
+        <source>it places a leaf at another time</source>
+        <translation>別の時点に葉を置いています</translation>
+    </message>
+    <message>
+        <source>it bears an internode whose parameters are not there</source>
+        <translation>パラメーターのない節間を生じています</translation>
+    </message>
+    <message>
         <source>its steps do not join those around it</source>
         <translation>ステップが前後とつながりません</translation>
     </message>
@@ -1961,6 +1977,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>Recipe</name>
     <message>
+        <source>internode %1 is a root, which cannot be pruned</source>
+        <translation>節間 %1 は根元なので、剪定できません</translation>
+    </message>
+    <message>
         <source>there is no room for more parameter sets</source>
         <translation>これ以上パラメーターの組を加える余地がありません</translation>
     </message>
@@ -2103,10 +2123,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>%1; and %2 more</source>
         <translation>%1; ほか %2 件</translation>
-    </message>
-    <message>
-        <source>internode 0 is the seedling, which cannot be pruned</source>
-        <translation>節間 0 は苗なので、剪定できません</translation>
     </message>
     <message>
         <source>there is no operation “%1”; there are %2</source>
@@ -3340,6 +3356,29 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>節間 %L1 · 葉 %L2 · ステップ %L3</translation>
+    </message>
+</context>
+<context>
+    <name>PositionCheck</name>
+    <message>
+        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <translation>これ以降のステップが、%1 m を超える軸を持つ木を動かす回数が多すぎます</translation>
+    </message>
+    <message>
+        <source>before it, internode %1 lies further than %2 m away</source>
+        <translation>その前に、節間 %1 が %2 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>履歴のステップ %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>%1 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>節間 %1</translation>
     </message>
 </context>
 </TS>

@@ -766,6 +766,22 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>JournalCheck</name>
     <message>
+        <source>it changes nothing</source>
+        <translation>niczego nie zmienia</translation>
+    </message>
+    <message>
+        <source>it places a leaf that is not there</source>
+        <translation>umieszcza liść, którego nie ma</translation>
+    </message>
+    <message>
+        <source>it places a leaf at another time</source>
+        <translation>umieszcza liść w innym czasie</translation>
+    </message>
+    <message>
+        <source>it bears an internode whose parameters are not there</source>
+        <translation>tworzy międzywęźle, którego parametrów nie ma</translation>
+    </message>
+    <message>
         <source>its steps do not join those around it</source>
         <translation>jego kroki nie pasują do sąsiednich</translation>
     </message>
@@ -1961,6 +1977,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>Recipe</name>
     <message>
+        <source>internode %1 is a root, which cannot be pruned</source>
+        <translation>międzywęźle %1 to korzeń, którego nie można odciąć</translation>
+    </message>
+    <message>
         <source>there is no room for more parameter sets</source>
         <translation>nie ma miejsca na więcej zestawów parametrów</translation>
     </message>
@@ -2103,10 +2123,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>%1; and %2 more</source>
         <translation>%1; i jeszcze %2</translation>
-    </message>
-    <message>
-        <source>internode 0 is the seedling, which cannot be pruned</source>
-        <translation>międzywęźle 0 to siewka, której nie można odciąć</translation>
     </message>
     <message>
         <source>there is no operation “%1”; there are %2</source>
@@ -3340,6 +3356,29 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>międzywęźla: %L1 · liście: %L2 · krok %L3</translation>
+    </message>
+</context>
+<context>
+    <name>PositionCheck</name>
+    <message>
+        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <translation>ten i późniejsze kroki zbyt często poruszają drzewo o osiach dłuższych niż %1 m</translation>
+    </message>
+    <message>
+        <source>before it, internode %1 lies further than %2 m away</source>
+        <translation>przed nim międzywęźle %1 leży dalej niż %2 m</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>krok %1 historii</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>leży dalej niż %1 m od początku układu</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>międzywęźle %1</translation>
     </message>
 </context>
 </TS>

