@@ -69,6 +69,8 @@ void TreeDocument::interruptOpenEdit()
 void TreeDocument::undo()
 {
     interruptEdit();
+    if (!m_undoStack.canUndo())
+        return;
     note({EditEvent::Kind::Undone});
     m_undoStack.undo();
 }
@@ -76,6 +78,8 @@ void TreeDocument::undo()
 void TreeDocument::redo()
 {
     interruptEdit();
+    if (!m_undoStack.canRedo())
+        return;
     note({EditEvent::Kind::Redone});
     m_undoStack.redo();
 }

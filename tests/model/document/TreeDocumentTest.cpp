@@ -18,6 +18,7 @@ private Q_SLOTS:
     void change_isSignalledOnceAfterAllHasFollowed();
     void afterAnyEdits_theIndicesAreAsIfFreshlyMade();
     void allUndone_isTheBeginning_allRedoneIsTheEnd();
+    void nothingToUndo_isNoEvent();
     void reset_startsAnew();
     void resetToAJournal_revertsThroughIt();
     void revertAndApplyOfEachDelta_passesThroughTheSameTrees();
@@ -126,6 +127,23 @@ void TreeDocumentTest::allUndone_isTheBeginning_allRedoneIsTheEnd()
             document.undoStack().undo();
         QVERIFY(document.tree() == undone);
     }
+}
+
+void TreeDocumentTest::nothingToUndo_isNoEvent()
+{
+    TreeDocument document;
+    int events = 0;
+    document.setEditListener([&](const EditEvent&) { ++events; });
+    document.undo();
+    document.redo();
+    QCOMPARE(events, 0);
+    TreeParameters others = document.parameters();
+    others.growth.branchingAngle *= 0.5;
+    setParameters(document, others);
+    events = 0;
+    document.undo();
+    document.redo();
+    QCOMPARE(events, 2);
 }
 
 void TreeDocumentTest::reset_startsAnew()
