@@ -98,6 +98,8 @@ BendOperation::Grip BendGesture::gripOf(InternodeId base, std::span<const Branch
 std::vector<Vec3> BendGesture::note(std::span<const Vec3> targets, bool settles)
 {
     std::vector<Vec3> wanted(targets.begin(), targets.end());
+    for (std::size_t i = wanted.size(); i < m_gripPoints.size(); ++i)
+        wanted.push_back(m_gripPoints[i]);
     for (Vec3& target : wanted)
         target = withoutNegativeZeros(target);
     BendOperation::Grip& grip = m_grips.back();

@@ -26,8 +26,9 @@ public:
     /// The internodes from the base to the uppermost handle; empty if nothing bends.
     std::span<const InternodeId> path() const { return m_bend.path(); }
 
-    /// Pulls the handles, in the order given, to @p targets, m: see ChainBend::solve. Returns whether the
-    /// form has settled; if not, another call brings it nearer.
+    /// Pulls the handles, in the order given, to @p targets, m: see ChainBend::solve. A handle without a
+    /// target is held where it was gripped. Returns whether the form has settled; if not, another call brings
+    /// it nearer.
     bool moveTo(std::span<const Vec3> targets);
     /// Pulls until the form has settled, at most kMostPulls times.
     void settleAt(std::span<const Vec3> targets);
