@@ -93,27 +93,34 @@ struct TreeDelta {
             if (!born.contains(id))
                 visit(id);
         }
-        for (const auto& change : internodes.buds)
-            visit(change.row);
+        forEachOldRow(internodes.buds, visit);
     }
-    /// Calls @p visit(id), possibly more than once, for each internode whose place on its parent, frame,
-    /// length or root position changes.
+    /// Calls @p visit(id), possibly more than once, for each internode, apart from the new ones, whose place
+    /// on its parent, frame, length or root position changes.
     template <class Visit>
     void forEachReframed(Visit&& visit) const
     {
-        for (const auto& change : internodes.rotation)
-            visit(change.row);
-        for (const auto& change : internodes.length)
-            visit(change.row);
-        for (const auto& change : internodes.along)
-            visit(change.row);
-        for (const auto& change : sparse.rootPosition)
-            visit(change.row);
+        forEachOldRow(internodes.rotation, visit);
+        forEachOldRow(internodes.length, visit);
+        forEachOldRow(internodes.along, visit);
+        forEachOldRow(sparse.rootPosition, visit);
     }
     bool reframes() const
     {
         return !internodes.rotation.empty() || !internodes.length.empty() || !internodes.along.empty() ||
                !sparse.rootPosition.empty();
+    }
+
+private:
+    /// Calls @p visit(row) for the rows of @p changes that the delta does not create. After a revert, the
+    /// others are no longer in the tree.
+    template <class Changes, class Visit>
+    void forEachOldRow(const Changes& changes, Visit&& visit) const
+    {
+        for (const auto& change : changes) {
+            if (!born.contains(change.row))
+                visit(change.row);
+        }
     }
 };
 

@@ -283,6 +283,8 @@ void TreeIndex::dropLength(float length)
 void TreeIndex::changeLengths(const Tree& tree, const TreeDelta& delta)
 {
     for (const auto& change : delta.internodes.length) {
+        if (delta.born.contains(change.row))
+            continue;
         const float now = tree.length(change.row);
         // The delta was applied or reverted; it does not say which.
         dropLength(now == change.after ? change.before : change.after);

@@ -45,6 +45,8 @@ inline TreeDelta births(const Tree& tree, std::span<const NewInternode> internod
 {
     TreeDelta delta = deltaStartingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
+    if (internodes.empty())
+        return delta;
     delta.born = {tree.size(), static_cast<std::uint32_t>(internodes.size())};
     delta.rows = std::make_shared<TreeRows>();
     InternodeColumns& rows = delta.rows->internodes;

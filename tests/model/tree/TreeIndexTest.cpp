@@ -25,6 +25,7 @@ private Q_SLOTS:
     void greatestLength_isThatOfTheLongestInternode();
     void wideNode_isIndexedInTimeInProportionToItsChildren();
     void internodeBornAndShedInOneStep_isForgottenWhenThatIsReverted();
+    void internodeBornAndStretchedInOneStep_isForgottenWhenThatIsReverted();
 };
 
 namespace {
@@ -243,6 +244,27 @@ void TreeIndexTest::internodeBornAndShedInOneStep_isForgottenWhenThatIsReverted(
     builder.revert();
     QCOMPARE(builder.index.livingCount(), living);
     QVERIFY(builder.tree == before);
+}
+
+void TreeIndexTest::internodeBornAndStretchedInOneStep_isForgottenWhenThatIsReverted()
+{
+    TreeBuilder builder;
+    const float longest = builder.index.greatestLength();
+    // New rows far beyond the end of the tree that stays.
+    const std::vector<NewInternode> fan(100'000, {.parent = 0, .slot = 0, .length = 7.0F});
+    TreeDelta delta = births(builder.tree, fan);
+    const InternodeId last = delta.born.end() - 1;
+    delta.addFrame(last, Rotation::Identity(), continuing(0.5), 7.0F, 2.0F * longest);
+    for (InternodeId id = delta.born.first; id < last; ++id)
+        delta.internodes.length.push_back({id, 7.0F, longest});
+    delta.internodes.buds.push_back({last, delta.rows->internodes.buds.back(), BudStates()});
+    builder.apply(delta);
+    QCOMPARE(builder.index.greatestLength(), 2.0F * longest);
+    builder.apply(builder.revert());
+    QCOMPARE(builder.index.greatestLength(), 2.0F * longest);
+    builder.revert();
+    QCOMPARE(builder.index.greatestLength(), longest);
+    QVERIFY(builder.index.recentlyMoved().empty());
 }
 
 void TreeIndexTest::longAxis_staysStraightAndUnitLength()
