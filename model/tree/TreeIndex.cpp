@@ -282,14 +282,20 @@ void TreeIndex::dropLength(float length)
 
 void TreeIndex::changeLengths(const Tree& tree, const TreeDelta& delta)
 {
+    bool isBornChanged = false;
     for (const auto& change : delta.internodes.length) {
-        if (delta.born.contains(change.row))
+        if (delta.born.contains(change.row)) {
+            isBornChanged = true;
             continue;
+        }
         const float now = tree.length(change.row);
         // The delta was applied or reverted; it does not say which.
         dropLength(now == change.after ? change.before : change.after);
         addLength(now);
     }
+    // The delta keeps new rows as they were born; removed ones may have been counted with another length.
+    if (isBornChanged)
+        m_longest = 0;
 }
 
 /// Looks for the longest internodes if those that were are gone.
