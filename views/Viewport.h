@@ -87,6 +87,9 @@ public:
     /// The picture of the tree, without the overlays of tools and the sun's ball.
     QImage grabPicture();
 
+    /// The number of passes for a picture at rest, 1...RenderOptions::kBestSamples: fewer are ready sooner
+    /// where there is no graphics card, with rougher edges.
+    void setBestSamples(int samples) { m_pacer.setBestSamples(samples); }
     /// Whether nothing moves and the picture has its full quality.
     bool isAtRest() const { return m_pacer.isAtRest() && !m_pictureIsOld && !isRefining(); }
 
@@ -157,7 +160,7 @@ private:
     /// Whether passes of the picture in full quality are still to be drawn.
     bool isRefining() const
     {
-        return m_pacer.isAtRest() && !m_pictureIsOld && m_passes < RenderOptions::kBestSamples;
+        return m_pacer.isAtRest() && !m_pictureIsOld && m_passes < m_pacer.bestSamples();
     }
     void drawPicture();
     void paintLabels();

@@ -5,8 +5,15 @@
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QInputDevice>
+#include <QPoint>
+#include <QPointF>
+#include <QPointingDevice>
+#include <QSlider>
+#include <QTabletEvent>
+#include <QTest>
 
 using namespace espalier;
 

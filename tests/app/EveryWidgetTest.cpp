@@ -28,8 +28,30 @@
 #include "tests/support/WindowPanes.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QImage>
+#include <QLabel>
+#include <QLatin1String>
+#include <QLineEdit>
+#include <QPointer>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStyleHints>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <QUndoStack>
+#include <QWidget>
 
 #include <set>
 
@@ -147,6 +169,7 @@ void EveryWidgetTest::initTestCase()
     QVERIFY(QImage(8, 8, QImage::Format_RGB32).save(m_folder.filePath(QStringLiteral("sketch.png"))));
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1024, 700);
+    m_window->workspace().viewport().setBestSamples(1);
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));

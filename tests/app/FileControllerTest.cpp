@@ -4,7 +4,8 @@
 #include "tests/support/FilesFixture.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 #include <cerrno>
 

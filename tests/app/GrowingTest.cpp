@@ -7,8 +7,14 @@
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPoint>
+#include <QPushButton>
+#include <QRect>
+#include <QSlider>
+#include <QTest>
+#include <QUndoView>
 
 using namespace espalier;
 

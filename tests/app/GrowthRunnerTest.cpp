@@ -7,7 +7,8 @@
 #include "panels/ParameterEditor.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 #include <array>
 

@@ -7,8 +7,20 @@
 #include "panels/Theme.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QChar>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QIODevice>
+#include <QImage>
+#include <QLatin1Char>
+#include <QLocale>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextBlock>
+#include <QUrl>
 
 using namespace espalier;
 

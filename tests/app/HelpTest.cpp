@@ -10,8 +10,24 @@
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QAction>
+#include <QApplication>
+#include <QCoreApplication>
+#include <QFont>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QListWidgetItem>
+#include <QMessageBox>
+#include <QPixmap>
+#include <QPoint>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSize>
+#include <QSlider>
+#include <QTest>
+#include <QTextBlock>
+#include <QUrl>
+#include <QWidget>
 
 using namespace espalier;
 

@@ -5,8 +5,25 @@
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QEvent>
+#include <QFocusEvent>
+#include <QInputDevice>
+#include <QKeyCombination>
+#include <QKeySequence>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPoint>
+#include <QPointF>
+#include <QPointingDevice>
+#include <QSignalSpy>
+#include <QTabletEvent>
+#include <QTest>
+#include <QTimer>
+#include <QTouchEvent>
+#include <QWidget>
 
 #include <functional>
 

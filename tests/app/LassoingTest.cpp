@@ -5,8 +5,17 @@
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QEvent>
+#include <QInputDevice>
+#include <QPoint>
+#include <QPointF>
+#include <QPointingDevice>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabletEvent>
+#include <QTest>
 
 using namespace espalier;
 

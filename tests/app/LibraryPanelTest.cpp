@@ -10,8 +10,32 @@
 #include "tests/support/TestClasses.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QAction>
+#include <QApplication>
+#include <QChar>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QIODevice>
+#include <QImage>
+#include <QLatin1Char>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QModelIndex>
+#include <QPixmap>
+#include <QPoint>
+#include <QPointingDevice>
+#include <QPushButton>
+#include <QRect>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QWidget>
+#include <QWindow>
 
 using namespace espalier;
 using test::project;
@@ -76,6 +100,7 @@ void LibraryPanelTest::init()
     if (!m_window)
         m_window = std::make_unique<MainWindow>();
     m_window->resize(1024, 700);
+    m_window->workspace().viewport().setBestSamples(1);
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));

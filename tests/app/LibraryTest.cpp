@@ -6,8 +6,16 @@
 #include "tests/support/LibraryProjects.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QChar>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QIODevice>
+#include <QImage>
+#include <QLatin1Char>
+#include <QSize>
+#include <QTemporaryDir>
+#include <QTest>
 
 using namespace espalier;
 using test::namesOf;

@@ -9,8 +9,13 @@
 #include "views/Viewport.h"
 #include "views/render/PreparedScene.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QCoreApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSemaphore>
+#include <QSignalSpy>
+#include <QTest>
+#include <QThreadPool>
 
 using namespace espalier;
 

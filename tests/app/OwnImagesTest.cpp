@@ -5,8 +5,18 @@
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QCoreApplication>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QIODevice>
+#include <QMimeData>
+#include <QPoint>
+#include <QPointF>
+#include <QPushButton>
+#include <QTest>
+#include <QUrl>
+#include <QWidget>
 
 using namespace espalier;
 

@@ -10,8 +10,14 @@
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QImage>
+#include <QPixmap>
+#include <QPoint>
+#include <QRgb>
+#include <QSet>
+#include <QTest>
+#include <QWidget>
 
 using namespace espalier;
 

@@ -2,7 +2,9 @@
 #include "tests/support/TestClasses.h"
 #include "tests/support/ZipEntries.h"
 
-#include <QtTest>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QTest>
 
 #include <sys/resource.h>
 

@@ -7,7 +7,8 @@
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 using namespace espalier;
 

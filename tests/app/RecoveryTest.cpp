@@ -2,7 +2,8 @@
 #include "tests/support/FilesFixture.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 using namespace espalier;
 

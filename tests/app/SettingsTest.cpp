@@ -9,8 +9,31 @@
 #include "tests/support/TestClasses.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QImage>
+#include <QInputDevice>
+#include <QLabel>
+#include <QPalette>
+#include <QPixmap>
+#include <QPoint>
+#include <QPointF>
+#include <QPointingDevice>
+#include <QPushButton>
+#include <QRect>
+#include <QSettings>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTabletEvent>
+#include <QTest>
+#include <QUndoStack>
+#include <QWidget>
+#include <QWindow>
 
 namespace espalier {
 
@@ -67,6 +90,7 @@ void SettingsTest::init()
     if (!m_window)
         m_window = std::make_unique<MainWindow>();
     m_window->resize(1024, 700);
+    m_window->workspace().viewport().setBestSamples(1);
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));

@@ -7,8 +7,10 @@
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTimer>
+#include <QUndoView>
 
 using namespace espalier;
 

@@ -12,8 +12,21 @@
 #include "tests/support/WidgetKinds.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QAction>
+#include <QApplication>
+#include <QCoreApplication>
+#include <QImage>
+#include <QLabel>
+#include <QLatin1Char>
+#include <QLatin1String>
+#include <QMenu>
+#include <QPixmap>
+#include <QPoint>
+#include <QRect>
+#include <QSettings>
+#include <QSize>
+#include <QTest>
+#include <QWidget>
 
 using namespace espalier;
 

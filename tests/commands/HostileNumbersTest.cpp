@@ -4,7 +4,7 @@
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include "tests/support/TestClasses.h"
 
 #include <QElapsedTimer>
-#include <QtTest>
+#include <QTest>
 
 namespace espalier::test {
 

@@ -5,7 +5,7 @@
 #include "commands/SetParameters.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 using namespace espalier;
 

@@ -10,7 +10,7 @@
 #include "tests/support/TestClasses.h"
 
 #include <QDir>
-#include <QtTest>
+#include <QTest>
 
 namespace espalier::test {
 

@@ -21,7 +21,7 @@
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 #include <map>

@@ -13,7 +13,7 @@
 #include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <functional>
 

@@ -13,8 +13,23 @@
 #include "views/Viewport.h"
 #include "views/render/GlResources.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QAction>
+#include <QApplication>
+#include <QCoreApplication>
+#include <QDir>
+#include <QImage>
+#include <QLatin1Char>
+#include <QLatin1String>
+#include <QLocale>
+#include <QMenu>
+#include <QPoint>
+#include <QPointF>
+#include <QSettings>
+#include <QSize>
+#include <QSurfaceFormat>
+#include <QTest>
+#include <QTranslator>
+#include <QWindow>
 
 #include <cstdio>
 

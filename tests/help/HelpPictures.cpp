@@ -10,8 +10,23 @@
 #include "views/render/GlResources.h"
 #include "views/render/OffscreenRenderer.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDir>
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPen>
+#include <QPoint>
+#include <QPointF>
+#include <QPolygonF>
+#include <QRect>
+#include <QSettings>
+#include <QSize>
+#include <QSlider>
+#include <QSurfaceFormat>
+#include <QTest>
 
 #include <cstdio>
 

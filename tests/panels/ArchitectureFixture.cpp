@@ -3,8 +3,9 @@
 
 #include "panels/Theme.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QPoint>
+#include <QTest>
 
 namespace espalier::test {
 

@@ -13,9 +13,19 @@
 #include "tests/panels/ArchitectureFixture.h"
 #include "tests/support/TestClasses.h"
 
+#include <QAbstractButton>
 #include <QAccessible>
-#include <QtTest>
-#include <QtWidgets>
+#include <QAccessibleInterface>
+#include <QApplication>
+#include <QImage>
+#include <QLatin1Char>
+#include <QPoint>
+#include <QPointF>
+#include <QRectF>
+#include <QSize>
+#include <QSlider>
+#include <QTest>
+#include <QWidget>
 
 #include <map>
 #include <numbers>

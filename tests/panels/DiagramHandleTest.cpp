@@ -15,8 +15,14 @@
 #include "tests/support/TestClasses.h"
 
 #include <QAccessible>
-#include <QtTest>
-#include <QtWidgets>
+#include <QAccessibleInterface>
+#include <QAccessibleValueInterface>
+#include <QLineF>
+#include <QPoint>
+#include <QPointF>
+#include <QScrollArea>
+#include <QSlider>
+#include <QTest>
 
 #include <map>
 #include <numbers>

@@ -17,8 +17,28 @@
 #include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QChar>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QImage>
+#include <QLabel>
+#include <QLatin1String>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPoint>
+#include <QPointF>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+#include <QWidget>
 
 #include <map>
 

@@ -5,7 +5,7 @@
 
 #include <QPointingDevice>
 #include <QTabletEvent>
-#include <QtTest>
+#include <QTest>
 
 #include <memory>
 

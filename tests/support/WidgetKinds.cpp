@@ -13,9 +13,32 @@
 #include "panels/library/LibraryView.h"
 #include "views/Viewport.h"
 
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractScrollArea>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDoubleSpinBox>
+#include <QGuiApplication>
+#include <QLatin1String>
+#include <QLineEdit>
+#include <QListView>
+#include <QListWidget>
+#include <QPoint>
+#include <QPointF>
+#include <QRect>
+#include <QScrollBar>
+#include <QSize>
+#include <QSlider>
+#include <QSpinBox>
 #include <QStyleHints>
-#include <QtTest>
-#include <QtWidgets>
+#include <QTest>
+#include <QTextBrowser>
+#include <QWheelEvent>
+#include <QWidget>
 
 #include <array>
 

@@ -5,8 +5,16 @@
 #include "panels/Theme.h"
 #include "views/Viewport.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPoint>
+#include <QPointF>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
 
 namespace espalier::test {
 
@@ -28,6 +36,7 @@ void WindowFixture::init()
     if (!m_window)
         m_window = std::make_unique<MainWindow>();
     m_window->resize(m_size);
+    viewport().setBestSamples(1);
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));

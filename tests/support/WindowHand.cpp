@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/WindowHand.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QApplication>
+#include <QChar>
+#include <QCoreApplication>
+#include <QMenu>
+#include <QPoint>
+#include <QPointer>
+#include <QTest>
+#include <QTimer>
+#include <QWidget>
+#include <QWindow>
 
 namespace espalier::test {
 

@@ -20,8 +20,9 @@
 #include "panels/library/LibraryPanel.h"
 #include "panels/library/LibraryView.h"
 
-#include <QtTest>
-#include <QtWidgets>
+#include <QPushButton>
+#include <QTest>
+#include <QWidget>
 
 namespace espalier::test {
 

@@ -2,7 +2,7 @@
 #include "tests/support/TestClasses.h"
 #include "views/camera/CameraFlight.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 

@@ -8,8 +8,8 @@
 
 #include <QPointingDevice>
 #include <QTabletEvent>
+#include <QTest>
 #include <QWidget>
-#include <QtTest>
 
 #include <memory>
 

@@ -4,7 +4,7 @@
 #include "tests/support/TestClasses.h"
 
 #include <QKeyEvent>
-#include <QtTest>
+#include <QTest>
 
 using namespace espalier;
 

@@ -6,7 +6,7 @@
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <tbb/global_control.h>
 

@@ -4,7 +4,7 @@
 #include "tests/support/TestClasses.h"
 #include "views/tools/BudPicker.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <bit>
 #include <set>

@@ -4,7 +4,7 @@
 #include "tests/support/TreeBuilder.h"
 #include "views/render/OffscreenRenderer.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <memory>
 

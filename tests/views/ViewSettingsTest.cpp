@@ -5,7 +5,8 @@
 #include "tests/support/TestClasses.h"
 
 #include <QLocale>
-#include <QtTest>
+#include <QSignalSpy>
+#include <QTest>
 
 #include <cmath>
 #include <limits>

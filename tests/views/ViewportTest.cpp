@@ -3,6 +3,7 @@
 #include "tests/support/ViewportFixture.h"
 #include "views/tools/BrushTool.h"
 
+#include <QSignalSpy>
 #include <QWheelEvent>
 
 using namespace espalier;

@@ -64,7 +64,7 @@ bool FramePacer::showsShadows() const
 
 void FramePacer::apply(RenderOptions& options) const
 {
-    options.samples = isAtRest() ? RenderOptions::kBestSamples : 1;
+    options.samples = isAtRest() ? m_bestSamples : 1;
     options.shadowStrength = m_shadowStrength;
     options.mayLag = !m_isAtRest;
     options.isPlain = !m_isAtRest && m_saving >= Saving::Shadows;

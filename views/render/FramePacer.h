@@ -24,6 +24,10 @@ public:
         MostPixels, ///< Only a quarter of the pixels is drawn
     };
 
+    /// The number of passes for a picture at rest, 1...kBestSamples.
+    int bestSamples() const { return m_bestSamples; }
+    void setBestSamples(int samples) { m_bestSamples = samples; }
+
     /// Something begins to move; @p treeChanges: the tree itself changes.
     void disturb(bool treeChanges);
     /// All motion has ended.
@@ -45,6 +49,7 @@ public:
 private:
     bool showsShadows() const;
 
+    int m_bestSamples = RenderOptions::kBestSamples;
     Saving m_saving = Saving::Nothing;
     bool m_isAtRest = true;
     bool m_treeChanges = false;

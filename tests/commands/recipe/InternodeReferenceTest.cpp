@@ -7,7 +7,7 @@
 #include "tests/support/TestClasses.h"
 
 #include <QJsonDocument>
-#include <QtTest>
+#include <QTest>
 
 namespace espalier::test {
 

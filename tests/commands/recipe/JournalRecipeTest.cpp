@@ -19,7 +19,7 @@
 #include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 #include <functional>

@@ -8,7 +8,7 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 
 namespace espalier::test {
 

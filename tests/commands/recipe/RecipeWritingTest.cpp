@@ -5,7 +5,7 @@
 #include "tests/support/TestClasses.h"
 
 #include <QJsonDocument>
-#include <QtTest>
+#include <QTest>
 
 #include <bit>
 #include <cmath>

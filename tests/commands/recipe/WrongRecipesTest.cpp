@@ -5,7 +5,7 @@
 #include "tests/commands/recipe/RecipeTexts.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 namespace espalier::test {
 

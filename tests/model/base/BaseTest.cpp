@@ -6,7 +6,7 @@
 #include "model/base/Random.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 #include <atomic>

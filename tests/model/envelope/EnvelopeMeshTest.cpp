@@ -5,7 +5,7 @@
 #include "tests/support/MeshTopology.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 namespace espalier::test {
 

@@ -4,7 +4,7 @@
 #include "tests/support/Sketches.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <tbb/global_control.h>
 

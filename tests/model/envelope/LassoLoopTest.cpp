@@ -5,7 +5,7 @@
 #include "tests/model/envelope/Silhouettes.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <limits>
 

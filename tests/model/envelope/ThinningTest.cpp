@@ -7,7 +7,7 @@
 #include "tests/model/envelope/Silhouettes.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 

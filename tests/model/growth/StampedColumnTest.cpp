@@ -3,7 +3,7 @@
 
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 namespace espalier::test {
 

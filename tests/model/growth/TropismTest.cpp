@@ -4,7 +4,7 @@
 #include "model/base/Random.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

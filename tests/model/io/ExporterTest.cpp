@@ -15,8 +15,8 @@
 #include <QFileInfo>
 #include <QImage>
 #include <QTemporaryDir>
+#include <QTest>
 #include <QtEndian>
-#include <QtTest>
 #include <qfloat16.h>
 
 #include <assimp/GltfMaterial.h>

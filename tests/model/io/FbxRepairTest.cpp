@@ -3,8 +3,8 @@
 
 #include "tests/support/TestClasses.h"
 
+#include <QTest>
 #include <QtEndian>
-#include <QtTest>
 
 #include <functional>
 

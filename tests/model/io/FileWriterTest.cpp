@@ -7,7 +7,7 @@
 #include "tests/support/SampleProject.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cerrno>
 

@@ -5,7 +5,7 @@
 #include "tests/support/TestClasses.h"
 
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 namespace espalier::test {
 

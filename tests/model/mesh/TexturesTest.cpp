@@ -7,7 +7,7 @@
 #include "tests/support/TestClasses.h"
 
 #include <QColor>
-#include <QtTest>
+#include <QTest>
 
 #include <tbb/global_control.h>
 

@@ -4,7 +4,7 @@
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cstring>

@@ -4,7 +4,7 @@
 #include "model/base/Vector.h"
 #include "tests/support/TestClasses.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 
