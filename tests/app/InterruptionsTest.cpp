@@ -236,7 +236,7 @@ void InterruptionsTest::save_keepsTheStrokeUnderTheHand()
     QSignalSpy saved(&m_window->files().file(), &DocumentFile::saved);
     QTest::keyClick(handle(), Qt::Key_S, Qt::ControlModifier);
     QVERIFY(!viewport().isGestureActive());
-    QVERIFY(saved.wait());
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 30000);
     release();
     QCOMPARE(m_window->document().undoStack().count(), 1);
     QVERIFY(!m_window->isWindowModified());

@@ -184,7 +184,7 @@ void LassoingTest::saveDuringTheStroke_writesTheFilledEnvelope()
         QTest::mouseMove(handle(), place, 1);
     QSignalSpy saved(&m_window->files().file(), &DocumentFile::saved);
     QTest::keyClick(handle(), Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(saved.wait(30'000));
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 30000);
     QTest::mouseRelease(handle(), Qt::LeftButton, {}, places.back());
     const Result<Project> project = loadProject(file);
     QVERIFY(project);

@@ -124,7 +124,7 @@ void LayoutKeysTest::save_saves()
     QVERIFY(m_window->isWindowModified());
     QSignalSpy saved(&m_window->files().file(), &DocumentFile::saved);
     click(u'Ы', 39, Qt::ControlModifier);
-    QVERIFY(saved.wait());
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 30000);
     QVERIFY(!m_window->isWindowModified());
 }
 
