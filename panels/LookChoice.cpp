@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/LookChoice.h"
 
-#include "model/texture/OwnTextures.h"
+#include "model/texture/LeafCut.h"
+#include "model/texture/Textures.h"
 #include "panels/Icon.h"
 #include "panels/Theme.h"
 

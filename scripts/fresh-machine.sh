@@ -11,6 +11,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 readonly most_minutes=15
 readonly logs="$PWD/build/fresh-machine"
+readonly certificates=/usr/local/share/ca-certificates
 
 fail() {
     echo "fresh-machine: $*" >&2
@@ -40,6 +41,10 @@ make_machine() {
             cp -L "$file" "$root$file"
         fi
     done
+    # The certificates by which this machine knows the servers of its network.
+    mkdir -p "$root$certificates"
+    cp "$certificates"/*.crt "$root$certificates" 2>/dev/null || true
+    cat "$root$certificates"/*.crt >"$root$certificates.pem" 2>/dev/null || true
     mkdir "$root/root/espalier"
     git ls-files -z --cached --others --exclude-standard |
         while IFS= read -r -d '' file; do [[ -e "$file" ]] && printf '%s\0' "$file"; done |
@@ -54,7 +59,7 @@ inside() {
     local TIMEFORMAT="%R %U %S"
     {
         time chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin \
-            ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
+            NODE_EXTRA_CA_CERTS="$certificates.pem" ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
             /bin/bash -c 'cd /root/espalier && exec "$@"' bash "$@" >"$logs/$name.log" 2>&1
     } 2>"$logs/$name.time" || status=$?
     awk -v name="$*" '{ printf "         %s took %.1f min on the clock, %.1f min of processor time (%.1f on each of two cores)\n",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/GrowthStep.h"
 
+#include "model/base/Parallel.h"
 #include "model/base/Random.h"
 #include "model/growth/BorchertHonda.h"
 #include "model/growth/Buds.h"
@@ -220,14 +221,15 @@ std::vector<VigorousBud> competingBuds(const GrowingTree& growing, VigourFlow& f
     return buds;
 }
 
-/// Adds markers, uniformly in the bud's volume of perception: the cone of angle ζ between the radii r and
-/// r + d, or, for a planar tree, its section with the plane. Returns how many were added.
-std::size_t layBudMarkers(const GrowingTree& growing, const BudRef& bud, const GrowthStepOptions& options,
-                          MarkerSet& markers)
+/// Places markers above the ground, uniformly in the bud's volume of perception: the cone of angle ζ between
+/// the radii r and r + d, or, for a planar tree, its section with the plane. Writes at most markersPerBud to
+/// @p markers, and returns how many.
+std::size_t placeBudMarkers(const GrowingTree& growing, const BudRef& bud, const GrowthStepOptions& options,
+                            Vec3* markers)
 {
     const Perception& perception = options.perception;
     const Tree& tree = growing.tree();
-    const std::size_t before = markers.size();
+    std::size_t count = 0;
     const Vec3 heading = growing.budDirection(bud.node, bud.slot);
     const Vec3 side = options.isPlanar ? Vec3(heading.y(), -heading.x(), 0.0F) : anyPerpendicular(heading);
     const Vec3 other = heading.cross(side);
@@ -250,12 +252,33 @@ std::size_t layBudMarkers(const GrowingTree& growing, const BudRef& bud, const G
                                static_cast<float>(sine * std::cos(azimuth)) * side +
                                static_cast<float>(sine * std::sin(azimuth)) * other;
         const Vec3 marker = growing.nodePosition(bud.node) + static_cast<float>(radius) * direction;
-        if (marker.y() < 0.0F) // there is no free space below the ground
-            continue;
-        markers.positions.push_back(marker);
-        markers.born.push_back(tree.step());
+        if (marker.y() >= 0.0F)
+            markers[count++] = marker;
     }
-    return markers.size() - before;
+    return count;
+}
+
+/// Adds the markers of @p buds. Returns the bud of each new marker.
+std::vector<BudRef> layMarkers(const GrowingTree& growing, std::span<const VigorousBud> buds,
+                               const GrowthStepOptions& options, MarkerSet& markers)
+{
+    constexpr std::size_t kBudsPerTask = 64;
+    const auto perBud = static_cast<std::size_t>(growing.tree().parameters().growth.markersPerBud);
+    std::vector<Vec3> places(perBud * buds.size());
+    std::vector<std::size_t> counts(buds.size());
+    parallelFor(buds.size(), kBudsPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            counts[i] = placeBudMarkers(growing, buds[i].bud, options, places.data() + perBud * i);
+    });
+
+    std::vector<BudRef> perceivers;
+    for (std::size_t i = 0; i < buds.size(); ++i) {
+        const Vec3* const first = places.data() + perBud * i;
+        markers.positions.insert(markers.positions.end(), first, first + counts[i]);
+        perceivers.insert(perceivers.end(), counts[i], buds[i].bud);
+    }
+    markers.born.resize(markers.size(), growing.tree().step());
+    return perceivers;
 }
 
 } // namespace
@@ -313,12 +336,7 @@ TreeDelta autonomousStep(const Tree& tree, const TreeIndex& index, const GrowthI
         std::sort(strong, rest, [](const VigorousBud& a, const VigorousBud& b) {
             return a.vigour != b.vigour ? a.vigour > b.vigour : a.bud < b.bud;
         });
-        std::vector<BudRef> perceivers;
-        for (const VigorousBud& bud : std::ranges::subrange(strong, rest)) {
-            const std::size_t count = layBudMarkers(growing, bud.bud, options, markers);
-            perceivers.insert(perceivers.end(), count, bud.bud);
-        }
-        competition.admit(perceivers);
+        competition.admit(layMarkers(growing, std::span(strong, rest), options, markers));
         competition.forEachOwner(
             [&](const BudRef& owner) { greatest = std::max(greatest, flow.ofBud(owner.node, owner.slot)); });
         if (greatest > 0.0)

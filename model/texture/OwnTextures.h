@@ -7,11 +7,6 @@
 
 namespace espalier {
 
-/// Cuts the leaf out of an image so that it fills its card: petiole at the middle of the lower edge, no empty
-/// margin; at most @p size pixels along an edge, Format_RGBA8888. Alpha is coverage; in an image without
-/// alpha, the plain background is removed from the edges inward. The colour continues beyond the leaf's edge.
-/// Returns nothing if the image has neither alpha nor a plain background, or if no leaf is left.
-std::optional<QImage> cutLeaf(const ImageAsset& image, int size);
 /// Width / length of the leaf that cutLeaf() finds, within the limits of LeafParameters::aspect.
 std::optional<double> ownLeafAspect(const ImageAsset& image);
 /// A sentence for the user about an image in which cutLeaf() finds no leaf.

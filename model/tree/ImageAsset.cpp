@@ -93,4 +93,13 @@ QImage ImageAsset::pixels() const
     return m_data ? UnpackedImages::instance().of(m_data->hash, m_data->file) : QImage();
 }
 
+QImage ImageAsset::colours() const
+{
+    QImage image = pixels();
+    const QColorSpace space = image.colorSpace();
+    if (space.isValid() && space != QColorSpace(QColorSpace::SRgb))
+        image.convertToColorSpace(QColorSpace(QColorSpace::SRgb));
+    return image;
+}
+
 } // namespace espalier

@@ -32,6 +32,8 @@ public:
     /// The decoded image, turned upright by its orientation tag: Format_RGBA8888 or Format_RGB888; null if
     /// the file cannot be decoded. A cache keeps the last few decoded images. Can be called on any thread.
     QImage pixels() const;
+    /// pixels() converted to sRGB, for an image that shows colours.
+    QImage colours() const;
 
     bool operator==(const ImageAsset& other) const
     {

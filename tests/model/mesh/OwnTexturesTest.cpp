@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/texture/OwnTextures.h"
 
+#include "model/texture/LeafCut.h"
 #include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"
 
