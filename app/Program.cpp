@@ -9,6 +9,7 @@
 #include "app/cli/CommandLine.h"
 #include "app/cli/Display.h"
 #include "app/files/Settings.h"
+#include "model/base/Memory.h"
 #include "panels/Theme.h"
 #include "views/render/GlResources.h"
 
@@ -96,6 +97,7 @@ int runWindow(const CommandLine& line, QApplication& application)
 
 int runProgram(int argc, char** argv)
 {
+    keepFreedMemory();
     nameProgram();
     QStringList arguments;
     for (int i = 1; i < argc; ++i)

@@ -4,9 +4,11 @@
 #include "tests/bench/Crowns.h"
 
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 
 namespace espalier {
@@ -77,21 +79,38 @@ void brushStep(benchmark::State& state)
     state.counters["step_worst_ms"] = 1000.0 * worst(samples);
 }
 
-void autonomousStepOnOneThread(benchmark::State& state)
+void autonomousStep(benchmark::State& state)
 {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(state.range(1)));
     TreeDocument& document = crown(static_cast<std::uint32_t>(state.range(0)));
-    std::vector<double> samples;
+    std::vector<double> clock;
+    std::vector<double> processor;
+    std::size_t grown = 0;
     for (auto _ : state) {
         GrowGesture gesture(document);
+        const std::uint32_t size = document.tree().size();
+        const auto start = std::chrono::steady_clock::now();
         const double before = cpuTime();
         gesture.step();
-        samples.push_back(cpuTime() - before);
-        state.SetIterationTime(samples.back());
+        processor.push_back(cpuTime() - before);
+        clock.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        state.SetIterationTime(clock.back());
+        grown = document.tree().size() - size;
         gesture.cancel();
     }
     state.counters["internodes"] = document.index().livingCount();
-    state.counters["step_median_ms"] = 1000.0 * median(samples);
+    state.counters["grown"] = static_cast<double>(grown);
+    state.counters["clock_median_ms"] = 1000.0 * median(clock);
+    state.counters["processor_median_ms"] = 1000.0 * median(processor);
+}
+
+/// The most memory that the process has had so far, bytes; of use in the first benchmark of a run.
+double peakMemory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 void timeToSize(benchmark::State& state)
@@ -108,6 +127,7 @@ void timeToSize(benchmark::State& state)
         document.growthModel();
         document.pickIndex();
         state.counters["bytes_per_living"] = static_cast<double>(document.bytes()) / internodes;
+        state.counters["process_bytes_per_living"] = peakMemory() / internodes;
     }
     state.counters["internodes"] = internodes;
     state.counters["steps"] = steps;
@@ -141,14 +161,16 @@ BENCHMARK(brushStep)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->Iterations(5);
-BENCHMARK(autonomousStepOnOneThread)
-    ->Arg(50'000)
+BENCHMARK(autonomousStep)
+    ->ArgsProduct({{50'000}, {1, 2}})
+    ->ArgNames({"internodes", "threads"})
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond)
     ->Iterations(10);
 BENCHMARK(timeToSize)
     ->Arg(20'000)
     ->Arg(200'000)
+    ->Arg(3'000'000)
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/JournalRecipe.h"
+#include "model/base/Memory.h"
 #include "model/document/Edit.h"
 #include "model/document/TreeDocument.h"
 #include "model/io/ImageFile.h"
@@ -44,6 +45,7 @@ private:
 
 void FuzzFilesTest::initTestCase()
 {
+    keepFreedMemory();
     Project withPicture = sampleProject(60);
     withPicture.thumbnail = QImage(8, 8, QImage::Format_RGB32);
     withPicture.thumbnail.fill(Qt::darkGreen);

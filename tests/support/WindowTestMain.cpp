@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/base/Memory.h"
 #include "panels/Theme.h"
 #include "tests/support/TestClasses.h"
 #include "views/render/GlResources.h"
@@ -9,6 +10,7 @@
 /// Runs tests in an application with the program's style and with separate settings.
 int main(int argc, char** argv)
 {
+    espalier::keepFreedMemory();
     QSurfaceFormat::setDefaultFormat(espalier::surfaceFormat());
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("Espalier"));
