@@ -413,6 +413,10 @@
         <translation>replay braucht mindestens ein Rezept oder Projekt</translation>
     </message>
     <message>
+        <source>import wants one skeleton and -o OUT</source>
+        <translation>import verlangt ein Skelett und -o AUSGABE</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -431,6 +435,9 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     says the seed, and each begins by putting its parameters in force.
     What operations do not find in the tree is printed; with --strict it is an
     error, and nothing is written.
+
+espalier import SKELETON.csv -o OUT...
+    Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
 espalier export PROJECT [-o OUT]...
     Writes a project in other formats.
@@ -468,6 +475,10 @@ espalier replay REZEPT|PROJEKT... [-o AUSGABE]... [--png DATEI] [--size BxH]
     bestimmt den Startwert, und jedes setzt zu Beginn seine Parameter in Kraft.
     Was Operationen im Baum nicht finden, wird ausgegeben; mit --strict ist es
     ein Fehler, und nichts wird geschrieben.
+
+espalier import SKELETT.csv -o AUSGABE...
+    Macht aus einem gemessenen Baum einen eigenen: Zeilen aus id, parent, beiden
+    Enden und Radius.
 
 espalier export PROJEKT [-o AUSGABE]...
     Schreibt ein Projekt in anderen Formaten.
@@ -523,6 +534,14 @@ geschrieben werden konnte.
     <message>
         <source>Width</source>
         <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>a skeleton can only be imported where nothing has grown</source>
+        <translation>ein Skelett kann nur eingelesen werden, wo noch nichts gewachsen ist</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Einlesen</translation>
     </message>
 </context>
 <context>
@@ -619,10 +638,6 @@ geschrieben werden konnte.
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation>Bäume und Rezepte (*.espalier *.json);;Bäume (*.espalier);;Rezepte (*.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -665,6 +680,10 @@ geschrieben werden konnte.
     <message>
         <source>Recipes (*.json)</source>
         <translation>Rezepte (*.json)</translation>
+    </message>
+    <message>
+        <source>Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;Recipes (*.json);;Skeletons (*.csv);;All files (*)</source>
+        <translation>Bäume, Rezepte und gemessene Skelette (*.espalier *.json *.csv);;Bäume (*.espalier);;Rezepte (*.json);;Skelette (*.csv);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -1879,6 +1898,29 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>PositionCheck</name>
+    <message>
+        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <translation>er und die späteren Schritte bewegen einen Baum mit Achsen von mehr als %1 m zu oft</translation>
+    </message>
+    <message>
+        <source>before it, internode %1 lies further than %2 m away</source>
+        <translation>vor ihm liegt Internodium %1 weiter als %2 m entfernt</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>Schritt %1 der Geschichte</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>liegt weiter als %1 m entfernt</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>Internodium %1</translation>
+    </message>
+</context>
+<context>
     <name>Program</name>
     <message>
         <source>%1; see espalier --help</source>
@@ -1946,14 +1988,6 @@ geschrieben werden konnte.
     <message>
         <source>indices of strokes are expected</source>
         <translation>Indizes von Strichen werden erwartet</translation>
-    </message>
-    <message>
-        <source>internode %1</source>
-        <translation>Internodium %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>liegt weiter als %1 m entfernt</translation>
     </message>
     <message>
         <source>the record of what was done</source>
@@ -2074,10 +2108,6 @@ geschrieben werden konnte.
         <translation>ein Rezept hat höchstens %1 Operationen</translation>
     </message>
     <message>
-        <source>a recipe that was not read from a file cannot name images</source>
-        <translation>ein Rezept, das keine Datei ist, hat keine Bilder</translation>
-    </message>
-    <message>
         <source>a recipe has at most %1 images</source>
         <translation>ein Rezept hat höchstens %1 Bilder</translation>
     </message>
@@ -2193,6 +2223,22 @@ geschrieben werden konnte.
         <source>the recipe&apos;s numbers cannot be written exactly</source>
         <translation>die Zahlen des Rezepts lassen sich nicht genau schreiben</translation>
     </message>
+    <message>
+        <source>%1 numbers are expected</source>
+        <translation>%1 Zahlen werden erwartet</translation>
+    </message>
+    <message>
+        <source>its parent is not one of the segments before it, nor -1</source>
+        <translation>sein Träger ist keines der Segmente davor, und nicht -1</translation>
+    </message>
+    <message>
+        <source>1 to %1 segments are expected</source>
+        <translation>1 bis %1 Segmente werden erwartet</translation>
+    </message>
+    <message>
+        <source>a recipe that was not read from a file cannot name files</source>
+        <translation>ein Rezept, das keine Datei ist, kann keine Dateien nennen</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2209,6 +2255,77 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>Skeleton</name>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>it is too long</source>
+        <translation>sie ist zu lang</translation>
+    </message>
+    <message>
+        <source>%1 numbers are expected</source>
+        <translation>%1 Zahlen werden erwartet</translation>
+    </message>
+    <message>
+        <source>“%1” is no number for %2</source>
+        <translation>„%1“ ist keine Zahl für %2</translation>
+    </message>
+    <message>
+        <source>its id %1 is that of line %2, too</source>
+        <translation>ihre id %1 hat auch Zeile %2</translation>
+    </message>
+    <message>
+        <source>there is no id %1, its parent</source>
+        <translation>die id %1, ihr Träger, fehlt</translation>
+    </message>
+    <message>
+        <source>it is carried by what it carries</source>
+        <translation>sie wird von dem getragen, was sie trägt</translation>
+    </message>
+    <message>
+        <source>it lies more than %1 m away</source>
+        <translation>liegt mehr als %1 m entfernt</translation>
+    </message>
+    <message>
+        <source>its radius is not between 0 and %1 m</source>
+        <translation>der Radius liegt nicht zwischen 0 und %1 m</translation>
+    </message>
+    <message>
+        <source>“%1” is expected</source>
+        <translation>„%1“ wird erwartet</translation>
+    </message>
+    <message>
+        <source>a tree of more than %1 segments cannot be imported</source>
+        <translation>ein Baum aus mehr als %1 Segmenten kann nicht eingelesen werden</translation>
+    </message>
+    <message>
+        <source>there are no segments</source>
+        <translation>es gibt keine Segmente</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>segment %1</source>
+        <translation>Segment %1</translation>
+    </message>
+    <message>
+        <source>it stands more than %1 m from the thickest trunk</source>
+        <translation>steht mehr als %1 m vom dicksten Stamm entfernt</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 m, or more than %2 m away</source>
+        <translation>ist länger als %1 m, oder mehr als %2 m entfernt</translation>
+    </message>
+    <message>
+        <source>no segment has a length</source>
+        <translation>kein Segment hat eine Länge</translation>
+    </message>
+</context>
+<context>
     <name>SunTool</name>
     <message>
         <source>%1° high</source>
@@ -2218,9 +2335,6 @@ geschrieben werden konnte.
         <source>Drag the sun about the tree.</source>
         <translation>Die Sonne um den Baum ziehen.</translation>
     </message>
-</context>
-<context>
-    <name>Text</name>
 </context>
 <context>
     <name>Tree</name>
@@ -3357,29 +3471,6 @@ geschrieben werden konnte.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>%L1 Internodien · %L2 Blätter · Schritt %L3</translation>
-    </message>
-</context>
-<context>
-    <name>PositionCheck</name>
-    <message>
-        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
-        <translation>er und die späteren Schritte bewegen einen Baum mit Achsen von mehr als %1 m zu oft</translation>
-    </message>
-    <message>
-        <source>before it, internode %1 lies further than %2 m away</source>
-        <translation>vor ihm liegt Internodium %1 weiter als %2 m entfernt</translation>
-    </message>
-    <message>
-        <source>step %1 of the history</source>
-        <translation>Schritt %1 der Geschichte</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>liegt weiter als %1 m entfernt</translation>
-    </message>
-    <message>
-        <source>internode %1</source>
-        <translation>Internodium %1</translation>
     </message>
 </context>
 </TS>

@@ -413,6 +413,10 @@
         <translation>replay demande au moins une recette ou un projet</translation>
     </message>
     <message>
+        <source>import wants one skeleton and -o OUT</source>
+        <translation>import veut un squelette et -o SORTIE</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -431,6 +435,9 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     says the seed, and each begins by putting its parameters in force.
     What operations do not find in the tree is printed; with --strict it is an
     error, and nothing is written.
+
+espalier import SKELETON.csv -o OUT...
+    Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
 espalier export PROJECT [-o OUT]...
     Writes a project in other formats.
@@ -468,6 +475,10 @@ espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
     Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
     --strict, c’est une erreur, et rien n’est écrit.
+
+espalier import SQUELETTE.csv -o SORTIE...
+    Fait un arbre d’un arbre mesuré : des lignes d’id, parent, deux bouts et
+    rayon.
 
 espalier export PROJET [-o SORTIE]...
     Écrit un projet dans d’autres formats.
@@ -522,6 +533,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Width</source>
         <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>a skeleton can only be imported where nothing has grown</source>
+        <translation>un squelette ne peut être importé que là où rien n’a encore poussé</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
     </message>
 </context>
 <context>
@@ -618,10 +637,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Ouvrir</translation>
     </message>
     <message>
-        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation>Arbres et recettes (*.espalier *.json);;Arbres (*.espalier);;Recettes (*.json);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
     </message>
@@ -664,6 +679,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Recipes (*.json)</source>
         <translation>Recettes (*.json)</translation>
+    </message>
+    <message>
+        <source>Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;Recipes (*.json);;Skeletons (*.csv);;All files (*)</source>
+        <translation>Arbres, recettes et squelettes mesurés (*.espalier *.json *.csv);;Arbres (*.espalier);;Recettes (*.json);;Squelettes (*.csv);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -1878,6 +1897,29 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>PositionCheck</name>
+    <message>
+        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <translation>elle et les étapes suivantes déplacent trop souvent un arbre dont les axes dépassent %1 m</translation>
+    </message>
+    <message>
+        <source>before it, internode %1 lies further than %2 m away</source>
+        <translation>avant elle, l’entre-nœud %1 est à plus de %2 m</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>étape %1 de l’historique</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>il se trouve à plus de %1 m</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>entre-nœud %1</translation>
+    </message>
+</context>
+<context>
     <name>Program</name>
     <message>
         <source>%1; see espalier --help</source>
@@ -1945,14 +1987,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>indices of strokes are expected</source>
         <translation>des indices de tracés sont attendus</translation>
-    </message>
-    <message>
-        <source>internode %1</source>
-        <translation>entre-nœud %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>il se trouve à plus de %1 m</translation>
     </message>
     <message>
         <source>the record of what was done</source>
@@ -2073,10 +2107,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>une recette a au plus %1 opérations</translation>
     </message>
     <message>
-        <source>a recipe that was not read from a file cannot name images</source>
-        <translation>une recette qui n’est pas un fichier n’a pas d’images</translation>
-    </message>
-    <message>
         <source>a recipe has at most %1 images</source>
         <translation>une recette a au plus %1 images</translation>
     </message>
@@ -2192,6 +2222,22 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>the recipe&apos;s numbers cannot be written exactly</source>
         <translation>les nombres de la recette ne peuvent pas être écrits exactement</translation>
     </message>
+    <message>
+        <source>%1 numbers are expected</source>
+        <translation>%1 nombres sont attendus</translation>
+    </message>
+    <message>
+        <source>its parent is not one of the segments before it, nor -1</source>
+        <translation>son parent n’est ni l’un des segments qui le précèdent, ni -1</translation>
+    </message>
+    <message>
+        <source>1 to %1 segments are expected</source>
+        <translation>de 1 à %1 segments sont attendus</translation>
+    </message>
+    <message>
+        <source>a recipe that was not read from a file cannot name files</source>
+        <translation>une recette qui n’est pas un fichier ne peut pas nommer de fichiers</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2208,6 +2254,77 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>Skeleton</name>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>it is too long</source>
+        <translation>elle est trop longue</translation>
+    </message>
+    <message>
+        <source>%1 numbers are expected</source>
+        <translation>%1 nombres sont attendus</translation>
+    </message>
+    <message>
+        <source>“%1” is no number for %2</source>
+        <translation>« %1 » n’est pas un nombre pour %2</translation>
+    </message>
+    <message>
+        <source>its id %1 is that of line %2, too</source>
+        <translation>son id %1 est aussi celui de la ligne %2</translation>
+    </message>
+    <message>
+        <source>there is no id %1, its parent</source>
+        <translation>l’id %1, son parent, n’existe pas</translation>
+    </message>
+    <message>
+        <source>it is carried by what it carries</source>
+        <translation>elle est portée par ce qu’elle porte</translation>
+    </message>
+    <message>
+        <source>it lies more than %1 m away</source>
+        <translation>se trouve à plus de %1 m</translation>
+    </message>
+    <message>
+        <source>its radius is not between 0 and %1 m</source>
+        <translation>le rayon n’est pas entre 0 et %1 m</translation>
+    </message>
+    <message>
+        <source>“%1” is expected</source>
+        <translation>« %1 » est attendu</translation>
+    </message>
+    <message>
+        <source>a tree of more than %1 segments cannot be imported</source>
+        <translation>un arbre de plus de %1 segments ne peut pas être importé</translation>
+    </message>
+    <message>
+        <source>there are no segments</source>
+        <translation>il n’y a pas de segments</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>il dépasse %1 Mo</translation>
+    </message>
+    <message>
+        <source>segment %1</source>
+        <translation>segment %1</translation>
+    </message>
+    <message>
+        <source>it stands more than %1 m from the thickest trunk</source>
+        <translation>se dresse à plus de %1 m du tronc le plus épais</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 m, or more than %2 m away</source>
+        <translation>mesure plus de %1 m, ou se trouve à plus de %2 m</translation>
+    </message>
+    <message>
+        <source>no segment has a length</source>
+        <translation>aucun segment n’a de longueur</translation>
+    </message>
+</context>
+<context>
     <name>SunTool</name>
     <message>
         <source>%1° high</source>
@@ -2217,9 +2334,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>Drag the sun about the tree.</source>
         <translation>Faire glisser le soleil autour de l’arbre.</translation>
     </message>
-</context>
-<context>
-    <name>Text</name>
 </context>
 <context>
     <name>Tree</name>
@@ -3356,29 +3470,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>%L1 entre-nœuds · %L2 feuilles · étape %L3</translation>
-    </message>
-</context>
-<context>
-    <name>PositionCheck</name>
-    <message>
-        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
-        <translation>elle et les étapes suivantes déplacent trop souvent un arbre dont les axes dépassent %1 m</translation>
-    </message>
-    <message>
-        <source>before it, internode %1 lies further than %2 m away</source>
-        <translation>avant elle, l’entre-nœud %1 est à plus de %2 m</translation>
-    </message>
-    <message>
-        <source>step %1 of the history</source>
-        <translation>étape %1 de l’historique</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>il se trouve à plus de %1 m</translation>
-    </message>
-    <message>
-        <source>internode %1</source>
-        <translation>entre-nœud %1</translation>
     </message>
 </context>
 </TS>

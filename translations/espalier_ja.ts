@@ -413,6 +413,10 @@
         <translation>replay にはレシピかプロジェクトが少なくとも 1 つ必要です</translation>
     </message>
     <message>
+        <source>import wants one skeleton and -o OUT</source>
+        <translation>import にはスケルトン 1 つと -o OUT が必要です</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -431,6 +435,9 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     says the seed, and each begins by putting its parameters in force.
     What operations do not find in the tree is printed; with --strict it is an
     error, and nothing is written.
+
+espalier import SKELETON.csv -o OUT...
+    Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
 espalier export PROJECT [-o OUT]...
     Writes a project in other formats.
@@ -468,6 +475,9 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     最初のレシピのものを使い、パラメーターは各レシピの最初に切り替わります。
     操作の対象が木に見つからないときは、それを表示します。--strict を付けると
     エラーになり、何も書き出しません。
+
+espalier import SKELETON.csv -o OUT...
+    計測した木から木を作ります。各行は id、parent、両端、半径です。
 
 espalier export PROJECT [-o OUT]...
     プロジェクトをほかの形式で書き出します。
@@ -522,6 +532,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Width</source>
         <translation>太さ</translation>
+    </message>
+    <message>
+        <source>a skeleton can only be imported where nothing has grown</source>
+        <translation>スケルトンは、まだ何も育っていないところにだけ読み込めます</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>読み込み</translation>
     </message>
 </context>
 <context>
@@ -618,10 +636,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>開く</translation>
     </message>
     <message>
-        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation>木とレシピ (*.espalier *.json);;木 (*.espalier);;レシピ (*.json);;すべてのファイル (*)</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>保存</translation>
     </message>
@@ -664,6 +678,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Recipes (*.json)</source>
         <translation>レシピ (*.json)</translation>
+    </message>
+    <message>
+        <source>Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;Recipes (*.json);;Skeletons (*.csv);;All files (*)</source>
+        <translation>木、レシピ、計測したスケルトン (*.espalier *.json *.csv);;木 (*.espalier);;レシピ (*.json);;スケルトン (*.csv);;すべてのファイル (*)</translation>
     </message>
 </context>
 <context>
@@ -1878,6 +1896,29 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>PositionCheck</name>
+    <message>
+        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <translation>これ以降のステップが、%1 m を超える軸を持つ木を動かす回数が多すぎます</translation>
+    </message>
+    <message>
+        <source>before it, internode %1 lies further than %2 m away</source>
+        <translation>その前に、節間 %1 が %2 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>履歴のステップ %1</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>%1 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>節間 %1</translation>
+    </message>
+</context>
+<context>
     <name>Program</name>
     <message>
         <source>%1; see espalier --help</source>
@@ -1945,14 +1986,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>indices of strokes are expected</source>
         <translation>ストロークの番号が必要です</translation>
-    </message>
-    <message>
-        <source>internode %1</source>
-        <translation>節間 %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>%1 m より遠くにあります</translation>
     </message>
     <message>
         <source>the record of what was done</source>
@@ -2073,10 +2106,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>レシピの操作は %1 個までです</translation>
     </message>
     <message>
-        <source>a recipe that was not read from a file cannot name images</source>
-        <translation>ファイルでないレシピでは画像を使えません</translation>
-    </message>
-    <message>
         <source>a recipe has at most %1 images</source>
         <translation>レシピの画像は %1 枚までです</translation>
     </message>
@@ -2192,6 +2221,22 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>the recipe&apos;s numbers cannot be written exactly</source>
         <translation>レシピの数を正確に書けません</translation>
     </message>
+    <message>
+        <source>%1 numbers are expected</source>
+        <translation>数値が %1 個必要です</translation>
+    </message>
+    <message>
+        <source>its parent is not one of the segments before it, nor -1</source>
+        <translation>親が、それより前のセグメントでも -1 でもありません</translation>
+    </message>
+    <message>
+        <source>1 to %1 segments are expected</source>
+        <translation>1 から %1 個までのセグメントが必要です</translation>
+    </message>
+    <message>
+        <source>a recipe that was not read from a file cannot name files</source>
+        <translation>ファイルでないレシピではファイルを指定できません</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2208,6 +2253,77 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>Skeleton</name>
+    <message>
+        <source>line %1</source>
+        <translation>%1 行目</translation>
+    </message>
+    <message>
+        <source>it is too long</source>
+        <translation>長すぎます</translation>
+    </message>
+    <message>
+        <source>%1 numbers are expected</source>
+        <translation>数値が %1 個必要です</translation>
+    </message>
+    <message>
+        <source>“%1” is no number for %2</source>
+        <translation>「%1」は %2 の数値ではありません</translation>
+    </message>
+    <message>
+        <source>its id %1 is that of line %2, too</source>
+        <translation>id %1 は %2 行目にもあります</translation>
+    </message>
+    <message>
+        <source>there is no id %1, its parent</source>
+        <translation>親の id %1 がありません</translation>
+    </message>
+    <message>
+        <source>it is carried by what it carries</source>
+        <translation>自分が支えているものに支えられています</translation>
+    </message>
+    <message>
+        <source>it lies more than %1 m away</source>
+        <translation>%1 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>its radius is not between 0 and %1 m</source>
+        <translation>半径が 0 から %1 m の間にありません</translation>
+    </message>
+    <message>
+        <source>“%1” is expected</source>
+        <translation>「%1」が必要です</translation>
+    </message>
+    <message>
+        <source>a tree of more than %1 segments cannot be imported</source>
+        <translation>%1 個を超えるセグメントの木は読み込めません</translation>
+    </message>
+    <message>
+        <source>there are no segments</source>
+        <translation>セグメントがありません</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>%1 MB を超えています</translation>
+    </message>
+    <message>
+        <source>segment %1</source>
+        <translation>セグメント %1</translation>
+    </message>
+    <message>
+        <source>it stands more than %1 m from the thickest trunk</source>
+        <translation>最も太い幹から %1 m より離れています</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 m, or more than %2 m away</source>
+        <translation>%1 m より長いか、%2 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>no segment has a length</source>
+        <translation>長さのあるセグメントがありません</translation>
+    </message>
+</context>
+<context>
     <name>SunTool</name>
     <message>
         <source>%1° high</source>
@@ -2217,9 +2333,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>Drag the sun about the tree.</source>
         <translation>太陽を木のまわりでドラッグします。</translation>
     </message>
-</context>
-<context>
-    <name>Text</name>
 </context>
 <context>
     <name>Tree</name>
@@ -3356,29 +3469,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>節間 %L1 · 葉 %L2 · ステップ %L3</translation>
-    </message>
-</context>
-<context>
-    <name>PositionCheck</name>
-    <message>
-        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
-        <translation>これ以降のステップが、%1 m を超える軸を持つ木を動かす回数が多すぎます</translation>
-    </message>
-    <message>
-        <source>before it, internode %1 lies further than %2 m away</source>
-        <translation>その前に、節間 %1 が %2 m より遠くにあります</translation>
-    </message>
-    <message>
-        <source>step %1 of the history</source>
-        <translation>履歴のステップ %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>%1 m より遠くにあります</translation>
-    </message>
-    <message>
-        <source>internode %1</source>
-        <translation>節間 %1</translation>
     </message>
 </context>
 </TS>

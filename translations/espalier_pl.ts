@@ -413,6 +413,10 @@
         <translation>replay wymaga co najmniej jednego przepisu lub projektu</translation>
     </message>
     <message>
+        <source>import wants one skeleton and -o OUT</source>
+        <translation>import wymaga jednego szkieletu i -o WYNIK</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -431,6 +435,9 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     says the seed, and each begins by putting its parameters in force.
     What operations do not find in the tree is printed; with --strict it is an
     error, and nothing is written.
+
+espalier import SKELETON.csv -o OUT...
+    Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
 espalier export PROJECT [-o OUT]...
     Writes a project in other formats.
@@ -468,6 +475,10 @@ espalier replay PRZEPIS|PROJEKT... [-o WYNIK]... [--png PLIK] [--size SxW]
     podaje ziarno, a każdy na początku wprowadza swoje parametry.
     To, czego operacje nie znajdują w drzewie, jest wypisywane; z --strict jest
     to błąd i nic nie zostaje zapisane.
+
+espalier import SZKIELET.csv -o WYNIK...
+    Tworzy drzewo ze zmierzonego: wiersze z id, parent, oboma końcami i
+    promieniem.
 
 espalier export PROJEKT [-o WYNIK]...
     Zapisuje projekt w innych formatach.
@@ -522,6 +533,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Width</source>
         <translation>Grubość</translation>
+    </message>
+    <message>
+        <source>a skeleton can only be imported where nothing has grown</source>
+        <translation>szkielet można wczytać tylko tam, gdzie nic jeszcze nie wyrosło</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Wczytanie</translation>
     </message>
 </context>
 <context>
@@ -618,10 +637,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Otwieranie</translation>
     </message>
     <message>
-        <source>Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)</source>
-        <translation>Drzewa i przepisy (*.espalier *.json);;Drzewa (*.espalier);;Przepisy (*.json);;Wszystkie pliki (*)</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Zapisywanie</translation>
     </message>
@@ -664,6 +679,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Recipes (*.json)</source>
         <translation>Przepisy (*.json)</translation>
+    </message>
+    <message>
+        <source>Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;Recipes (*.json);;Skeletons (*.csv);;All files (*)</source>
+        <translation>Drzewa, przepisy i zmierzone szkielety (*.espalier *.json *.csv);;Drzewa (*.espalier);;Przepisy (*.json);;Szkielety (*.csv);;Wszystkie pliki (*)</translation>
     </message>
 </context>
 <context>
@@ -1878,6 +1897,29 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>PositionCheck</name>
+    <message>
+        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <translation>ten i późniejsze kroki zbyt często poruszają drzewo o osiach dłuższych niż %1 m</translation>
+    </message>
+    <message>
+        <source>before it, internode %1 lies further than %2 m away</source>
+        <translation>przed nim międzywęźle %1 leży dalej niż %2 m</translation>
+    </message>
+    <message>
+        <source>step %1 of the history</source>
+        <translation>krok %1 historii</translation>
+    </message>
+    <message>
+        <source>it lies further than %1 m away</source>
+        <translation>leży dalej niż %1 m od początku układu</translation>
+    </message>
+    <message>
+        <source>internode %1</source>
+        <translation>międzywęźle %1</translation>
+    </message>
+</context>
+<context>
     <name>Program</name>
     <message>
         <source>%1; see espalier --help</source>
@@ -1945,14 +1987,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>indices of strokes are expected</source>
         <translation>oczekiwano indeksów obrysów</translation>
-    </message>
-    <message>
-        <source>internode %1</source>
-        <translation>międzywęźle %1</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>leży dalej niż %1 m od początku układu</translation>
     </message>
     <message>
         <source>the record of what was done</source>
@@ -2073,10 +2107,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>przepis ma najwyżej %1 operacji</translation>
     </message>
     <message>
-        <source>a recipe that was not read from a file cannot name images</source>
-        <translation>przepis, który nie jest plikiem, nie ma obrazów</translation>
-    </message>
-    <message>
         <source>a recipe has at most %1 images</source>
         <translation>przepis ma najwyżej %1 obrazów</translation>
     </message>
@@ -2192,6 +2222,22 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>the recipe&apos;s numbers cannot be written exactly</source>
         <translation>liczb przepisu nie da się zapisać dokładnie</translation>
     </message>
+    <message>
+        <source>%1 numbers are expected</source>
+        <translation>oczekiwano %1 liczb</translation>
+    </message>
+    <message>
+        <source>its parent is not one of the segments before it, nor -1</source>
+        <translation>jego rodzic nie jest żadnym z segmentów przed nim ani -1</translation>
+    </message>
+    <message>
+        <source>1 to %1 segments are expected</source>
+        <translation>oczekiwano od 1 do %1 segmentów</translation>
+    </message>
+    <message>
+        <source>a recipe that was not read from a file cannot name files</source>
+        <translation>przepis, który nie jest plikiem, nie może wskazywać plików</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2208,6 +2254,77 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>Skeleton</name>
+    <message>
+        <source>line %1</source>
+        <translation>wiersz %1</translation>
+    </message>
+    <message>
+        <source>it is too long</source>
+        <translation>jest za długi</translation>
+    </message>
+    <message>
+        <source>%1 numbers are expected</source>
+        <translation>oczekiwano %1 liczb</translation>
+    </message>
+    <message>
+        <source>“%1” is no number for %2</source>
+        <translation>„%1” nie jest liczbą dla %2</translation>
+    </message>
+    <message>
+        <source>its id %1 is that of line %2, too</source>
+        <translation>jego id %1 ma też wiersz %2</translation>
+    </message>
+    <message>
+        <source>there is no id %1, its parent</source>
+        <translation>nie ma id %1, jego rodzica</translation>
+    </message>
+    <message>
+        <source>it is carried by what it carries</source>
+        <translation>niesie go to, co sam niesie</translation>
+    </message>
+    <message>
+        <source>it lies more than %1 m away</source>
+        <translation>leży dalej niż %1 m</translation>
+    </message>
+    <message>
+        <source>its radius is not between 0 and %1 m</source>
+        <translation>promień nie mieści się między 0 a %1 m</translation>
+    </message>
+    <message>
+        <source>“%1” is expected</source>
+        <translation>oczekiwano „%1”</translation>
+    </message>
+    <message>
+        <source>a tree of more than %1 segments cannot be imported</source>
+        <translation>drzewa z więcej niż %1 segmentów nie można wczytać</translation>
+    </message>
+    <message>
+        <source>there are no segments</source>
+        <translation>nie ma segmentów</translation>
+    </message>
+    <message>
+        <source>it is larger than %1 MB</source>
+        <translation>jest większy niż %1 MB</translation>
+    </message>
+    <message>
+        <source>segment %1</source>
+        <translation>segment %1</translation>
+    </message>
+    <message>
+        <source>it stands more than %1 m from the thickest trunk</source>
+        <translation>stoi dalej niż %1 m od najgrubszego pnia</translation>
+    </message>
+    <message>
+        <source>it is longer than %1 m, or more than %2 m away</source>
+        <translation>jest dłuższy niż %1 m albo leży dalej niż %2 m</translation>
+    </message>
+    <message>
+        <source>no segment has a length</source>
+        <translation>żaden segment nie ma długości</translation>
+    </message>
+</context>
+<context>
     <name>SunTool</name>
     <message>
         <source>%1° high</source>
@@ -2217,9 +2334,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Drag the sun about the tree.</source>
         <translation>Przeciągnąć słońce wokół drzewa.</translation>
     </message>
-</context>
-<context>
-    <name>Text</name>
 </context>
 <context>
     <name>Tree</name>
@@ -3356,29 +3470,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>międzywęźla: %L1 · liście: %L2 · krok %L3</translation>
-    </message>
-</context>
-<context>
-    <name>PositionCheck</name>
-    <message>
-        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
-        <translation>ten i późniejsze kroki zbyt często poruszają drzewo o osiach dłuższych niż %1 m</translation>
-    </message>
-    <message>
-        <source>before it, internode %1 lies further than %2 m away</source>
-        <translation>przed nim międzywęźle %1 leży dalej niż %2 m</translation>
-    </message>
-    <message>
-        <source>step %1 of the history</source>
-        <translation>krok %1 historii</translation>
-    </message>
-    <message>
-        <source>it lies further than %1 m away</source>
-        <translation>leży dalej niż %1 m od początku układu</translation>
-    </message>
-    <message>
-        <source>internode %1</source>
-        <translation>międzywęźle %1</translation>
     </message>
 </context>
 </TS>

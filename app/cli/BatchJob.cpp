@@ -3,6 +3,7 @@
 
 #include "app/files/Outputs.h"
 #include "commands/DocumentProject.h"
+#include "commands/ImportSkeleton.h"
 #include "commands/recipe/JournalRecipe.h"
 #include "commands/recipe/Recipe.h"
 #include "commands/recipe/RecipePlayer.h"
@@ -265,6 +266,18 @@ Result<Project> loadInput(const CommandLine& line)
     return project;
 }
 
+Result<void> importTree(const CommandLine& line)
+{
+    const QString& fileName = line.inputs.constFirst();
+    const Result<Skeleton> skeleton = readSkeletonFile(fileName);
+    if (!skeleton)
+        return skeleton.error();
+    TreeDocument document;
+    if (const Result<void> imported = importSkeleton(document, *skeleton); !imported)
+        return inputError(QFileInfo(fileName).fileName(), imported.error().message);
+    return writeOutputs(projectOf(document, QFileInfo(fileName).completeBaseName()), line.outputs);
+}
+
 Result<void> exportProject(const CommandLine& line)
 {
     const Result<Project> project = loadInput(line);
@@ -340,6 +353,9 @@ ExitCode runBatchJob(const CommandLine& line)
     switch (line.verb) {
     case CommandLine::Verb::Replay:
         result = replay(line);
+        break;
+    case CommandLine::Verb::Import:
+        result = importTree(line);
         break;
     case CommandLine::Verb::Export:
         result = exportProject(line);

@@ -58,7 +58,7 @@ struct Option {
 };
 
 constexpr Option kOptions[] = {
-    {"o", " replay export ",
+    {"o", " replay import export ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          if (QFileInfo(value).suffix().toLower() != QLatin1String("espalier") && !exportFormatOf(value)) {
              return usage(CommandLineText::tr(
@@ -191,6 +191,10 @@ Result<void> checkComplete(const CommandLine& line)
         if (line.inputs.isEmpty())
             return usage(CommandLineText::tr("replay wants at least one recipe or project"));
         break;
+    case Verb::Import:
+        if (line.inputs.size() != 1 || line.outputs.isEmpty())
+            return usage(CommandLineText::tr("import wants one skeleton and -o OUT"));
+        break;
     case Verb::Export:
     case Verb::Render:
         if (line.inputs.size() != 1)
@@ -247,6 +251,8 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments)
     qsizetype rest = 1;
     if (first == QStringLiteral("replay"))
         line.verb = Verb::Replay;
+    else if (first == QStringLiteral("import"))
+        line.verb = Verb::Import;
     else if (first == QStringLiteral("export"))
         line.verb = Verb::Export;
     else if (first == QStringLiteral("render"))
@@ -288,6 +294,9 @@ QString commandLineHelp()
                "    says the seed, and each begins by putting its parameters in force.\n"
                "    What operations do not find in the tree is printed; with --strict it is an\n"
                "    error, and nothing is written.\n"
+               "\n"
+               "espalier import SKELETON.csv -o OUT...\n"
+               "    Makes a tree of a measured one: lines of id, parent, both ends and radius.\n"
                "\n"
                "espalier export PROJECT [-o OUT]...\n"
                "    Writes a project in other formats.\n"

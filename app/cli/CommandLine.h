@@ -22,10 +22,10 @@ enum ExitCode : int {
 
 /// The content of a command line.
 struct CommandLine {
-    enum class Verb { Window, Demo, Replay, Export, Render, Info, Help, Version };
+    enum class Verb { Window, Demo, Replay, Import, Export, Render, Info, Help, Version };
 
     Verb verb = Verb::Window;
-    QStringList inputs;       ///< Recipes or a project
+    QStringList inputs;       ///< Recipes, a project, or a skeleton
     QStringList outputs;      ///< Their suffixes say the formats
     QString picture;          ///< PNG; empty for none
     QSize size{1600, 1200};   ///< Of the picture, px

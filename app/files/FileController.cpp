@@ -4,6 +4,7 @@
 #include "app/files/FileDialogs.h"
 #include "app/files/Library.h"
 #include "app/runners/Background.h"
+#include "model/io/import/Skeleton.h"
 #include "panels/Notice.h"
 
 #include <QDir>
@@ -167,7 +168,8 @@ void FileController::keepIn(const QString& fileName)
 
 bool FileController::canOpen(const QString& fileName)
 {
-    return suffixOf(fileName) == dialogs::kProjectSuffix || suffixOf(fileName) == dialogs::kRecipeSuffix;
+    const QString suffix = suffixOf(fileName);
+    return suffix == dialogs::kProjectSuffix || suffix == dialogs::kRecipeSuffix || suffix == kSkeletonSuffix;
 }
 
 void FileController::open()
@@ -178,7 +180,8 @@ void FileController::open()
 
 void FileController::openFile(const QString& fileName)
 {
-    if (suffixOf(fileName) == dialogs::kRecipeSuffix)
+    const QString suffix = suffixOf(fileName);
+    if (suffix == dialogs::kRecipeSuffix || suffix == kSkeletonSuffix)
         openRecipe(fileName);
     else
         openProject(fileName);

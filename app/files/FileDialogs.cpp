@@ -38,8 +38,8 @@ QString askForOpening(QWidget& window, const Settings& settings)
 {
     return QFileDialog::getOpenFileName(
         &window, DialogText::tr("Open"), settings.folder(),
-        DialogText::tr(
-            "Trees and recipes (*.espalier *.json);;Trees (*.espalier);;Recipes (*.json);;All files (*)"));
+        DialogText::tr("Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;"
+                       "Recipes (*.json);;Skeletons (*.csv);;All files (*)"));
 }
 
 QString askForSaving(QWidget& window, const QString& start)

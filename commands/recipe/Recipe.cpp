@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/Recipe.h"
 
+#include "commands/recipe/ImportOperation.h"
 #include "commands/recipe/RecipeLimits.h"
 #include "commands/recipe/RecipeText.h"
 #include "model/io/ParametersJson.h"
@@ -92,6 +93,15 @@ Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
 Result<Recipe> readRecipe(const QString& fileName)
 {
     const QString name = QFileInfo(fileName).fileName();
+    if (QFileInfo(fileName).suffix().toLower() == kSkeletonSuffix) {
+        Result<Skeleton> skeleton = readSkeletonFile(fileName);
+        if (!skeleton)
+            return skeleton.error();
+        Recipe recipe;
+        recipe.name = QFileInfo(fileName).completeBaseName();
+        recipe.operations = {ImportOperation{std::move(*skeleton)}};
+        return recipe;
+    }
     QFile file(fileName);
     if (!file.open(QIODevice::ReadOnly))
         return inputError(name, file.errorString());

@@ -33,7 +33,8 @@ struct Recipe {
 /// Images are files, named relative to @p folder; if that is empty, a recipe can have none. Leaves with a new
 /// image take its aspect and colours (see adoptImage()), except where the same parameters say otherwise.
 Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder = {});
-/// The same from a file; the error begins with the file's name.
+/// The same from a file; the error begins with the file's name. A table of a measured skeleton (*.csv) is
+/// read as a recipe that imports it.
 Result<Recipe> readRecipe(const QString& fileName);
 
 /// JSON from which parseRecipe() reads the same recipe, to the last bit except the sign of zeros.

@@ -3,6 +3,7 @@
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/GrowOperation.h"
+#include "commands/recipe/ImportOperation.h"
 #include "commands/recipe/LassoOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/RecipeOperation.h"
@@ -42,7 +43,7 @@ constexpr OperationKind kKinds[] = {
     kindOf<PruneOperation>(),         kindOf<TravelOperation>(),      kindOf<UndoOperation>(),
     kindOf<RedoOperation>(),          kindOf<BendOperation>(),        kindOf<SetWidthOperation>(),
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
-    kindOf<FillEnvelopesOperation>(),
+    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),
 };
 
 } // namespace

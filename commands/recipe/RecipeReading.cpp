@@ -13,13 +13,25 @@ namespace espalier {
 
 Result<ImageAsset> RecipeReading::readImage(const QString& name) const
 {
-    if (m_folder.isEmpty())
-        return inputError(name, RecipeText::tr("a recipe that was not read from a file cannot name images"));
     if (m_images.size() >= recipeLimits::kImages)
         return inputError(name, RecipeText::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
+    const Result<QString> path = pathOf(name);
+    return path ? readImageFile(*path, name) : path.error();
+}
+
+Result<Skeleton> RecipeReading::readSkeleton(const QString& name) const
+{
+    const Result<QString> path = pathOf(name);
+    return path ? readSkeletonFile(*path) : path.error();
+}
+
+Result<QString> RecipeReading::pathOf(const QString& name) const
+{
+    if (m_folder.isEmpty())
+        return inputError(name, RecipeText::tr("a recipe that was not read from a file cannot name files"));
     if (QDir::isAbsolutePath(name))
         return inputError(name, RecipeText::tr("a path relative to the recipe is expected"));
-    return readImageFile(QDir(m_folder).filePath(name), name);
+    return QDir(m_folder).filePath(name);
 }
 
 const RecipeReading::Image& RecipeReading::image(const QString& name)

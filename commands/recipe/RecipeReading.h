@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/io/JsonReader.h"
+#include "model/io/import/Skeleton.h"
 #include "model/tree/Parameters.h"
 
 #include <QHash>
@@ -12,7 +13,7 @@ namespace espalier {
 /// the number of samples so far.
 class RecipeReading {
 public:
-    /// Images are files, named relative to @p folder; if that is empty, a recipe can have none.
+    /// Images and skeletons are files, named relative to @p folder; if that is empty, a recipe can have none.
     explicit RecipeReading(QString folder) : m_folder(std::move(folder)) {}
 
     /// The complete parameters in force so far; at first the program's defaults.
@@ -21,6 +22,9 @@ public:
     void setParameters(const TreeParameters& parameters) { m_parameters = parameters; }
     /// Changes the parameters that @p json names. If it names none, nothing changes, not even by rounding.
     Result<void> readParameters(const QJsonObject& json, const QString& place);
+
+    /// The skeleton in a file, which is named relative to the recipe's folder.
+    Result<Skeleton> readSkeleton(const QString& name) const;
 
     /// Counts @p samples, the size of @p reader's member @p key. If the recipe has too many, reports an error
     /// to @p reader and returns false.
@@ -34,6 +38,8 @@ private:
 
     const Image& image(const QString& name);
     Result<ImageAsset> readImage(const QString& name) const;
+    /// The path of a file that the recipe names.
+    Result<QString> pathOf(const QString& name) const;
 
     QString m_folder;
     QHash<QString, Image> m_images; ///< By name; each file is read once

@@ -4,6 +4,7 @@
 #include "commands/BendGesture.h"
 #include "commands/BrushGesture.h"
 #include "commands/GrowGesture.h"
+#include "commands/ImportSkeleton.h"
 #include "commands/LassoGesture.h"
 #include "commands/ParameterGesture.h"
 #include "commands/Prune.h"
@@ -142,6 +143,12 @@ public:
                *operation.steps);
     }
 
+    void operator()(const ImportOperation& operation)
+    {
+        // Refused unless the tree is a seedling.
+        (void)importSkeleton(m_document, operation.skeleton);
+    }
+
     void operator()(const RemoveLassoOperation&) { removeEnvelopes(m_document); }
 
     /// Performs the operation if it is of this kind.
@@ -172,8 +179,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
     const bool isDone =
         doesAny<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
-                RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation>(Hand(document, random),
-                                                                               operation);
+                RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation, ImportOperation>(
+            Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

@@ -336,6 +336,22 @@ FillEnvelopesOperation RandomOperations::make(const TreeDocument& document, int)
     return operation;
 }
 
+template <>
+ImportOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    ImportOperation operation;
+    const float l = internode(document);
+    for (int i = below(30); i >= 0; --i) {
+        const auto parent =
+            static_cast<std::uint32_t>(below(static_cast<int>(operation.skeleton.size()) + 1));
+        const bool isFoot = parent == operation.skeleton.size();
+        const Vec3 base = isFoot ? 3.0F * l * m_random.inBall() : operation.skeleton[parent].tip;
+        operation.skeleton.push_back({isFoot ? kNoInternode : parent, base, base + l * m_random.inBall(),
+                                      l * static_cast<float>(m_random.uniform())});
+    }
+    return operation;
+}
+
 std::span<const RandomOperations::Kind> RandomOperations::kinds()
 {
     static constexpr Kind kKinds[] = {
@@ -345,7 +361,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<RedoOperation>(14, 0),          kindOf<BendOperation>(18, 4),
         kindOf<SetWidthOperation>(16, 4),      kindOf<LassoOperation>(2, 0),
         kindOf<RegrowOperation>(1, 0),         kindOf<RemoveLassoOperation>(1, 1),
-        kindOf<FillEnvelopesOperation>(1, 0),
+        kindOf<FillEnvelopesOperation>(1, 0),  kindOf<ImportOperation>(1, 1),
     };
     return kKinds;
 }

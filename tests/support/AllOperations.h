@@ -5,6 +5,7 @@
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/GrowOperation.h"
+#include "commands/recipe/ImportOperation.h"
 #include "commands/recipe/LassoOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/Recipe.h"

@@ -85,6 +85,12 @@ inline Recipe randomRecipe(std::uint64_t seed)
         result.operations.emplace_back(lasso);
         result.operations.emplace_back(RegrowOperation{});
         result.operations.emplace_back(RemoveLassoOperation{});
+        ImportOperation import;
+        for (int j = 0; j <= i; ++j)
+            import.skeleton.push_back({j == 0 ? kNoInternode : static_cast<std::uint32_t>(j - 1),
+                                       100.0F * random.inBall(), 100.0F * random.inBall(),
+                                       static_cast<float>(random.uniform())});
+        result.operations.emplace_back(import);
     }
     return result;
 }

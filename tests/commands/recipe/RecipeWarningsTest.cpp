@@ -123,6 +123,9 @@ std::vector<Case> cases()
          FillEnvelopesOperation{
              std::vector{LassoStroke{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {0, 1}, {0, 1}}}}},
          QStringLiteral("The lasso is too small to enclose anything.")},
+        {"import where something has grown",
+         ImportOperation{{{kNoInternode, Vec3::Zero(), Vec3::UnitY(), 0.1F}}},
+         QStringLiteral("a skeleton can only be imported where nothing has grown")},
         {"removeLasso without an envelope", RemoveLassoOperation{}, QStringLiteral("there is no envelope")},
     };
 }

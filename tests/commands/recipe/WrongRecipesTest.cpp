@@ -90,6 +90,16 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].envelopes[0]: “op” is not known here");
     row(operationsOf(R"({"op": "fillEnvelopes", "steps": 10001})"),
         "operations[0].steps: a whole number from 0 to 10000 is expected");
+    row(operationsOf(R"({"op": "import", "segments": []})"),
+        "operations[0].segments: 1 to 1000000 segments are expected");
+    row(operationsOf(R"({"op": "import", "segments": [[-1, 0, 0, 0, 0, 1, 0]]})"),
+        "operations[0].segments[0]: 8 numbers are expected");
+    row(operationsOf(R"({"op": "import", "segments": [[0, 0, 0, 0, 0, 1, 0, 0.1]]})"),
+        "operations[0].segments[0]: its parent is not one of the segments before it");
+    row(operationsOf(R"({"op": "import", "segments": [[-1, 0, 0, 0, 0, 1, 0, 51]]})"),
+        "operations[0].segments[0]: its radius is not between 0 and 50 m");
+    row(operationsOf(R"({"op": "import", "file": "tree.csv"})"),
+        "operations[0].file: tree.csv: a recipe that was not read from a file cannot name files");
     row(operationsOf(R"({"op": "undo", "count": -1})"),
         "operations[0].count: a whole number from 1 to 100000");
     row(operationsOf(R"({"op": "setParameters"})"), "operations[0].parameters: it is missing");
