@@ -8,10 +8,19 @@
 
 namespace espalier {
 
+/// The growth model that a tree grows by; see GrowthModel.
+enum class GrowthModelKind : int {
+    TreeSketch, ///< Self-organising competition for space and light (TreeSketch 2012)
+    Vigour      ///< Flow of vigour from the shoots' light (Strands 2024), by VigourParameters
+};
+inline constexpr int kGrowthModelCount = 2;
+
 /// How a tree grows (TreeSketch 2012 §3.2; symbols in the comments are the paper's). Lengths "in internodes"
 /// are multiples of internodeLength. Any field may change at any step; a change applies to later growth, not
 /// to internodes that exist.
 struct GrowthParameters {
+    GrowthModelKind model = GrowthModelKind::TreeSketch;
+
     // Form of a shoot
     double internodeLength = 0.1;        ///< l, m
     double phyllotaxis = radians(137.5); ///< φ, rad, roll between successive nodes
@@ -53,6 +62,36 @@ struct GrowthParameters {
     int markersPerBud = 3;       ///< autonomous growth: markers per bud and step
 
     bool operator==(const GrowthParameters&) const = default;
+};
+
+/// How a tree grows by the vigour model (Strands 2024 §4; the shoot part of Rhizomorph, Li et al. 2023). A
+/// growth step is a month. Any field may change at any step.
+struct VigourParameters {
+    double growthRate = 0.25;            ///< m a year, of a shoot in full light with the greatest potential
+    double internodeLength = 0.03;       ///< m
+    double branchingAngle = radians(45); ///< rad, between the axis and a lateral bud
+    double rollSpread = radians(20);     ///< rad, standard deviation of the roll between nodes
+    double apicalSpread = radians(3);    ///< rad, standard deviation of the axis's turn at a node
+    int lateralBuds = 1;                 ///< lateral buds at a node, 1...4
+    double flushingRate = 0.5; ///< chance that a lateral bud breaks, per internode of growth, uninhibited
+
+    double apicalControl = 1.25;   ///< a_c: above 1 lower orders are stronger, below 1 higher ones
+    double distanceControl = 0.0;  ///< decay of the potential with the distance from the root
+    double heightControl = 0.0;    ///< decay of the potential with the height
+    double apicalDominance = 0.25; ///< inhibitor that a growing tip emits in full light
+    double inhibitorLoss = 0.08;   ///< share of the inhibitor that is lost from one internode to the next
+    int maximumOrder = 8;          ///< axes of this order do not branch
+
+    double gravitropism = 0.0;      ///< -1...1, share of the angle to the zenith that a new internode turns
+    double phototropism = 0.045;    ///< 0...1, the same toward the light
+    double horizontalTropism = 0.0; ///< 0...1, share of the angle to the level that a new lateral turns
+
+    double bending = 0.0;         ///< k, how far branches sag under their weight
+    double bendingExponent = 1.0; ///< p, how much thick branches resist
+    double bendingMaximum = 1.0;  ///< 0...1, the most that an internode sags, as a share of the angle to down
+    double lightPruning = 0.0;    ///< shoots with less light are shed, 0...1
+
+    bool operator==(const VigourParameters&) const = default;
 };
 
 /// How thick branches are: d^n = Σ d_i^n (TreeSketch eq. 3).
@@ -116,6 +155,36 @@ struct LeafParameters {
     bool operator==(const LeafParameters&) const = default;
 };
 
+/// Which surface the wood gets.
+enum class WoodMesherKind : int {
+    Tubes,  ///< A tube for each axis
+    Strands ///< One closed surface around bundles of strands (Strands 2024)
+};
+inline constexpr int kWoodMesherCount = 2;
+
+/// How strands are arranged in a cross-section.
+enum class StrandPacking : int {
+    Rest, ///< At rest: no two strands overlap
+    Pbd   ///< Position based dynamics as published (Strands 2024 §5.2), which does not come to rest
+};
+inline constexpr int kStrandPackingCount = 2;
+
+/// The wood's surface, and the strands that it consists of (Strands 2024 §5).
+struct WoodParameters {
+    WoodMesherKind mesher = WoodMesherKind::Tubes;
+    StrandPacking packing = StrandPacking::Rest;
+    int strandsPerTip = 1; ///< 1...5, strands that begin at each tip and run to the root
+    /// m; 0 = as thick as the widths of the branches want it
+    double strandRadius = 0.0;
+    /// α, in strand radii: strands further apart belong to different branches. More makes forks separate
+    /// later.
+    double alpha = 6.0;
+    int steps = 500;        ///< of packing at each node; few keep the shape of a fork further down
+    double smoothing = 0.5; ///< 0...1, how far ridges of single strands are smoothed
+
+    bool operator==(const WoodParameters&) const = default;
+};
+
 enum class BarkKind : int { Furrowed, Smooth, Plated, Birch, Cherry, Mottled, Fibrous, Ringed };
 inline constexpr int kBarkKindCount = 8;
 
@@ -133,7 +202,9 @@ struct BarkParameters {
 /// All parameters of a tree.
 struct TreeParameters {
     GrowthParameters growth;
+    VigourParameters vigour;
     WidthParameters widths;
+    WoodParameters wood;
     LeafParameters leaves;
     BarkParameters bark;
 
@@ -160,6 +231,7 @@ void visitParameters(Parameters& p, Visit&& visit)
 {
     using enum Quantity;
     auto& g = p.growth;
+    visit(ParameterInfo{"growth.model", Choice, 0, kGrowthModelCount - 1, "treesketch vigour"}, g.model);
     visit(ParameterInfo{"growth.internodeLength", Metres, 0.005, 2}, g.internodeLength);
     visit(ParameterInfo{"growth.phyllotaxis", Angle, 0, 360}, g.phyllotaxis);
     visit(ParameterInfo{"growth.lateralsPerNode", Count, 1, 6}, g.lateralsPerNode);
@@ -189,11 +261,42 @@ void visitParameters(Parameters& p, Visit&& visit)
     visit(ParameterInfo{"growth.markerAge", Count, 1, 100}, g.markerAge);
     visit(ParameterInfo{"growth.markersPerBud", Count, 1, 32}, g.markersPerBud);
 
+    auto& v = p.vigour;
+    visit(ParameterInfo{"vigour.growthRate", Metres, 0.01, 5}, v.growthRate);
+    visit(ParameterInfo{"vigour.internodeLength", Metres, 0.005, 2}, v.internodeLength);
+    visit(ParameterInfo{"vigour.branchingAngle", Angle, 0, 150}, v.branchingAngle);
+    visit(ParameterInfo{"vigour.rollSpread", Angle, 0, 180}, v.rollSpread);
+    visit(ParameterInfo{"vigour.apicalSpread", Angle, 0, 60}, v.apicalSpread);
+    visit(ParameterInfo{"vigour.lateralBuds", Count, 1, 4}, v.lateralBuds);
+    visit(ParameterInfo{"vigour.flushingRate", Number, 0, 1}, v.flushingRate);
+    visit(ParameterInfo{"vigour.apicalControl", Number, 0.5, 2}, v.apicalControl);
+    visit(ParameterInfo{"vigour.distanceControl", Number, 0, 2}, v.distanceControl);
+    visit(ParameterInfo{"vigour.heightControl", Number, 0, 2}, v.heightControl);
+    visit(ParameterInfo{"vigour.apicalDominance", Number, 0, 5}, v.apicalDominance);
+    visit(ParameterInfo{"vigour.inhibitorLoss", Number, 0, 1}, v.inhibitorLoss);
+    visit(ParameterInfo{"vigour.maximumOrder", Count, 1, 16}, v.maximumOrder);
+    visit(ParameterInfo{"vigour.gravitropism", Number, -1, 1}, v.gravitropism);
+    visit(ParameterInfo{"vigour.phototropism", Number, 0, 1}, v.phototropism);
+    visit(ParameterInfo{"vigour.horizontalTropism", Number, 0, 1}, v.horizontalTropism);
+    visit(ParameterInfo{"vigour.bending", Number, 0, 100}, v.bending);
+    visit(ParameterInfo{"vigour.bendingExponent", Number, 0.5, 4}, v.bendingExponent);
+    visit(ParameterInfo{"vigour.bendingMaximum", Number, 0, 1}, v.bendingMaximum);
+    visit(ParameterInfo{"vigour.lightPruning", Number, 0, 1}, v.lightPruning);
+
     auto& w = p.widths;
     visit(ParameterInfo{"widths.exponent", Number, 0.5, 10}, w.exponent);
     visit(ParameterInfo{"widths.tipDiameter", Metres, 0.0002, 0.2}, w.tipDiameter);
     visit(ParameterInfo{"widths.baseDiameter", Metres, 0, 20}, w.baseDiameter);
     visit(ParameterInfo{"widths.flare", Number, 0, 2}, w.flare);
+
+    auto& t = p.wood;
+    visit(ParameterInfo{"wood.mesher", Choice, 0, kWoodMesherCount - 1, "tubes strands"}, t.mesher);
+    visit(ParameterInfo{"wood.packing", Choice, 0, kStrandPackingCount - 1, "rest pbd"}, t.packing);
+    visit(ParameterInfo{"wood.strandsPerTip", Count, 1, 5}, t.strandsPerTip);
+    visit(ParameterInfo{"wood.strandRadius", Metres, 0, 0.1}, t.strandRadius);
+    visit(ParameterInfo{"wood.alpha", Number, 2.5, 100}, t.alpha);
+    visit(ParameterInfo{"wood.steps", Count, 0, 10000}, t.steps);
+    visit(ParameterInfo{"wood.smoothing", Number, 0, 1}, t.smoothing);
 
     auto& f = p.leaves;
     visit(ParameterInfo{"leaves.visible", Switch, 0, 1}, f.visible);

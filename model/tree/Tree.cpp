@@ -224,6 +224,8 @@ std::size_t Tree::bytes() const
         m_content.sparse);
     for (const LassoStroke& stroke : lassos())
         sum += stroke.points.capacity() * sizeof(Vec2);
+    for (const StrandProfile& profile : profiles())
+        sum += profile.bytes();
     return sum;
 }
 
@@ -252,6 +254,20 @@ std::uint32_t keepLasso(TreeDelta& delta, const Tree& tree, const LassoStroke& s
     Q_ASSERT(isLasso(stroke));
     rowsOf(delta).kept.lassos.append(stroke);
     return static_cast<std::uint32_t>(tree.lassos().size()) + delta.kept.lassos++;
+}
+
+std::uint32_t keepProfile(TreeDelta& delta, const Tree& tree, const StrandProfile& profile)
+{
+    Q_ASSERT(profileFault(profile).isEmpty());
+    if (const auto known = tree.profiles().lastIndexOf(profile); known >= 0)
+        return static_cast<std::uint32_t>(known);
+    const auto first = static_cast<std::uint32_t>(tree.profiles().size());
+    if (delta.rows) {
+        if (const auto known = delta.rows->kept.profiles.lastIndexOf(profile); known >= 0)
+            return first + static_cast<std::uint32_t>(known);
+    }
+    rowsOf(delta).kept.profiles.append(profile);
+    return first + delta.kept.profiles++;
 }
 
 } // namespace espalier

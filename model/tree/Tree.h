@@ -90,6 +90,15 @@ public:
     /// Copies of the strokes in force.
     std::vector<LassoStroke> lassosInForce() const;
 
+    /// All profiles that a node ever had.
+    const QList<StrandProfile>& profiles() const { return m_content.kept.profiles; }
+    /// The profile that the user has given the node of @p id, or null.
+    const StrandProfile* profileOf(InternodeId id) const
+    {
+        const std::uint32_t* const profile = m_content.sparse.profile.find(id);
+        return profile ? &profiles()[*profile] : nullptr;
+    }
+
     /// Appends the delta's rows and makes its changes. Precondition: the delta starts at the state of this
     /// tree and has its rows.
     void apply(const TreeDelta& delta);
@@ -120,6 +129,9 @@ TreeDelta deltaStartingAt(const Tree& tree);
 std::uint32_t keepParameters(TreeDelta& delta, const Tree& tree, const TreeParameters& parameters);
 /// Adds @p stroke to @p delta and returns the index that it will have. Precondition: isLasso(stroke).
 std::uint32_t keepLasso(TreeDelta& delta, const Tree& tree, const LassoStroke& stroke);
+/// The index of a profile in @p tree, where @p delta starts; adds the profile to the delta if the tree does
+/// not have it. Precondition: profileFault(profile) is empty.
+std::uint32_t keepProfile(TreeDelta& delta, const Tree& tree, const StrandProfile& profile);
 
 /// Describes the first fault of @p content in a sentence without a full stop; empty if there is none. Checks
 /// that columns have equal sizes, parents come before children, a node has at most one living continuation,

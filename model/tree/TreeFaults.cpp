@@ -167,6 +167,19 @@ QString lassosFault(const TreeContent& t)
     return {};
 }
 
+QString profilesFault(const TreeContent& t)
+{
+    for (qsizetype i = 0; i < t.kept.profiles.size(); ++i) {
+        if (const QString fault = profileFault(t.kept.profiles.at(i)); !fault.isEmpty())
+            return TreeText::tr("profile %1: %2").arg(i).arg(fault);
+    }
+    for (const auto& cell : t.sparse.profile.cells()) {
+        if (cell.value >= t.kept.profiles.size())
+            return faultOfInternode(cell.id, TreeText::tr("its profile is missing"));
+    }
+    return {};
+}
+
 } // namespace
 
 namespace faults {
@@ -235,6 +248,19 @@ const char* ofRootPosition(const Vec3& value)
                : QT_TRANSLATE_NOOP("Tree", "its root lies too far away");
 }
 
+const char* ofTwist(const float& value)
+{
+    return std::abs(value) <= kGreatestTwist ? nullptr
+                                             : QT_TRANSLATE_NOOP("Tree", "its twist is out of range");
+}
+
+const char* ofAddedVigour(const float& value)
+{
+    return value > 0.0F && value <= kMostAddedVigour
+               ? nullptr
+               : QT_TRANSLATE_NOOP("Tree", "its added vigour is out of range");
+}
+
 } // namespace faults
 
 bool isFrame(const Rotation& rotation, float length)
@@ -255,7 +281,8 @@ bool isLasso(const LassoStroke& stroke)
 
 QString treeFault(const TreeContent& content)
 {
-    for (QString (*look)(const TreeContent&) : {internodesFault, leavesFault, sparseFault, lassosFault}) {
+    for (QString (*look)(const TreeContent&) :
+         {internodesFault, leavesFault, sparseFault, lassosFault, profilesFault}) {
         if (QString fault = look(content); !fault.isEmpty())
             return fault;
     }

@@ -6,6 +6,7 @@
 #include "model/tree/Columns.h"
 #include "model/tree/LassoStroke.h"
 #include "model/tree/Parameters.h"
+#include "model/tree/StrandProfile.h"
 
 namespace espalier {
 
@@ -15,6 +16,10 @@ inline constexpr float kGreatestDiameter = 100.0F; ///< Of a width constraint
 inline constexpr float kFarthestRoot = 1'000.0F;   ///< Of a root from the world's origin, along an axis
 inline constexpr float kFarthestNode = 10'000.0F;  ///< Of any node, along an axis; bends stop there
 inline constexpr float kGreatestLeaf = 100.0F;     ///< Of a placed leaf
+/// The greatest twist of the strands at a node, rad.
+inline constexpr float kGreatestTwist = 1000.0F;
+/// The greatest vigour that is added at a node, years of growth.
+inline constexpr float kMostAddedVigour = 10'000.0F;
 /// The greatest number of different parameter sets of one tree; columns refer to them with 16 bits.
 inline constexpr qsizetype kMostParameterSets = 65'535;
 
@@ -33,6 +38,8 @@ const char* ofLeafLength(const float& value);
 const char* ofLeafKind(const LeafKind& value);
 const char* ofDiameter(const float& value);
 const char* ofRootPosition(const Vec3& value);
+const char* ofTwist(const float& value);
+const char* ofAddedVigour(const float& value);
 } // namespace faults
 
 // The columns of internodes:
@@ -79,17 +86,25 @@ const char* ofRootPosition(const Vec3& value);
 // Properties that few internodes have:
 //   width         diameter that the user has set, m (TreeSketch §3.3); no effect while the internode is dead
 //   rootPosition  world position of a root, m; roots without one stand at the origin
+//   profile       index of the profile that the strands at the node are packed into (Strands 2024 §5.3)
+//   twist         rad, by which the strands at the node are turned against those above it (§5.4)
+//   addedVigour   years of growth that the subtree has been given and not used yet (§4, invigoration)
 #define ESPALIER_SPARSE_COLUMNS(COLUMN)                                                                      \
     COLUMN(float, width, std::nullopt, faults::ofDiameter, Edits::Allowed)                                   \
-    COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition, Edits::Allowed)
+    COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition, Edits::Allowed)                         \
+    COLUMN(std::uint32_t, profile, std::nullopt, noFault, Edits::Allowed)                                    \
+    COLUMN(float, twist, std::nullopt, faults::ofTwist, Edits::Allowed)                                      \
+    COLUMN(float, addedVigour, std::nullopt, faults::ofAddedVigour, Edits::Allowed)
 
 // Values that are stored once and referred to by index; see KeptEntries (model/io/project) for how files hold
 // them:
 //   parameters    every set that was ever in force
 //   lassos        every stroke that was ever in force
+//   profiles      every profile that a node ever had
 #define ESPALIER_KEPT_VALUES(COLUMN)                                                                         \
     COLUMN(TreeParameters, parameters, std::nullopt, noFault, Edits::Never)                                  \
-    COLUMN(LassoStroke, lassos, std::nullopt, noFault, Edits::Never)
+    COLUMN(LassoStroke, lassos, std::nullopt, noFault, Edits::Never)                                         \
+    COLUMN(StrandProfile, profiles, std::nullopt, noFault, Edits::Never)
 
 ESPALIER_VISITOR(InternodeTable, ESPALIER_INTERNODE_COLUMNS)
 ESPALIER_VISITOR(LeafTable, ESPALIER_LEAF_COLUMNS)

@@ -49,7 +49,7 @@ private:
     QString changeFault(const Columns& columns, const Changes& changes, std::uint32_t end);
     QString sparseFault(const TreeDelta& delta);
     QString lassoFault(const TreeDelta& delta);
-    QString danglingFault() const;
+    QString danglingFault(bool removesProfiles) const;
 
     bool isNewInRound(std::uint32_t row) { return std::exchange(m_rounds[row], m_round) != m_round; }
     void countContinuation(InternodeId id, int by);
@@ -102,7 +102,7 @@ QString Rewind::revert(const TreeDelta& delta)
     for (InternodeId id = delta.born.first; id != delta.born.end(); ++id)
         countContinuation(id, -1);
     m_tree.revertDropping(delta);
-    return danglingFault();
+    return danglingFault(delta.kept.profiles > 0 || !delta.sparse.profile.empty());
 }
 
 QString Rewind::timeFault(const TreeDelta& delta) const
@@ -113,8 +113,14 @@ QString Rewind::timeFault(const TreeDelta& delta) const
     if (delta.parametersAfter != m_tree.currentParameterSet() || delta.kept.parameters >= sets ||
         delta.parametersBefore >= sets - delta.kept.parameters)
         return JournalText::tr("its parameters do not join those around it");
-    if (delta.kept.lassos > static_cast<std::uint32_t>(m_tree.lassos().size()))
-        return JournalText::tr("it brings strokes that are not there");
+    bool hasAll = true;
+    KeptTable::visit(
+        [&](const auto&, const auto& values, std::uint32_t count) {
+            hasAll = hasAll && count <= static_cast<std::uint32_t>(values.size());
+        },
+        m_tree.content().kept, delta.kept);
+    if (!hasAll)
+        return JournalText::tr("it brings strokes or profiles that are not there");
     return {};
 }
 
@@ -246,7 +252,7 @@ QString Rewind::lassoFault(const TreeDelta& delta)
 }
 
 /// Returns a fault if a row or a value refers to rows or values that have just been removed.
-QString Rewind::danglingFault() const
+QString Rewind::danglingFault(bool removesProfiles) const
 {
     const TreeContent& content = m_tree.content();
     bool dangles =
@@ -256,6 +262,10 @@ QString Rewind::danglingFault() const
             dangles = dangles || (!column.cells().empty() && column.cells().back().id >= m_tree.size());
         },
         content.sparse);
+    if (removesProfiles) {
+        for (const auto& cell : content.sparse.profile.cells())
+            dangles = dangles || cell.value >= content.kept.profiles.size();
+    }
     return dangles ? JournalText::tr("something is set before it on what it brings") : QString();
 }
 

@@ -2,6 +2,7 @@
 #include "model/io/project/KeptEntries.h"
 
 #include "model/io/JsonReader.h"
+#include "model/io/ProfileJson.h"
 #include "model/io/project/ColumnEntries.h"
 #include "model/io/project/ProjectImages.h"
 #include "model/io/project/ProjectLimits.h"
@@ -18,6 +19,22 @@ constexpr std::uint64_t kMaximumJson = 64 << 20;
 QByteArray entryOf(const QByteArray& name, const char* suffix)
 {
     return "kept/" + name + suffix;
+}
+
+/// The array in an entry of the form {"name": […]}.
+Result<QJsonArray> readArray(const ZipReader& archive, const QByteArray& entry, const QByteArray& name)
+{
+    const Result<QByteArray> text = archive.read(entry.constData(), kMaximumJson);
+    if (!text)
+        return text.error();
+    const Result<QJsonObject> json = parseJsonObject(*text, kMaximumJson);
+    if (!json)
+        return inputError(QString::fromLatin1(entry), json.error().message);
+    JsonReader reader(*json, {});
+    QJsonArray array = reader.array(QLatin1StringView(name));
+    if (const Result<void> end = reader.finish(); !end)
+        return inputError(QString::fromLatin1(entry), end.error().message);
+    return array;
 }
 
 } // namespace
@@ -38,17 +55,10 @@ Result<void> readKept(const ZipReader& archive, const QByteArray& name, ProjectI
                       QList<TreeParameters>& sets)
 {
     const QByteArray entry = entryOf(name, ".json");
-    const Result<QByteArray> text = archive.read(entry.constData(), kMaximumJson);
-    if (!text)
-        return text.error();
-    const Result<QJsonObject> json = parseJsonObject(*text, kMaximumJson);
-    if (!json)
-        return inputError(QString::fromLatin1(entry), json.error().message);
-    JsonReader reader(*json, {});
-    const QJsonArray array = reader.array(QLatin1StringView(name));
-    if (const Result<void> end = reader.finish(); !end)
-        return inputError(QString::fromLatin1(entry), end.error().message);
-    Result<QList<TreeParameters>> read = readParameterSets(array, images);
+    const Result<QJsonArray> array = readArray(archive, entry, name);
+    if (!array)
+        return array.error();
+    Result<QList<TreeParameters>> read = readParameterSets(*array, images);
     if (!read)
         return inputError(QString::fromLatin1(entry), read.error().message);
     sets = std::move(*read);
@@ -146,6 +156,38 @@ Result<void> readLassoColumns(const ZipReader& archive, const QByteArray& prefix
         const auto last = first + pointCount[i];
         strokes.append({origin[i], right[i], up[i], {first, last}});
         first = last;
+    }
+    return {};
+}
+
+void addKept(ZipWriter& archive, const QByteArray& name, const QList<StrandProfile>& profiles)
+{
+    if (profiles.isEmpty())
+        return;
+    QJsonArray array;
+    for (const StrandProfile& profile : profiles)
+        array.append(profileToJson(profile));
+    archive.add(entryOf(name, ".json"),
+                QJsonDocument(QJsonObject{{QLatin1StringView(name), array}}).toJson(QJsonDocument::Compact));
+}
+
+Result<void> readKept(const ZipReader& archive, const QByteArray& name, ProjectImages& /*images*/,
+                      QList<StrandProfile>& profiles)
+{
+    const QByteArray entry = entryOf(name, ".json");
+    if (!archive.contains(entry.constData()))
+        return {};
+    const Result<QJsonArray> array = readArray(archive, entry, name);
+    if (!array)
+        return array.error();
+    if (array->size() > qsizetype{projectLimits::kProfiles})
+        return inputError(ProjectText::tr("the profiles"), ProjectText::tr("there are too many"));
+    for (qsizetype i = 0; i < array->size(); ++i) {
+        const Result<StrandProfile> profile =
+            readProfile(array->at(i), QStringLiteral("%1[%2]").arg(QString::fromLatin1(name)).arg(i));
+        if (!profile)
+            return profile.error();
+        profiles.append(*profile);
     }
     return {};
 }

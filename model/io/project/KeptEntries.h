@@ -25,6 +25,11 @@ void addKept(ZipWriter& archive, const QByteArray& name, const QList<LassoStroke
 Result<void> readKept(const ZipReader& archive, const QByteArray& name, ProjectImages& images,
                       QList<LassoStroke>& strokes);
 
+/// kept/<name>.json has an array of profiles in the form of ProfileJson.
+void addKept(ZipWriter& archive, const QByteArray& name, const QList<StrandProfile>& profiles);
+Result<void> readKept(const ZipReader& archive, const QByteArray& name, ProjectImages& images,
+                      QList<StrandProfile>& profiles);
+
 /// Reads the sets of a JSON array that has the form of kept/parameters.json.
 Result<QList<TreeParameters>> readParameterSets(const QJsonArray& array, ProjectImages& images);
 /// Reads the columns of lasso strokes, whose names are @p prefix and the column's name.

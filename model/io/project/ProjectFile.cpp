@@ -48,11 +48,16 @@ bool isWithinLimits(const Project& project)
     std::size_t lassoPoints = 0;
     for (const LassoStroke& stroke : tree.lassos())
         lassoPoints += stroke.points.size();
+    std::size_t profilePoints = 0;
+    for (const StrandProfile& profile : tree.profiles())
+        profilePoints += profile.bytes() / sizeof(Vec2);
     return tree.size() <= projectLimits::kInternodes &&
            tree.placedLeaves().size() <= projectLimits::kLeaves &&
            project.journal.size() <= projectLimits::kDeltas &&
            tree.lassos().size() <= qsizetype{projectLimits::kLassos} &&
            lassoPoints <= projectLimits::kLassoPoints &&
+           tree.profiles().size() <= qsizetype{projectLimits::kProfiles} &&
+           profilePoints <= projectLimits::kProfilePoints &&
            ProjectImages::areWithinLimits(ProjectImages::of(tree.parameterSets()));
 }
 
