@@ -22,7 +22,8 @@ MAY_INCLUDE = {
     "model/base": set(),
     "model/tree": {"model/base"},
     **{room: BELOW_ROOMS for room in ROOMS},
-    "model/mesh": BELOW_ROOMS | {"model/growth", "model/shape", "model/texture"},
+    "model/strands": BELOW_ROOMS | {"model/shape"},
+    "model/mesh": BELOW_ROOMS | {"model/growth", "model/shape", "model/strands", "model/texture"},
     # Settings of the user, not of a document: views and panels share them.
     "model/settings": {"model/base"},
     "model/document": BELOW_ROOMS | ROOMS,

@@ -1,0 +1,479 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/strands/StrandLayouts.h"
+
+#include "model/base/Parallel.h"
+#include "model/strands/BundleMerge.h"
+#include "model/strands/DiscGrid.h"
+#include "model/strands/ProfileSlots.h"
+#include "model/strands/SlotAssignment.h"
+#include "model/strands/StrandDynamics.h"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace espalier {
+
+namespace {
+
+constexpr std::size_t kNodesPerTask = 32;
+/// Steps of packing after which 1/e of the way to the packed arrangement is left.
+constexpr double kStepsToRest = 60.0;
+/// Of the way to the packed arrangement: what is nearer than this counts as there.
+constexpr double kAtRest = 0.999;
+/// The direction of a branch is measured over this many radii of the branch below it, and at most so many
+/// nodes.
+constexpr float kDirectionRadii = 1.5F;
+constexpr int kDirectionNodes = 16;
+/// The shift of a branch onto the surface of the one below it fades over this many radii of that one.
+constexpr float kShiftRadii = 2.5F;
+/// The trunk's flare ends at this height, in radii.
+constexpr float kFlareRadii = 3.5F;
+
+/// By how much a bundle's surface lies outside the circle that has as much area as its strands' cells.
+constexpr float kRim = 0.45F;
+
+float extentToward(std::span<const Vec2> places, const Vec2& direction)
+{
+    float extent = 0.0F;
+    for (const Vec2& place : places)
+        extent = std::max(extent, place.dot(direction));
+    return extent;
+}
+
+} // namespace
+
+float bundleRadius(std::uint32_t strands)
+{
+    if (strands <= 1)
+        return 1.0F;
+    return static_cast<float>(std::sqrt(strands / HexLattice::kFill)) + kRim;
+}
+
+/// Makes the layouts, tips first.
+class StrandLayouts::Builder {
+public:
+    Builder(const Tree& tree, StrandLayouts& layouts)
+        : m_tree(tree), m_wood(tree.parameters().wood), m_layouts(layouts), m_skeleton(layouts.m_skeleton)
+    {
+        const double share = 1.0 - std::exp(-m_wood.steps / kStepsToRest);
+        m_share = share > kAtRest ? 1.0F : static_cast<float>(share);
+    }
+
+    void build()
+    {
+        chooseOwners();
+        reserve();
+        for (const std::vector<std::uint32_t>& round : rounds()) {
+            parallelFor(round.size(), kNodesPerTask, [&](std::size_t begin, std::size_t end) {
+                Scratch& scratch = m_scratch.local();
+                for (std::size_t i = begin; i < end; ++i)
+                    arrange(round[i], scratch);
+            });
+        }
+        // The others, bases last to first, after the nodes that they share with.
+        for (std::size_t i = m_skeleton.nodes.size(); i-- > 0;) {
+            if (m_owner[i] != i)
+                share(static_cast<std::uint32_t>(i));
+        }
+    }
+
+private:
+    struct Scratch {
+        std::optional<BundleMerge> merge;
+        std::vector<Vec2> places;
+        std::vector<Vec2> target;
+        std::vector<std::uint32_t> chosen;
+        std::vector<std::uint32_t> order;
+    };
+
+    const StrandProfile* profileAt(std::uint32_t node) const
+    {
+        const StrandNode& n = m_skeleton.nodes[node];
+        return n.along == 1.0F ? m_tree.profileOf(n.internode) : nullptr;
+    }
+    float twistAt(std::uint32_t node) const
+    {
+        const StrandNode& n = m_skeleton.nodes[node];
+        return n.along == 1.0F ? m_tree.content().sparse.twist.at(n.internode).value_or(0.0F) : 0.0F;
+    }
+    bool isDynamic() const { return m_wood.packing == StrandPacking::Pbd; }
+    /// Whether nodes with one child have layouts of their own, since packing goes on there.
+    bool goesOn() const { return isDynamic() || m_share < 1.0F; }
+
+    void chooseOwners()
+    {
+        const std::size_t count = m_skeleton.nodes.size();
+        m_owner.resize(count);
+        m_round.assign(count, 0);
+        std::vector<bool> isSingle(count, false); // One strand above: nothing to pack
+        for (std::size_t i = count; i-- > 0;) {
+            const auto node = static_cast<std::uint32_t>(i);
+            m_owner[i] = node;
+            for (const std::uint32_t child : m_skeleton.childrenOf(node))
+                m_round[i] = std::max(m_round[i], m_round[m_owner[child]] + 1);
+            const StrandNode& n = m_skeleton.nodes[i];
+            if (n.childCount == 1 && profileAt(node) == nullptr && (!goesOn() || n.strands == 1)) {
+                const std::uint32_t child = m_skeleton.children[n.firstChild];
+                // A profile draws its own node alone.
+                if (profileAt(child) == nullptr && m_layouts.m_sections[m_owner[child]].profileScale == 0.0F)
+                    m_owner[i] = m_owner[child];
+            }
+            if (profileAt(node) != nullptr)
+                m_layouts.m_sections[i].profileScale = 1.0F; // The scale itself comes with the layout
+        }
+    }
+
+    void reserve()
+    {
+        std::size_t places = 0;
+        std::size_t slots = 0;
+        std::uint32_t most = 1;
+        for (std::uint32_t i = 0; i < m_skeleton.nodes.size(); ++i) {
+            Section& section = m_layouts.m_sections[i];
+            section.owner = m_owner[i];
+            if (m_owner[i] != i)
+                continue;
+            const StrandNode& node = m_skeleton.nodes[i];
+            section.first = places;
+            places += node.strands;
+            // Slots belong to forks and tips; nodes with one child use the child's.
+            section.ownsSlots = node.childCount != 1;
+            if (section.ownsSlots) {
+                section.firstSlot = slots;
+                slots += node.strands;
+            }
+            most = std::max(most, node.strands);
+        }
+        m_layouts.m_places.resize(places);
+        m_layouts.m_slots.resize(slots);
+        m_layouts.m_lattice = std::make_shared<const HexLattice>(most);
+    }
+
+    /// Nodes that can be arranged at the same time, in the order of the rounds.
+    std::vector<std::vector<std::uint32_t>> rounds() const
+    {
+        std::vector<std::vector<std::uint32_t>> result;
+        for (std::uint32_t i = 0; i < m_owner.size(); ++i) {
+            if (m_owner[i] != i)
+                continue;
+            if (m_round[i] >= result.size())
+                result.resize(m_round[i] + 1);
+            result[m_round[i]].push_back(i);
+        }
+        return result;
+    }
+
+    std::span<Vec2> placesOf(std::uint32_t node)
+    {
+        return std::span(m_layouts.m_places)
+            .subspan(m_layouts.m_sections[node].first, m_skeleton.nodes[node].strands);
+    }
+
+    /// Completes the section of a node that shares the layout of its child.
+    void share(std::uint32_t node)
+    {
+        const std::uint32_t child = m_skeleton.children[m_skeleton.nodes[node].firstChild];
+        Section& section = m_layouts.m_sections[node];
+        const Section& above = m_layouts.m_sections[child];
+        const Eigen::Rotation2Df twist(twistAt(node));
+        section.first = above.first;
+        section.firstSlot = above.firstSlot;
+        section.isDisc = above.isDisc;
+        section.turn = twist * above.turn;
+        section.latticeTurn = twist * above.latticeTurn;
+    }
+
+    /// The sections of nodes between owners are completed late, so their turns are summed here.
+    Section sectionAbove(std::uint32_t node) const
+    {
+        Section section = m_layouts.m_sections[m_owner[node]];
+        section.turn = turnAt(node, section.turn);
+        section.latticeTurn = turnAt(node, section.latticeTurn);
+        return section;
+    }
+    Eigen::Rotation2Df turnAt(std::uint32_t node, const Eigen::Rotation2Df& ofOwner) const
+    {
+        float angle = ofOwner.angle();
+        for (std::uint32_t n = node; n != m_owner[node];
+             n = m_skeleton.children[m_skeleton.nodes[n].firstChild])
+            angle += twistAt(n);
+        return Eigen::Rotation2Df(angle);
+    }
+
+    /// The unit vector in the section of @p node from which the branch of @p child comes.
+    Vec2 sideOf(std::uint32_t node, std::uint32_t child) const
+    {
+        const StrandNode& n = m_skeleton.nodes[node];
+        std::uint32_t end = child;
+        for (int i = 0; i < kDirectionNodes; ++i) {
+            const StrandNode& e = m_skeleton.nodes[end];
+            if (e.childCount == 0 || (e.position - n.position).norm() > kDirectionRadii * n.radius)
+                break;
+            const auto above = m_skeleton.childrenOf(end);
+            end = *std::ranges::max_element(above, {},
+                                            [&](std::uint32_t c) { return m_skeleton.nodes[c].strands; });
+        }
+        const Vec3 local = n.frame.conjugate() * (m_skeleton.nodes[end].position - n.position);
+        const Vec2 side(local.x(), local.z());
+        const float length = side.norm();
+        return length > 1e-3F * local.norm() && length > 0.0F ? Vec2(side / length) : Vec2(1.0F, 0.0F);
+    }
+
+    void arrange(std::uint32_t node, Scratch& scratch)
+    {
+        const StrandNode& n = m_skeleton.nodes[node];
+        Section& section = m_layouts.m_sections[node];
+        if (n.childCount == 0)
+            beginTip(node);
+        else if (n.childCount == 1)
+            continueBundle(node);
+        else
+            mergeBundles(node, scratch);
+        section.turn = Eigen::Rotation2Df(0.0F);
+        const Eigen::Rotation2Df twist(twistAt(node));
+        const std::span<Vec2> places = placesOf(node);
+        if (n.childCount > 0 && goesOn())
+            carry(node, places, scratch);
+        const StrandProfile* const profile = profileAt(node);
+        section.isDisc = profile == nullptr && !goesOn();
+        if (isDynamic() && n.childCount > 0)
+            packDynamically(node, profile, places);
+        else if (profile != nullptr)
+            fillProfile(section, *profile, places, scratch);
+        else
+            approachSlots(section, places);
+        section.turn = twist;
+        section.latticeTurn = twist * section.latticeTurn;
+    }
+
+    void beginTip(std::uint32_t node)
+    {
+        const std::uint32_t count = m_skeleton.nodes[node].strands;
+        Section& section = m_layouts.m_sections[node];
+        std::iota(m_layouts.m_slots.begin() + static_cast<std::ptrdiff_t>(section.firstSlot),
+                  m_layouts.m_slots.begin() + static_cast<std::ptrdiff_t>(section.firstSlot + count), 0U);
+        const std::span<Vec2> places = placesOf(node);
+        for (std::uint32_t i = 0; i < count; ++i)
+            places[i] = m_layouts.m_lattice->position(i) - m_layouts.m_lattice->centroid(count);
+    }
+
+    void continueBundle(std::uint32_t node)
+    {
+        const Section above = sectionAbove(m_skeleton.children[m_skeleton.nodes[node].firstChild]);
+        Section& section = m_layouts.m_sections[node];
+        section.firstSlot = above.firstSlot;
+        section.latticeTurn = above.latticeTurn;
+    }
+
+    void mergeBundles(std::uint32_t node, Scratch& scratch)
+    {
+        const auto children = m_skeleton.childrenOf(node);
+        scratch.order.assign(children.begin(), children.end());
+        std::ranges::stable_sort(scratch.order, std::greater(),
+                                 [&](std::uint32_t child) { return m_skeleton.nodes[child].strands; });
+        if (!scratch.merge)
+            scratch.merge.emplace(*m_layouts.m_lattice);
+        const std::uint32_t main = scratch.order.front();
+        const Section mainSection = sectionAbove(main);
+        Section& section = m_layouts.m_sections[node];
+        section.latticeTurn = mainSection.latticeTurn;
+        const Eigen::Rotation2Df toLattice = section.latticeTurn.inverse();
+        scratch.merge->begin(
+            std::span(m_layouts.m_slots).subspan(mainSection.firstSlot, m_skeleton.nodes[main].strands),
+            m_skeleton.nodes[main].offset);
+        for (const std::uint32_t child : std::span(scratch.order).subspan(1)) {
+            const Section above = sectionAbove(child);
+            scratch.places.clear();
+            for (std::uint32_t i = 0; i < m_skeleton.nodes[child].strands; ++i)
+                scratch.places.push_back(toLattice * (above.turn * m_layouts.m_places[above.first + i]));
+            scratch.merge->add(scratch.places, m_skeleton.nodes[child].offset,
+                               toLattice * sideOf(node, child));
+        }
+        scratch.merge->finish(
+            std::span(m_layouts.m_slots).subspan(section.firstSlot, m_skeleton.nodes[node].strands));
+    }
+
+    /// Projects the strands of the children into the section: the thickest stays, the others are displaced
+    /// until none overlap (Strands 2024, equations 1 and 2).
+    void carry(std::uint32_t node, std::span<Vec2> places, Scratch& scratch)
+    {
+        const auto children = m_skeleton.childrenOf(node);
+        scratch.order.assign(children.begin(), children.end());
+        std::ranges::stable_sort(scratch.order, std::greater(),
+                                 [&](std::uint32_t child) { return m_skeleton.nodes[child].strands; });
+        scratch.target.clear(); // What is placed already
+        for (const std::uint32_t child : scratch.order) {
+            const Section above = sectionAbove(child);
+            const std::uint32_t count = m_skeleton.nodes[child].strands;
+            const std::span<Vec2> own = places.subspan(m_skeleton.nodes[child].offset, count);
+            for (std::uint32_t i = 0; i < count; ++i)
+                own[i] = above.turn * m_layouts.m_places[above.first + i];
+            if (!scratch.target.empty()) {
+                const Vec2 side = sideOf(node, child);
+                const float distance =
+                    extentToward(scratch.target, side) + extentToward(own, Vec2(-side)) + 2.0F;
+                for (Vec2& place : own)
+                    place += distance * side;
+            }
+            scratch.target.insert(scratch.target.end(), own.begin(), own.end());
+        }
+    }
+
+    Vec2 slotPlace(const Section& section, std::uint32_t strand, std::uint32_t count) const
+    {
+        const HexLattice& lattice = *m_layouts.m_lattice;
+        return section.latticeTurn *
+               (lattice.position(m_layouts.m_slots[section.firstSlot + strand]) - lattice.centroid(count));
+    }
+
+    void approachSlots(const Section& section, std::span<Vec2> places) const
+    {
+        const auto count = static_cast<std::uint32_t>(places.size());
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const Vec2 slot = slotPlace(section, i, count);
+            places[i] = m_share < 1.0F ? Vec2(places[i] + m_share * (slot - places[i])) : slot;
+        }
+    }
+
+    void fillProfile(Section& section, const StrandProfile& profile, std::span<Vec2> places,
+                     Scratch& scratch) const
+    {
+        const auto count = static_cast<std::uint32_t>(places.size());
+        const ProfileSlots slots = profileSlots(profile, count);
+        section.profileScale = slots.scale;
+        scratch.places.clear();
+        for (std::uint32_t i = 0; i < count; ++i)
+            scratch.places.push_back(slotPlace(section, i, count));
+        scratch.chosen.resize(count);
+        assignSlots(scratch.places, slots.places, scratch.chosen);
+        for (std::uint32_t i = 0; i < count; ++i)
+            places[i] = slots.places[scratch.chosen[i]];
+    }
+
+    void packDynamically(std::uint32_t node, const StrandProfile* profile, std::span<Vec2> places)
+    {
+        Section& section = m_layouts.m_sections[node];
+        if (profile != nullptr)
+            section.profileScale = profileSlots(*profile, m_skeleton.nodes[node].strands).scale;
+        packByDynamics(places, m_wood.steps, profile, section.profileScale);
+    }
+
+    const Tree& m_tree;
+    const WoodParameters& m_wood;
+    StrandLayouts& m_layouts;
+    StrandSkeleton& m_skeleton;
+    std::vector<std::uint32_t> m_owner;
+    std::vector<std::uint32_t> m_round;
+    float m_share; ///< Of the way to the packed arrangement that a node goes
+    tbb::enumerable_thread_specific<Scratch> m_scratch;
+};
+
+StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Widths& widths)
+    : m_skeleton(strandSkeleton(tree, index, widths))
+{
+    const std::size_t count = m_skeleton.nodes.size();
+    m_sections.resize(count);
+    Builder(tree, *this).build();
+
+    // Radii: of fixed strands, or those of the branches; trunks flare.
+    const auto fixed = static_cast<float>(tree.parameters().wood.strandRadius);
+    const auto flare = static_cast<float>(tree.parameters().widths.flare);
+    for (StrandNode& node : m_skeleton.nodes) {
+        if (fixed > 0.0F)
+            node.radius = fixed * bundleRadius(node.strands);
+    }
+    for (const std::uint32_t base : m_skeleton.bases) {
+        const float radius = m_skeleton.nodes[base].radius;
+        const float end = kFlareRadii * radius;
+        float path = 0.0F;
+        for (std::uint32_t node = base; path < end;) {
+            StrandNode& n = m_skeleton.nodes[node];
+            const float rest = 1.0F - path / end;
+            n.radius += flare * radius * rest * rest;
+            const auto above = m_skeleton.childrenOf(node);
+            if (above.empty())
+                break;
+            node = *std::ranges::max_element(above, {},
+                                             [&](std::uint32_t c) { return m_skeleton.nodes[c].strands; });
+            path += (m_skeleton.nodes[node].position - n.position).norm();
+        }
+    }
+    m_scales.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+        m_scales[i] = m_skeleton.nodes[i].radius / bundleRadius(m_skeleton.nodes[i].strands);
+    placeCentres();
+}
+
+void StrandLayouts::placeCentres()
+{
+    const std::vector<StrandNode>& nodes = m_skeleton.nodes;
+    // The middle of each branch's strands in the section below it, against the middle of that section.
+    std::vector<Vec3> shifts(nodes.size(), Vec3(Vec3::Zero()));
+    parallelFor(nodes.size(), kNodesPerTask * 8, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const StrandNode& node = nodes[i];
+            const std::uint32_t parent = node.parent;
+            if (parent == i || nodes[parent].childCount < 2)
+                continue;
+            Vec2 sum = Vec2::Zero();
+            for (std::uint32_t strand = 0; strand < node.strands; ++strand)
+                sum += m_places[m_sections[parent].first + node.offset + strand];
+            const Vec2 middle = m_sections[parent].turn * Vec2(sum / static_cast<float>(node.strands));
+            shifts[i] = nodes[parent].frame * (m_scales[parent] * Vec3(middle.x(), 0.0F, middle.y()));
+        }
+    });
+    m_centres.resize(nodes.size());
+    std::vector<float> reach(nodes.size(), 0.0F);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        const StrandNode& node = nodes[i];
+        if (node.parent == i) {
+            m_centres[i] = node.position;
+            reach[i] = kShiftRadii * node.radius;
+            continue;
+        }
+        const StrandNode& parent = nodes[node.parent];
+        const bool isMain = 2 * node.strands >= parent.strands;
+        reach[i] =
+            isMain ? std::max(reach[node.parent], kShiftRadii * node.radius) : kShiftRadii * parent.radius;
+        const Vec3 shift = m_centres[node.parent] - parent.position + shifts[i];
+        const float length = (node.position - parent.position).norm();
+        m_centres[i] = node.position + std::exp(-length / std::max(reach[i], 1e-6F)) * shift;
+    }
+}
+
+StrandLayouts::Counts StrandLayouts::count() const
+{
+    Counts counts;
+    DiscGrid grid;
+    for (std::uint32_t i = 0; i < m_skeleton.nodes.size(); ++i) {
+        const StrandNode& node = m_skeleton.nodes[i];
+        if (m_skeleton.isBase(i)) {
+            counts.strands += node.strands;
+            continue;
+        }
+        counts.particles += node.strands;
+        if (owner(i) != i)
+            continue;
+        const std::span<const Vec2> places = unturned(i);
+        grid.sort(places);
+        // Rounding leaves neighbours of a lattice a little nearer than 2.
+        grid.forEachPair(places, 2.0F - 1e-4F, [&](std::uint32_t a, std::uint32_t b) {
+            ++counts.contacts;
+            counts.deepest = std::max(counts.deepest, 1.0 - double{(places[a] - places[b]).norm()} / 2.0);
+        });
+    }
+    return counts;
+}
+
+std::size_t StrandLayouts::bytes() const
+{
+    return m_skeleton.nodes.capacity() * sizeof(StrandNode) +
+           m_skeleton.children.capacity() * sizeof(std::uint32_t) + m_sections.capacity() * sizeof(Section) +
+           m_places.capacity() * sizeof(Vec2) + m_slots.capacity() * sizeof(std::uint32_t) +
+           m_scales.capacity() * sizeof(float) + m_centres.capacity() * sizeof(Vec3);
+}
+
+} // namespace espalier

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/strands/HexLattice.h"
+#include "model/strands/StrandSkeleton.h"
+#include "model/tree/Tree.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace espalier {
+
+/// Radius of a round bundle of @p strands strands, in strand radii.
+float bundleRadius(std::uint32_t strands);
+
+/// The arrangement of the strands in the cross-section of each node of a tree (Strands 2024 §5.2).
+/// Coordinates are in strand radii, along X and Z of the node's frame, with the node's place at the origin.
+///
+/// By StrandPacking::Rest each strand has a slot of a lattice, so no two overlap. A fork hands down the slots
+/// of its thickest child. The strands of the others take the slots nearest to the side that they come from
+/// (equations 1 and 2 give that side), and push the strands there away, each by a slot, toward the free slots
+/// at the rim. So neighbours stay neighbours, and strands at the rim stay there. WoodParameters::steps says
+/// how far a node comes toward that arrangement from the one above it. A profile draws the strands of its own
+/// node alone.
+///
+/// A node with one child, no profile and no twist of its own has the layout of the child.
+class StrandLayouts {
+public:
+    StrandLayouts(const Tree& tree, const TreeIndex& index, const Widths& widths);
+
+    const StrandSkeleton& skeleton() const { return m_skeleton; }
+    std::uint32_t strandCount(std::uint32_t node) const { return m_skeleton.nodes[node].strands; }
+
+    /// Place of one of the strands at a node.
+    Vec2 place(std::uint32_t node, std::uint32_t strand) const
+    {
+        const Section& section = m_sections[node];
+        return section.turn * m_places[section.first + strand];
+    }
+    /// Places of all its strands before the node's turn, and the turn.
+    std::span<const Vec2> unturned(std::uint32_t node) const
+    {
+        return std::span(m_places).subspan(m_sections[node].first, strandCount(node));
+    }
+    const Eigen::Rotation2Df& turn(std::uint32_t node) const { return m_sections[node].turn; }
+    /// The node whose layout this one shares; itself if it has its own.
+    std::uint32_t owner(std::uint32_t node) const { return m_sections[node].owner; }
+    /// Whether the strands are the first slots of a lattice around the origin, without a profile.
+    bool isDisc(std::uint32_t node) const { return m_sections[m_sections[node].owner].isDisc; }
+    /// Slots of the lattice, by strand. Precondition: isDisc(node).
+    std::span<const std::uint32_t> slots(std::uint32_t node) const
+    {
+        return std::span(m_slots).subspan(m_sections[node].firstSlot, strandCount(node));
+    }
+    const HexLattice& lattice() const { return *m_lattice; }
+
+    /// Length of a strand radius at a node, m.
+    float scale(std::uint32_t node) const { return m_scales[node]; }
+    /// World position of the middle of the section, m. Where a branch leaves a thick one, it lies on that
+    /// one's surface, and approaches the branch's own line further up.
+    const Vec3& centre(std::uint32_t node) const { return m_centres[node]; }
+    /// World position of a point of the section.
+    Vec3 world(std::uint32_t node, const Vec2& place) const
+    {
+        return m_centres[node] +
+               m_skeleton.nodes[node].frame * (m_scales[node] * Vec3(place.x(), 0.0F, place.y()));
+    }
+    /// Coordinates of the node's profile times this are coordinates of its layout; 0 without a profile.
+    float profileScale(std::uint32_t node) const { return m_sections[node].profileScale; }
+
+    struct Counts {
+        std::uint64_t strands = 0;
+        std::uint64_t particles = 0; ///< Strands times the nodes that they pass, bases excluded
+        std::uint64_t contacts = 0;  ///< Pairs of strands that overlap, of each layout
+        double deepest = 0.0;        ///< Overlap of the deepest contact, as a share of a diameter
+    };
+    /// Also looks for contacts, which takes time.
+    Counts count() const;
+    std::size_t bytes() const;
+
+private:
+    struct Section {
+        std::size_t first = 0;     ///< Into m_places
+        std::size_t firstSlot = 0; ///< Into m_slots
+        std::uint32_t owner = 0;
+        bool isDisc = true;
+        bool ownsSlots = false;
+        float profileScale = 0.0F;
+        Eigen::Rotation2Df turn{0.0F};        ///< Of the places
+        Eigen::Rotation2Df latticeTurn{0.0F}; ///< Of the lattice that the slots belong to
+    };
+    class Builder;
+
+    void placeCentres();
+
+    StrandSkeleton m_skeleton;
+    std::shared_ptr<const HexLattice> m_lattice;
+    std::vector<Section> m_sections;
+    std::vector<Vec2> m_places;
+    std::vector<std::uint32_t> m_slots;
+    std::vector<float> m_scales;
+    std::vector<Vec3> m_centres;
+};
+
+} // namespace espalier

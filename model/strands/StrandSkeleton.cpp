@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/strands/StrandSkeleton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace espalier {
+
+namespace {
+
+/// Attachments that are nearer to the node than this share of the internode count as at the node.
+constexpr float kAtNode = 0.999F;
+
+/// The places below its node at which an internode bears branches, ascending.
+std::vector<float> attachments(const Tree& tree, const TreeIndex& index, InternodeId id)
+{
+    std::vector<float> places;
+    for (InternodeId child = index.firstChild(id); child != kNoInternode; child = index.nextSibling(child)) {
+        if (const float along = tree.columns().along[child]; along < kAtNode)
+            places.push_back(along);
+    }
+    std::ranges::sort(places);
+    places.erase(std::ranges::unique(places).begin(), places.end());
+    return places;
+}
+
+/// Makes the nodes, without children, strands and frames.
+class NodeBuilder {
+public:
+    NodeBuilder(const Tree& tree, const TreeIndex& index, const Widths& widths, StrandSkeleton& skeleton)
+        : m_tree(tree), m_index(index), m_widths(widths), m_skeleton(skeleton), m_last(tree.size(), 0)
+    {
+    }
+
+    void build()
+    {
+        m_skeleton.nodes.reserve(m_index.livingCount() + 1);
+        for (InternodeId id = 0; id < m_tree.size(); ++id) {
+            if (m_tree.isAlive(id))
+                addInternode(id);
+        }
+    }
+
+private:
+    std::uint32_t add(InternodeId id, float along, std::uint32_t parent)
+    {
+        const auto node = static_cast<std::uint32_t>(m_skeleton.nodes.size());
+        StrandNode& made = m_skeleton.nodes.emplace_back();
+        made.internode = id;
+        made.along = along;
+        made.parent = parent == kNoInternode ? node : parent;
+        made.radius = m_widths.radius(m_index, id);
+        const Vec3& end = m_index.nodePosition(id);
+        made.position =
+            along == 1.0F ? end : Vec3(end - (1.0F - along) * m_tree.length(id) * m_index.heading(id));
+        return node;
+    }
+
+    /// The node on the parent that the internode @p id begins at.
+    std::uint32_t supportOf(InternodeId id)
+    {
+        const InternodeId parent = m_tree.parent(id);
+        if (parent == kNoInternode) {
+            const std::uint32_t base = add(id, 0.0F, kNoInternode);
+            m_skeleton.bases.push_back(base);
+            return base;
+        }
+        const float along = m_tree.columns().along[id];
+        std::uint32_t node = m_last[parent];
+        if (along >= kAtNode)
+            return node;
+        // The nodes of the parent come one after another.
+        while (m_skeleton.nodes[node].internode == parent && m_skeleton.nodes[node].along > along)
+            --node;
+        return node;
+    }
+
+    void addInternode(InternodeId id)
+    {
+        std::uint32_t below = supportOf(id);
+        for (const float along : attachments(m_tree, m_index, id))
+            below = add(id, along, below);
+        m_last[id] = add(id, 1.0F, below);
+    }
+
+    const Tree& m_tree;
+    const TreeIndex& m_index;
+    const Widths& m_widths;
+    StrandSkeleton& m_skeleton;
+    std::vector<std::uint32_t> m_last; ///< By internode: its own node
+};
+
+void linkChildren(StrandSkeleton& skeleton)
+{
+    std::vector<StrandNode>& nodes = skeleton.nodes;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].parent != i)
+            ++nodes[nodes[i].parent].childCount;
+    }
+    std::uint32_t first = 0;
+    for (StrandNode& node : nodes) {
+        node.firstChild = first;
+        first += std::exchange(node.childCount, 0U);
+    }
+    skeleton.children.resize(first);
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        if (nodes[i].parent == i)
+            continue;
+        StrandNode& parent = nodes[nodes[i].parent];
+        skeleton.children[parent.firstChild + parent.childCount++] = i;
+    }
+}
+
+void countStrands(StrandSkeleton& skeleton, std::uint32_t perTip)
+{
+    std::vector<StrandNode>& nodes = skeleton.nodes;
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+        if (nodes[i].childCount == 0)
+            nodes[i].strands = perTip;
+        if (nodes[i].parent != i)
+            nodes[nodes[i].parent].strands += nodes[i].strands;
+    }
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        std::uint32_t offset = 0;
+        for (const std::uint32_t child : skeleton.childrenOf(i))
+            nodes[child].offset = std::exchange(offset, offset + nodes[child].strands);
+    }
+}
+
+/// The child that carries the most strands, the first of them if several do; the node itself if it has none.
+std::uint32_t thickestChild(const StrandSkeleton& skeleton, std::uint32_t node)
+{
+    std::uint32_t thickest = node;
+    for (const std::uint32_t child : skeleton.childrenOf(node)) {
+        if (thickest == node || skeleton.nodes[child].strands > skeleton.nodes[thickest].strands)
+            thickest = child;
+    }
+    return thickest;
+}
+
+Vec3 directionTo(const StrandNode& from, const StrandNode& to, const Vec3& otherwise)
+{
+    const Vec3 rise = to.position - from.position;
+    const float length = rise.norm();
+    return length > 1e-7F ? Vec3(rise / length) : otherwise;
+}
+
+void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
+{
+    std::vector<StrandNode>& nodes = skeleton.nodes;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        StrandNode& node = nodes[i];
+        const bool isBase = node.parent == i;
+        const Vec3 heading = index.heading(node.internode);
+        const Vec3 arriving = isBase ? heading : directionTo(nodes[node.parent], node, heading);
+        const std::uint32_t next = thickestChild(skeleton, i);
+        Vec3 normal = next == i ? arriving : Vec3(arriving + directionTo(node, nodes[next], arriving));
+        if (normal.squaredNorm() < 1e-4F)
+            normal = arriving;
+        // The whole foot of a trunk stands on the ground, also if the trunk leans.
+        if (isBase)
+            normal = heading.y() > 0.0F ? up() : heading;
+        normal.normalize();
+        const Rotation below = isBase ? index.rotation(node.internode) : nodes[node.parent].frame;
+        node.frame = (Rotation::FromTwoVectors(below * up(), normal) * below).normalized();
+    }
+}
+
+} // namespace
+
+StrandSkeleton strandSkeleton(const Tree& tree, const TreeIndex& index, const Widths& widths)
+{
+    StrandSkeleton skeleton;
+    NodeBuilder(tree, index, widths, skeleton).build();
+    linkChildren(skeleton);
+    countStrands(skeleton, static_cast<std::uint32_t>(tree.parameters().wood.strandsPerTip));
+    transportFrames(index, skeleton);
+    return skeleton;
+}
+
+} // namespace espalier
