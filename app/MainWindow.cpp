@@ -39,6 +39,7 @@ MainWindow::MainWindow(QWidget* parent)
       m_timeRunner(m_document),
       m_recipeRunner(m_document),
       m_undoRunner(m_document),
+      m_strandRunner(m_document),
       m_actions(*this)
 {
     setMinimumSize(920, 680);

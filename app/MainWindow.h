@@ -11,6 +11,7 @@
 #include "app/runners/GrowRunner.h"
 #include "app/runners/LassoRunner.h"
 #include "app/runners/RecipeRunner.h"
+#include "app/runners/StrandRunner.h"
 #include "app/runners/TimeRunner.h"
 #include "app/runners/UndoRunner.h"
 #include "panels/Actions.h"
@@ -38,6 +39,7 @@ public:
     RecipeRunner& recipeRunner() { return m_recipeRunner; }
     GrowRunner& growRunner() { return m_growRunner; }
     UndoRunner& undoRunner() { return m_undoRunner; }
+    StrandRunner& strandRunner() { return m_strandRunner; }
     HelpController& help() { return *m_help; }
 
     /// Whether a gesture or growth is changing the document now.
@@ -107,6 +109,7 @@ private:
     TimeRunner m_timeRunner;
     RecipeRunner m_recipeRunner;
     UndoRunner m_undoRunner;
+    StrandRunner m_strandRunner;
     Actions m_actions;
     LatinKeyFilter m_latinKeys;
     QElapsedTimer m_followClock;

@@ -165,6 +165,8 @@ void MainWindow::connectViewport()
     connect(&m_workspace->history(), &HistoryPanel::indexAsked, &m_undoRunner, &UndoRunner::goTo);
     // What a tool picks must be there when it changes the tree.
     connect(&viewport, &Viewport::toolAboutToBegin, &m_undoRunner, &UndoRunner::finish);
+    connect(&m_strandRunner, &StrandRunner::meshed, &viewport, &Viewport::showStrands);
+    m_strandRunner.ask(); // The interface may be made anew around a tree with strands
     // An eraser or another hand's gesture must find the tree at rest.
     connect(&viewport, &Viewport::gestureActiveChanged, &m_lassoRunner, [this](bool active) {
         if (active)

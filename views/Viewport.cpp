@@ -146,6 +146,12 @@ void Viewport::followDocument(const TreeChange& change)
     redrawTree();
 }
 
+void Viewport::showStrands(const std::shared_ptr<const TriangleMesh>& mesh, std::uint64_t revision)
+{
+    m_scene.setStrands(mesh, revision);
+    redrawTree();
+}
+
 /// Shows another tree from the front.
 void Viewport::showAnew()
 {
@@ -314,8 +320,11 @@ void Viewport::initializeGL()
 
 QImage Viewport::grabPicture()
 {
-    if (!m_isGrowing)
+    if (!m_isGrowing) {
         m_scene.prepare();
+        m_scene.prepareStrands();
+        redrawTree();
+    }
     grabFramebuffer(); // draws pending changes
     makeCurrent();
     QImage picture = m_picture->readImage();

@@ -11,6 +11,8 @@
 #include "model/io/ParametersJson.h"
 #include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
+#include "model/mesh/StrandMesher.h"
+#include "model/mesh/SurfaceCheck.h"
 #include "model/mesh/TreeCounts.h"
 #include "views/render/OffscreenRenderer.h"
 
@@ -75,16 +77,37 @@ struct Times {
 struct MeshCounts {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
+    SurfaceFaults surface;           ///< Of the wood
+    StrandLayouts::Counts strands{}; ///< All 0 for tubes
+    double profileSeconds = 0.0;
+    double woodSeconds = 0.0;
 };
 
 /// Counts of the exported mesh.
 MeshCounts countMesh(const Tree& tree, const TreeIndex& index)
 {
-    const BranchMesh wood = meshBranches(tree, index, Widths(tree, index));
+    MeshCounts counts;
+    QElapsedTimer timer;
+    timer.start();
+    const Widths widths(tree, index);
+    BranchMesh wood;
+    if (tree.parameters().wood.mesher == WoodMesherKind::Strands) {
+        const StrandLayouts layouts(tree, index, widths);
+        counts.profileSeconds = secondsOf(timer);
+        timer.start();
+        wood = meshStrands(layouts, tree.parameters());
+        counts.woodSeconds = secondsOf(timer);
+        counts.strands = layouts.count();
+    } else {
+        wood = meshBranches(tree, index, widths);
+        counts.woodSeconds = secondsOf(timer);
+    }
+    counts.surface = checkSurface(wood, true);
     const LeafCard& card = leafCard(tree.parameters().leaves.shape);
     const std::uint64_t leaves = placeLeaves(tree, index).size();
-    return {wood.vertices.size() + leaves * card.vertices.size(),
-            (wood.indices.size() + leaves * card.indices.size()) / 3};
+    counts.vertices = wood.vertices.size() + leaves * card.vertices.size();
+    counts.triangles = (wood.indices.size() + leaves * card.indices.size()) / 3;
+    return counts;
 }
 
 QJsonValue number(std::uint64_t value)
@@ -107,12 +130,62 @@ Result<void> writeStats(const TreeDocument& document, const MeshCounts& mesh, co
     QJsonObject stats = countsToJson(countTree(document.tree(), document.index()));
     stats[QStringLiteral("vertices")] = number(mesh.vertices);
     stats[QStringLiteral("triangles")] = number(mesh.triangles);
-    stats[QStringLiteral("seconds")] = QJsonObject{{QStringLiteral("growth"), times.growth},
-                                                   {QStringLiteral("mesh"), times.mesh},
-                                                   {QStringLiteral("export"), times.exports},
-                                                   {QStringLiteral("total"), times.total}};
+    stats[QStringLiteral("strands")] = number(mesh.strands.strands);
+    stats[QStringLiteral("particles")] = number(mesh.strands.particles);
+    stats[QStringLiteral("contacts")] = QJsonObject{{QStringLiteral("count"), number(mesh.strands.contacts)},
+                                                    {QStringLiteral("deepest"), mesh.strands.deepest}};
+    const SurfaceFaults& surface = mesh.surface;
+    stats[QStringLiteral("surface")] =
+        QJsonObject{{QStringLiteral("openEdges"), number(surface.openEdges)},
+                    {QStringLiteral("nonManifoldEdges"), number(surface.nonManifoldEdges)},
+                    {QStringLiteral("nonManifoldVertices"), number(surface.nonManifoldVertices)},
+                    {QStringLiteral("degenerate"), number(surface.degenerate)},
+                    {QStringLiteral("components"), number(surface.components)},
+                    {QStringLiteral("inverted"), number(surface.inverted)},
+                    {QStringLiteral("selfIntersections"), number(surface.selfIntersections)}};
+    stats[QStringLiteral("seconds")] = QJsonObject{
+        {QStringLiteral("growth"), times.growth},          {QStringLiteral("mesh"), times.mesh},
+        {QStringLiteral("profiles"), mesh.profileSeconds}, {QStringLiteral("wood"), mesh.woodSeconds},
+        {QStringLiteral("export"), times.exports},         {QStringLiteral("total"), times.total}};
     stats[QStringLiteral("peakRssMb")] = peakMemory();
     return writeFile(fileName, QJsonDocument(stats).toJson());
+}
+
+/// Writes the strands of each cross-section: places in strand radii, along the first and third axis of the
+/// section's frame.
+Result<void> writeProfiles(const TreeDocument& document, const QString& fileName)
+{
+    const Tree& tree = document.tree();
+    const StrandLayouts layouts(tree, document.index(), Widths(tree, document.index()));
+    const auto digits = [](float value) { return QString::number(value, 'g', 7).toDouble(); };
+    QJsonArray nodes;
+    for (std::uint32_t i = 0; i < layouts.skeleton().nodes.size(); ++i) {
+        const StrandNode& node = layouts.skeleton().nodes[i];
+        const Vec3& centre = layouts.centre(i);
+        QJsonArray places;
+        for (std::uint32_t strand = 0; strand < node.strands; ++strand) {
+            const Vec2 place = layouts.place(i, strand);
+            places.append(QJsonArray{digits(place.x()), digits(place.y())});
+        }
+        QJsonObject json{
+            {QStringLiteral("internode"), number(node.internode)},
+            {QStringLiteral("along"), digits(node.along)},
+            {QStringLiteral("parent"), layouts.skeleton().isBase(i) ? QJsonValue(-1) : number(node.parent)},
+            {QStringLiteral("offset"), number(node.offset)},
+            {QStringLiteral("radius"), digits(node.radius)},
+            {QStringLiteral("strandRadius"), digits(layouts.scale(i))},
+            {QStringLiteral("centre"),
+             QJsonArray{digits(centre.x()), digits(centre.y()), digits(centre.z())}},
+            {QStringLiteral("frame"), QJsonArray{digits(node.frame.x()), digits(node.frame.y()),
+                                                 digits(node.frame.z()), digits(node.frame.w())}},
+            {QStringLiteral("places"), places}};
+        if (layouts.profileScale(i) > 0.0F)
+            json[QStringLiteral("profileScale")] = digits(layouts.profileScale(i));
+        nodes.append(json);
+    }
+    return writeFile(
+        fileName,
+        QJsonDocument(QJsonObject{{QStringLiteral("nodes"), nodes}}).toJson(QJsonDocument::Compact));
 }
 
 Result<void> writePictureOf(const TreeDocument& document, const CommandLine& line, const QString& recipeView)
@@ -251,6 +324,10 @@ Result<void> replay(const CommandLine& line)
 
     if (!line.picture.isEmpty()) {
         if (const Result<void> written = writePictureOf(document, line, *view); !written)
+            return written.error();
+    }
+    if (!line.profiles.isEmpty()) {
+        if (const Result<void> written = writeProfiles(document, line.profiles); !written)
             return written.error();
     }
     times.total = secondsOf(total);

@@ -108,6 +108,11 @@ constexpr Option kOptions[] = {
          line.stats = value;
          return {};
      }},
+    {"profiles", " replay ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         line.profiles = value;
+         return {};
+     }},
     {"strict", " replay ",
      [](CommandLine& line, const QString&) -> Result<void> {
          line.strict = true;
@@ -287,11 +292,13 @@ QString commandLineHelp()
                "espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]\n"
                "                [--camera front|side|top|three-quarter]\n"
                "                [--transparent [--ground-shadow]]\n"
-               "                [--stats FILE] [--threads N] [--seed N] [--strict]\n"
+               "                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]\n"
+               "                [--strict]\n"
                "    Does what a recipe says, without a window, and writes what comes of it.\n"
                "    Of a project, all is done again that was done to its tree.\n"
                "    Of several recipes each continues the tree of the one before: the first\n"
                "    says the seed, and each begins by putting its parameters in force.\n"
+               "    --profiles: the places of the strands in each cross-section, as JSON.\n"
                "    What operations do not find in the tree is printed; with --strict it is an\n"
                "    error, and nothing is written.\n"
                "\n"

@@ -34,6 +34,7 @@ struct CommandLine {
     /// The transparent picture has the tree's shadow too, as black of some opacity.
     bool groundShadow = false;
     QString stats;                     ///< JSON; empty for none
+    QString profiles;                  ///< JSON of the strands in each cross-section; empty for none
     bool strict = false;               ///< An operation that finds nothing to do is an error
     int threads = 0;                   ///< 0 for as many as the machine has
     std::optional<std::uint64_t> seed; ///< In place of the recipe's

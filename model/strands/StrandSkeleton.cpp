@@ -9,19 +9,24 @@ namespace espalier {
 
 namespace {
 
-/// Attachments that are nearer to the node than this share of the internode count as at the node.
+/// Attachments that are nearer to an end than this share of the internode count as there.
+constexpr float kAtBase = 0.001F;
 constexpr float kAtNode = 0.999F;
+/// The sections of a branch turn to its direction over this many radii of the wood that it leaves.
+constexpr float kTiltRadii = 2.0F;
 
 /// The places below its node at which an internode bears branches, ascending.
 std::vector<float> attachments(const Tree& tree, const TreeIndex& index, InternodeId id)
 {
     std::vector<float> places;
     for (InternodeId child = index.firstChild(id); child != kNoInternode; child = index.nextSibling(child)) {
-        if (const float along = tree.columns().along[child]; along < kAtNode)
+        if (const float along = tree.columns().along[child]; along > kAtBase && along < kAtNode)
             places.push_back(along);
     }
     std::ranges::sort(places);
-    places.erase(std::ranges::unique(places).begin(), places.end());
+    // Places that nearly coincide would make sections that do.
+    const auto last = std::ranges::unique(places, [](float a, float b) { return b - a < kAtBase; }).begin();
+    places.erase(last, places.end());
     return places;
 }
 
@@ -57,7 +62,7 @@ private:
         return node;
     }
 
-    /// The node on the parent that the internode @p id begins at.
+    /// The node on the parent, or the one below it, that the internode @p id begins at.
     std::uint32_t supportOf(InternodeId id)
     {
         const InternodeId parent = m_tree.parent(id);
@@ -71,8 +76,9 @@ private:
         if (along >= kAtNode)
             return node;
         // The nodes of the parent come one after another.
-        while (m_skeleton.nodes[node].internode == parent && m_skeleton.nodes[node].along > along)
-            --node;
+        while (m_skeleton.nodes[node].internode == parent && m_skeleton.nodes[node].along > along &&
+               m_skeleton.nodes[node].parent != node)
+            node = m_skeleton.nodes[node].parent;
         return node;
     }
 
@@ -146,9 +152,17 @@ Vec3 directionTo(const StrandNode& from, const StrandNode& to, const Vec3& other
     return length > 1e-7F ? Vec3(rise / length) : otherwise;
 }
 
+/// How the sections of a branch turn from that of the fork to its own direction.
+struct Tilt {
+    Vec3 from = Vec3::Zero(); ///< Normal of the fork's section
+    float path = 0.0F;        ///< m, from the fork
+    float reach = 0.0F;       ///< m, over which the sections turn; 0 for a trunk
+};
+
 void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
 {
     std::vector<StrandNode>& nodes = skeleton.nodes;
+    std::vector<Tilt> tilts(nodes.size());
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         StrandNode& node = nodes[i];
         const bool isBase = node.parent == i;
@@ -162,6 +176,23 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
         if (isBase)
             normal = heading.y() > 0.0F ? up() : heading;
         normal.normalize();
+        if (!isBase) {
+            const StrandNode& support = nodes[node.parent];
+            const float length = (node.position - support.position).norm();
+            Tilt& tilt = tilts[i];
+            if (2 * node.strands >= support.strands) {
+                tilt = tilts[node.parent];
+                tilt.path += length;
+            } else {
+                tilt = {support.frame * up(), length, kTiltRadii * support.radius};
+            }
+            if (tilt.path < tilt.reach) {
+                const float share = tilt.path / tilt.reach;
+                const Vec3 between = (1.0F - share) * tilt.from + share * normal;
+                if (between.squaredNorm() > 1e-2F)
+                    normal = between.normalized();
+            }
+        }
         const Rotation below = isBase ? index.rotation(node.internode) : nodes[node.parent].frame;
         node.frame = (Rotation::FromTwoVectors(below * up(), normal) * below).normalized();
     }

@@ -95,6 +95,7 @@ Result<QImage> renderImage(const TreeDocument& document, const PictureRequest& r
     if (!renderer)
         return renderer.error();
     TreeScene scene(document);
+    scene.prepareStrands();
     Camera camera = request.camera.value_or(pictureCamera(request.view, scene, request.size));
     camera.setViewSize(request.size);
     return (*renderer)->render(scene, camera, request.options);

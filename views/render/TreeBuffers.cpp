@@ -67,7 +67,10 @@ TreeBuffers::TreeBuffers(Gl& gl)
       m_leaves(gl),
       m_cardVertices(gl),
       m_cardIndices(gl),
+      m_strandVertices(gl),
+      m_strandIndices(gl),
       m_barkArray(gl),
+      m_strandArray(gl),
       m_leafArray(gl),
       m_barkColour(gl),
       m_barkSurface(gl),
@@ -84,10 +87,15 @@ TreeBuffers::TreeBuffers(Gl& gl)
     for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
         gl.glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_BORDER);
 
-    gl.glBindVertexArray(m_barkArray.get());
-    gl.glBindBuffer(GL_ARRAY_BUFFER, m_vertices.name());
-    gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.name());
-    meshAttributes(gl);
+    const auto woodArray = [&gl](const GlVertexArray& array, const GlBuffer& vertices,
+                                 const GlBuffer& indices) {
+        gl.glBindVertexArray(array.get());
+        gl.glBindBuffer(GL_ARRAY_BUFFER, vertices.name());
+        gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.name());
+        meshAttributes(gl);
+    };
+    woodArray(m_barkArray, m_vertices, m_indices);
+    woodArray(m_strandArray, m_strandVertices, m_strandIndices);
 
     gl.glBindVertexArray(m_leafArray.get());
     gl.glBindBuffer(GL_ARRAY_BUFFER, m_cardVertices.name());
@@ -107,8 +115,9 @@ bool TreeBuffers::follow(TreeScene& scene)
     fillLight(scene, isOther);
     MeshPool& mesh = scene.mesh();
     const MeshPool::Changes changes = mesh.takeChanges();
+    const bool hasOtherStrands = followStrands(scene);
     if (!isOther && changes.isEmpty())
-        return false;
+        return hasOtherStrands;
     send(m_vertices, mesh.vertices(), changes.vertices, isOther);
     send(m_indices, mesh.indices(), changes.indices, isOther);
     send(m_leaves, mesh.leaves(), changes.leaves, isOther);
@@ -202,16 +211,35 @@ void TreeBuffers::fillLight(TreeScene& scene, bool all)
     m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
+bool TreeBuffers::followStrands(const TreeScene& scene)
+{
+    if (m_strands == scene.strands())
+        return false;
+    m_strands = scene.strands();
+    if (m_strands) {
+        const std::span<const MeshVertex> vertices(m_strands->vertices);
+        const std::span<const VertexIndex> indices(m_strands->indices);
+        send(m_strandVertices, vertices, {}, true);
+        send(m_strandIndices, indices, {}, true);
+    }
+    return true;
+}
+
+void TreeBuffers::drawWood(GLenum mode)
+{
+    m_gl.glBindVertexArray(m_strands ? m_strandArray.get() : m_barkArray.get());
+    const GLsizei count = m_strands ? static_cast<GLsizei>(m_strands->indices.size()) : m_indexCount;
+    m_gl.glDrawElements(mode, count, GL_UNSIGNED_INT, nullptr);
+}
+
 void TreeBuffers::drawBark()
 {
-    m_gl.glBindVertexArray(m_barkArray.get());
-    m_gl.glDrawElements(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr);
+    drawWood(GL_TRIANGLES);
 }
 
 void TreeBuffers::drawBarkPoints()
 {
-    m_gl.glBindVertexArray(m_barkArray.get());
-    m_gl.glDrawElements(GL_POINTS, m_indexCount, GL_UNSIGNED_INT, nullptr);
+    drawWood(GL_POINTS);
 }
 
 void TreeBuffers::drawLeaves()

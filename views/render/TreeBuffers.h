@@ -49,6 +49,9 @@ private:
     template <class T>
     void send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges,
               bool all);
+    /// Sends the mesh of strands, if another one is to be shown; returns whether it is.
+    bool followStrands(const TreeScene& scene);
+    void drawWood(GLenum mode);
     void fillTextures(const TreeParameters& parameters);
     void fillLight(TreeScene& scene, bool all);
 
@@ -58,7 +61,11 @@ private:
     GlBuffer m_leaves;
     GlBuffer m_cardVertices;
     GlBuffer m_cardIndices;
+    // The mesh of strands, if it is shown in place of the vertices above.
+    GlBuffer m_strandVertices;
+    GlBuffer m_strandIndices;
     GlVertexArray m_barkArray;
+    GlVertexArray m_strandArray;
     GlVertexArray m_leafArray;
     GlTexture m_barkColour;
     GlTexture m_barkSurface;
@@ -70,6 +77,7 @@ private:
     std::optional<BarkParameters> m_bark;
     std::optional<LeafParameters> m_leaf;
     ShaderImages m_ownLeaf; ///< From the image in m_leaf, if it has one
+    std::shared_ptr<const TriangleMesh> m_strands;
     GLsizei m_indexCount = 0;
     GLsizei m_leafCount = 0;
     GLsizei m_cardIndexCount = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TreeScene.h"
 
+#include "model/mesh/WoodMesh.h"
+
 #include <QElapsedTimer>
 
 #include <cmath>
@@ -50,7 +52,25 @@ void TreeScene::rebuild()
     }
     m_boundsAreOld = true;
     m_lightWaits = false;
+    m_strands.reset();
+    m_strandsRevision = ~std::uint64_t{0};
     prepare();
+}
+
+void TreeScene::setStrands(std::shared_ptr<const TriangleMesh> strands, std::uint64_t revision)
+{
+    m_strands = std::move(strands);
+    m_strandsRevision = revision;
+}
+
+void TreeScene::prepareStrands()
+{
+    if (!wantsStrands())
+        return;
+    const Tree& tree = m_document.tree();
+    const TreeIndex& index = m_document.index();
+    setStrands(std::make_shared<const TriangleMesh>(meshWood(tree, index, Widths(tree, index))),
+               m_document.revision());
 }
 
 void TreeScene::follow(const TreeChange& change)
@@ -63,6 +83,10 @@ void TreeScene::follow(const TreeChange& change)
     m_isSettling = false;
     m_isExact = false;
     const TreeDelta& delta = *change.delta;
+    // Tubes stand in for branches that come, go or move; other changes leave the last strands in place.
+    if (delta.born.count > 0 || !delta.died.empty() || delta.reframes() ||
+        parameters().wood.mesher == WoodMesherKind::Tubes)
+        m_strands.reset();
     m_mesh.follow(m_document.tree(), m_document.index(), delta);
     const auto relight = [&](InternodeId id) { m_relit.extend(m_document.index().nodePosition(id)); };
     if (change.kind == TreeChange::Kind::Applied) {

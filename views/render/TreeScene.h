@@ -23,6 +23,8 @@ public:
     void follow(const TreeChange& change);
     /// Updates what several changes need only once; call it before mesh(), light() and bounds().
     void prepare();
+    /// Makes the mesh of strands at once, if it is wanted. For pictures; it can take seconds.
+    void prepareStrands();
     /// Updates a part, for about kSlice; returns whether nothing is left. Pieces that have waited longest
     /// come first, so that the picture of a large growing tree is only a little late.
     bool prepareSome();
@@ -32,6 +34,19 @@ public:
     /// Sets the length of a picture's pixel at the tree, m, which decides how fine the wood must be. The
     /// fineness changes in large steps.
     void setPixelSize(double metres);
+    /// Whether the wood is to be shown as strands, but the mesh of strands is missing or older than the tree:
+    /// it takes too long for a frame, so a worker makes it (StrandRunner).
+    bool wantsStrands() const
+    {
+        return parameters().wood.mesher == WoodMesherKind::Strands &&
+               m_strandsRevision != m_document.revision();
+    }
+    /// Shows @p strands in place of the tubes. @p revision: of the document when the mesh was begun; a mesh
+    /// of an earlier tree stays until the tree changes its shape.
+    void setStrands(std::shared_ptr<const TriangleMesh> strands, std::uint64_t revision);
+    /// The mesh of strands that is shown in place of the pieces in mesh(), or null.
+    const std::shared_ptr<const TriangleMesh>& strands() const { return m_strands; }
+
     /// Whether there is something left to prepare.
     bool isBehind() const { return m_isBehind; }
 
@@ -74,6 +89,8 @@ private:
     bool m_isExact = true;
     bool m_boundsAreOld = false;
     std::optional<PreparedScene> m_expected;
+    std::shared_ptr<const TriangleMesh> m_strands;
+    std::uint64_t m_strandsRevision = ~std::uint64_t{0};
 };
 
 } // namespace espalier

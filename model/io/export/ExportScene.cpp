@@ -2,10 +2,10 @@
 #include "model/io/export/ExportScene.h"
 
 #include "model/base/Parallel.h"
-#include "model/mesh/BranchMesher.h"
 #include "model/mesh/LeafCard.h"
 #include "model/mesh/LeafPlacer.h"
 #include "model/mesh/UvWrap.h"
+#include "model/mesh/WoodMesh.h"
 #include "model/texture/OwnTextures.h"
 
 #include <QBuffer>
@@ -242,7 +242,7 @@ void addBark(ExportScene& scene, const Tree& tree, const TreeIndex& index, const
     pack(material, barkTextures(tree.parameters().bark, options.textureSize));
     scene.meshes.push_back(
         {meshName(material.name, 0),
-         withSmallV(meshBranches(tree, index, widths, {.tolerance = exportTolerance(options)})),
+         withSmallV(meshWood(tree, index, widths, {.tolerance = exportTolerance(options)})),
          scene.materials.size()});
     scene.materials.push_back(std::move(material));
 }

@@ -3,6 +3,7 @@
 
 #include "model/io/export/SceneTextures.h"
 #include "model/io/export/TextBlocks.h"
+#include "model/mesh/Weld.h"
 
 #include <QCoreApplication>
 
@@ -10,19 +11,45 @@ namespace espalier {
 
 namespace {
 
+/// The positions of a mesh. Those of wood are written once, so that a closed surface is closed for programs
+/// that read the file, although texture coordinates double vertices. Leaves are apart anyway.
+struct ObjPositions {
+    explicit ObjPositions(const ExportMesh& mesh, bool isLeaf)
+    {
+        const auto& vertices = mesh.mesh.vertices;
+        number.resize(vertices.size());
+        const std::vector<VertexIndex> first =
+            isLeaf ? std::vector<VertexIndex>() : firstAtSamePlace(vertices);
+        for (VertexIndex i = 0; i < vertices.size(); ++i) {
+            if (!isLeaf && first[i] != i) {
+                number[i] = number[first[i]];
+                continue;
+            }
+            number[i] = static_cast<VertexIndex>(written.size());
+            written.push_back(i);
+        }
+    }
+
+    std::vector<VertexIndex> written; ///< Vertices whose positions are written
+    std::vector<VertexIndex> number;  ///< By vertex: of its position among those
+};
+
 bool writeObj(QIODevice& device, const ExportScene& scene, const QString& materialFileName)
 {
     const auto writeLine = [&](const QByteArray& line) {
         return device.write(line + '\n') == line.size() + 1;
     };
     bool good = writeLine("mtllib " + materialFileName.toUtf8());
-    std::uint64_t first = 1; // OBJ counts vertices from 1, through all objects
+    // OBJ counts from 1, through all objects.
+    std::uint64_t first = 1;
+    std::uint64_t firstPosition = 1;
     for (const ExportMesh& mesh : scene.meshes) {
         const auto& vertices = mesh.mesh.vertices;
         const auto& indices = mesh.mesh.indices;
+        const ObjPositions positions(mesh, scene.materials[mesh.material].isLeaf);
         good = good && writeLine("o " + mesh.name.toUtf8());
-        good = good && writeBlocks(device, vertices.size(), [&](TextBlock& block, std::size_t i) {
-                   const auto& p = vertices[i].position;
+        good = good && writeBlocks(device, positions.written.size(), [&](TextBlock& block, std::size_t i) {
+                   const auto& p = vertices[positions.written[i]].position;
                    block << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
                });
         good = good && writeBlocks(device, vertices.size(), [&](TextBlock& block, std::size_t i) {
@@ -37,11 +64,13 @@ bool writeObj(QIODevice& device, const ExportScene& scene, const QString& materi
                    block << 'f';
                    for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
                        const std::uint64_t index = first + indices[corner];
-                       block << ' ' << index << '/' << index << '/' << index;
+                       block << ' ' << firstPosition + positions.number[indices[corner]] << '/' << index
+                             << '/' << index;
                    }
                    block << '\n';
                });
         first += vertices.size();
+        firstPosition += positions.written.size();
     }
     return good;
 }

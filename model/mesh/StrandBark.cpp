@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/mesh/StrandBark.h"
+
+#include "model/base/Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace espalier {
+
+namespace {
+
+using Slice = StrandSections::Slice;
+using Loop = StrandSections::Loop;
+
+constexpr std::size_t kVerticesPerTask = 1 << 14;
+
+/// Assigns u and v, bases first.
+class BarkCoordinates {
+public:
+    BarkCoordinates(const StrandLayouts& layouts, const StrandTubes& tubes, const StrandSections& sections,
+                    const TreeParameters& parameters, BranchMesh& mesh)
+        : m_layouts(layouts),
+          m_skeleton(layouts.skeleton()),
+          m_tubes(tubes),
+          m_sections(sections),
+          m_scale(static_cast<float>(parameters.bark.scale)),
+          m_mesh(mesh),
+          m_repeats(tubes.nodes.size(), 1.0F)
+    {
+        std::uint32_t most = 0;
+        for (const StrandNode& node : m_skeleton.nodes)
+            most = std::max(most, node.strands);
+        m_known.resize(most);
+        m_stamp.assign(most, 0);
+    }
+
+    void assign()
+    {
+        for (std::uint32_t node = 0; node < m_tubes.nodes.size(); ++node) {
+            if (m_skeleton.isBase(node))
+                assignBase(node);
+            else
+                assignNode(node);
+        }
+    }
+
+private:
+    float repeatsOf(float radius) const
+    {
+        return std::max(1.0F, std::round(2.0F * std::numbers::pi_v<float> * radius / m_scale));
+    }
+
+    Vec3 at(VertexIndex vertex) const { return toVec3(m_mesh.vertices[vertex].position); }
+    float& u(VertexIndex vertex) { return m_mesh.vertices[vertex].uv[0]; }
+    float& v(VertexIndex vertex) { return m_mesh.vertices[vertex].uv[1]; }
+
+    void assignBase(std::uint32_t node)
+    {
+        const StrandNode& n = m_skeleton.nodes[node];
+        const auto above = m_skeleton.childrenOf(node);
+        // The radius without the flare.
+        m_repeats[node] = repeatsOf(above.empty() ? n.radius : m_skeleton.nodes[above.front()].radius);
+        forget();
+        for (const Slice& slice : m_sections.block(node).whole)
+            assignSlice(slice, nullptr, 0.0F, m_repeats[node]);
+    }
+
+    void assignNode(std::uint32_t node)
+    {
+        const StrandNode& n = m_skeleton.nodes[node];
+        const StrandNode& below = m_skeleton.nodes[n.parent];
+        const StrandSections::Block& block = m_sections.block(node);
+        const Slice& support = m_sections.block(n.parent).top();
+        m_repeats[node] = 2 * n.strands >= below.strands ? m_repeats[n.parent] : repeatsOf(n.radius);
+        float top = 0.0F;
+        const Slice* last = &support;
+        for (std::size_t tube = 0; tube < m_tubes.nodes[node].tubes.size(); ++tube) {
+            last = &support;
+            forget();
+            learn(support, n.offset);
+            for (const Slice& slice : block.slicesOf(tube)) {
+                assignSlice(slice, last, v(last->loops.front().first), m_repeats[node]);
+                learn(slice, 0);
+                last = &slice;
+            }
+        }
+        top = v(last->loops.front().first);
+        if (m_tubes.nodes[node].tubes.size() > 1) {
+            for (std::size_t tube = 0; tube < m_tubes.nodes[node].tubes.size(); ++tube)
+                learn(block.slicesOf(tube).back(), 0);
+        }
+        for (const Slice& slice : block.whole) {
+            assignSlice(slice, last, top, m_repeats[node]);
+            learn(slice, 0);
+            last = &slice;
+            top = v(slice.loops.front().first);
+        }
+        if (n.childCount == 0) {
+            u(block.apex) = u(last->loops.front().first);
+            v(block.apex) = top + heightOf(at(block.apex) - last->centre, last->radius, m_repeats[node]);
+        }
+    }
+
+    void forget() { ++m_round; }
+    void learn(const Slice& slice, std::uint32_t offset)
+    {
+        for (const Loop& loop : slice.loops) {
+            const auto strands = m_sections.strands(loop);
+            for (std::uint32_t i = 0; i < strands.size(); ++i) {
+                if (strands[i] < offset)
+                    continue;
+                m_known[strands[i] - offset] = u(loop.first + i);
+                m_stamp[strands[i] - offset] = m_round;
+            }
+        }
+    }
+
+    static float heightOf(const Vec3& rise, float radius, float repeats)
+    {
+        return rise.norm() * repeats / (2.0F * std::numbers::pi_v<float> * std::max(radius, 1e-6F));
+    }
+
+    void assignSlice(const Slice& slice, const Slice* below, float vBelow, float repeats)
+    {
+        const float height = below == nullptr
+                                 ? 0.0F
+                                 : vBelow + heightOf(slice.centre - below->centre,
+                                                     0.5F * (slice.radius + below->radius), repeats);
+        for (const Loop& loop : slice.loops) {
+            for (std::uint32_t i = 0; i < loop.count; ++i)
+                v(loop.first + i) = height;
+            assignLoop(loop, below, repeats);
+        }
+    }
+
+    /// u of the vertex of @p slice that is nearest to @p place.
+    float nearestU(const Slice& slice, const Vec3& place)
+    {
+        float least = std::numeric_limits<float>::max();
+        float result = 0.0F;
+        for (const Loop& loop : slice.loops) {
+            for (std::uint32_t i = 0; i < loop.count; ++i) {
+                if (const float distance = (at(loop.first + i) - place).squaredNorm(); distance < least) {
+                    least = distance;
+                    result = u(loop.first + i);
+                }
+            }
+        }
+        return result;
+    }
+
+    void assignLoop(const Loop& loop, const Slice* below, float repeats)
+    {
+        // Length along the loop up to each vertex, in shares of the whole.
+        m_arc.assign(loop.count + 1, 0.0F);
+        for (std::uint32_t i = 0; i < loop.count; ++i)
+            m_arc[i + 1] = m_arc[i] + (at(loop.first + (i + 1) % loop.count) - at(loop.first + i)).norm();
+        const float length = std::max(m_arc.back(), 1e-9F);
+        for (float& arc : m_arc)
+            arc /= length;
+        const auto strands = m_sections.strands(loop);
+        m_fixed.clear();
+        for (std::uint32_t i = 0; i < strands.size(); ++i) {
+            if (m_stamp[strands[i]] == m_round)
+                m_fixed.push_back(i);
+        }
+        if (m_fixed.empty()) {
+            const float phase = below == nullptr ? 0.0F : nearestU(*below, at(loop.first));
+            for (std::uint32_t i = 0; i < loop.count; ++i)
+                u(loop.first + i) = phase + repeats * m_arc[i];
+            return;
+        }
+        for (std::size_t f = 0; f < m_fixed.size(); ++f) {
+            const std::uint32_t from = m_fixed[f];
+            const std::uint32_t to = m_fixed[(f + 1) % m_fixed.size()];
+            const float start = m_known[strands[from]];
+            u(loop.first + from) = start;
+            const std::uint32_t between = (to + loop.count - from - 1) % loop.count + 1;
+            if (between == 1)
+                continue;
+            float share = m_arc[to] - m_arc[from];
+            if (share <= 0.0F)
+                share += 1.0F;
+            float rise = m_known[strands[to]] - start;
+            rise += std::round(repeats * share - rise);
+            for (std::uint32_t j = 1; j < between; ++j) {
+                const std::uint32_t i = (from + j) % loop.count;
+                float part = m_arc[i] - m_arc[from];
+                if (part < 0.0F)
+                    part += 1.0F;
+                u(loop.first + i) = start + rise * part / share;
+            }
+        }
+    }
+
+    const StrandLayouts& m_layouts;
+    const StrandSkeleton& m_skeleton;
+    const StrandTubes& m_tubes;
+    const StrandSections& m_sections;
+    float m_scale;
+    BranchMesh& m_mesh;
+    std::vector<float> m_repeats; ///< By node: of the texture around it
+    std::vector<float> m_known;   ///< u by strand, where m_stamp is the present round
+    std::vector<std::uint32_t> m_stamp;
+    std::uint32_t m_round = 0;
+    std::vector<float> m_arc;
+    std::vector<std::uint32_t> m_fixed;
+};
+
+/// Normals by the areas of the triangles around a vertex.
+void addNormals(BranchMesh& mesh)
+{
+    std::vector<Vec3> sums(mesh.vertices.size(), Vec3(Vec3::Zero()));
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const VertexIndex a = mesh.indices[i];
+        const VertexIndex b = mesh.indices[i + 1];
+        const VertexIndex c = mesh.indices[i + 2];
+        const Vec3 p = toVec3(mesh.vertices[a].position);
+        const Vec3 normal =
+            (toVec3(mesh.vertices[b].position) - p).cross(toVec3(mesh.vertices[c].position) - p);
+        sums[a] += normal;
+        sums[b] += normal;
+        sums[c] += normal;
+    }
+    parallelFor(mesh.vertices.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const float length = sums[i].norm();
+            mesh.vertices[i].normal = toArray(length > 0.0F ? Vec3(sums[i] / length) : up());
+        }
+    });
+}
+
+/// Tangents along the loops; the bitangent then rises with the branch.
+void addTangents(const StrandTubes& tubes, const StrandSections& sections, BranchMesh& mesh)
+{
+    const auto set = [&](VertexIndex vertex, const Vec3& along) {
+        MeshVertex& v = mesh.vertices[vertex];
+        const Vec3 normal = toVec3(v.normal);
+        Vec3 tangent = along - normal.dot(along) * normal;
+        const float length = tangent.norm();
+        tangent = length > 1e-9F ? Vec3(tangent / length) : anyPerpendicular(normal);
+        v.tangent = {tangent.x(), tangent.y(), tangent.z(), -1.0F};
+    };
+    const auto setLoops = [&](std::span<const Slice> slices) {
+        for (const Slice& slice : slices) {
+            for (const Loop& loop : slice.loops) {
+                for (std::uint32_t i = 0; i < loop.count; ++i)
+                    set(loop.first + i,
+                        sections.position(loop.first + (i + 1) % loop.count) -
+                            sections.position(loop.first + (i + loop.count - 1) % loop.count));
+            }
+        }
+    };
+    parallelFor(tubes.nodes.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const StrandSections::Block& block = sections.block(static_cast<std::uint32_t>(i));
+            setLoops(block.slices);
+            setLoops(block.whole);
+            if (block.apex >= block.first + 1 && block.apex == block.first + block.count - 1) {
+                const Loop& loop = block.top().loops.front();
+                set(block.apex, sections.position(loop.first + 1) - sections.position(loop.first));
+            }
+        }
+    });
+}
+
+/// Doubles the vertices of triangles across which u starts again.
+void splitSeams(BranchMesh& mesh)
+{
+    std::unordered_map<std::uint64_t, VertexIndex> doubles;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const float u = mesh.vertices[mesh.indices[i]].uv[0];
+        for (std::size_t k = 1; k < 3; ++k) {
+            const VertexIndex vertex = mesh.indices[i + k];
+            const float turns = std::round(u - mesh.vertices[vertex].uv[0]);
+            if (turns == 0.0F)
+                continue;
+            const auto key =
+                (std::uint64_t{vertex} << 32U) | static_cast<std::uint32_t>(static_cast<std::int32_t>(turns));
+            const auto [found, isNew] =
+                doubles.try_emplace(key, static_cast<VertexIndex>(mesh.vertices.size()));
+            if (isNew) {
+                MeshVertex copy = mesh.vertices[vertex];
+                copy.uv[0] += turns;
+                mesh.vertices.push_back(copy);
+                mesh.origins.push_back(WoodOrigin(mesh.origins[vertex]));
+            }
+            mesh.indices[i + k] = found->second;
+        }
+    }
+}
+
+} // namespace
+
+void dressStrands(const StrandLayouts& layouts, const StrandTubes& tubes, const StrandSections& sections,
+                  const TreeParameters& parameters, BranchMesh& mesh)
+{
+    addNormals(mesh);
+    BarkCoordinates(layouts, tubes, sections, parameters, mesh).assign();
+    addTangents(tubes, sections, mesh);
+    splitSeams(mesh);
+}
+
+} // namespace espalier

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/mesh/StrandMesher.h"
+
+#include "model/mesh/SurfaceCheck.h"
+#include "tests/support/MeshTopology.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/TreeBuilder.h"
+
+#include <QTest>
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+
+namespace espalier::test {
+
+namespace {
+
+BranchMesh strandMesh(const TreeBuilder& builder)
+{
+    return meshStrands(StrandLayouts(builder.tree, builder.index, Widths(builder.tree, builder.index)),
+                       builder.tree.parameters());
+}
+
+void setWood(TreeBuilder& builder, const std::function<void(WoodParameters&)>& change)
+{
+    TreeParameters parameters = builder.tree.parameters();
+    change(parameters.wood);
+    builder.apply(parameterChange(builder.tree, parameters));
+}
+
+/// A polygon of random radii around @p centre; clockwise for cavities does not matter to a profile.
+StrandProfile::Loop blob(Random& random, const Vec2& centre, double radius)
+{
+    StrandProfile::Loop loop;
+    const int count = 5 + static_cast<int>(random.uniform(0.0, 20.0));
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / count;
+        const double far = radius * random.uniform(0.5, 1.0);
+        loop.push_back(centre + Vec2(static_cast<float>(far * std::cos(angle)),
+                                     static_cast<float>(far * std::sin(angle))));
+    }
+    return loop;
+}
+
+/// One part, a part with a cavity, or two or three parts.
+StrandProfile randomProfile(Random& random)
+{
+    StrandProfile profile;
+    switch (static_cast<int>(random.uniform(0.0, 4.0))) {
+    case 0:
+        profile.boundaries.push_back(blob(random, Vec2::Zero(), 1.0));
+        break;
+    case 1:
+        profile.boundaries.push_back(blob(random, Vec2::Zero(), 1.0));
+        profile.boundaries.push_back(blob(random, Vec2::Zero(), 0.4));
+        break;
+    case 2:
+        profile.boundaries.push_back(blob(random, Vec2(-1.5F, 0.0F), 1.2));
+        profile.boundaries.push_back(blob(random, Vec2(1.5F, 0.0F), 1.2));
+        break;
+    default:
+        profile.boundaries.push_back(blob(random, Vec2(-1.2F, 0.0F), 1.0));
+        profile.boundaries.push_back(blob(random, Vec2(1.2F, 0.0F), 1.0));
+        profile.boundaries.push_back(blob(random, Vec2(0.0F, 2.4F), 1.0));
+    }
+    return profile;
+}
+
+/// Gives random nodes profiles and twists.
+void shapeAtRandom(TreeBuilder& builder, Random& random)
+{
+    TreeDelta delta = deltaStartingAt(builder.tree);
+    for (InternodeId id = 0; id < builder.tree.size(); ++id) {
+        if (!builder.tree.isAlive(id))
+            continue;
+        if (random.uniform() < 0.15)
+            delta.sparse.profile.push_back(
+                {id, std::nullopt, keepProfile(delta, builder.tree, randomProfile(random))});
+        if (random.uniform() < 0.1)
+            delta.sparse.twist.push_back({id, std::nullopt, static_cast<float>(random.uniform(-1.0, 1.0))});
+    }
+    builder.apply(std::move(delta));
+}
+
+void verifyClosed(const BranchMesh& mesh, std::uint64_t bases)
+{
+    const SurfaceFaults faults = checkSurface(mesh);
+    QCOMPARE(faults.openEdges, 0U);
+    QCOMPARE(faults.nonManifoldEdges, 0U);
+    QCOMPARE(faults.nonManifoldVertices, 0U);
+    QCOMPARE(faults.degenerate, 0U);
+    QCOMPARE(faults.inverted, 0U);
+    QVERIFY(faults.components >= bases);
+}
+
+} // namespace
+
+/// The closed surface around strands; algorithms.md L.9.
+class StrandMesherTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void seedling_isOneClosedSurface();
+    void randomTrees_haveOneClosedSurface_data();
+    void randomTrees_haveOneClosedSurface();
+    void randomProfiles_leaveTheSurfaceClosed_data();
+    void randomProfiles_leaveTheSurfaceClosed();
+    void volume_isThatOfTheStrands();
+    void mesh_isTheSameOnOneThreadAndMany();
+    void textureCoordinates_areContinuousAcrossEdges();
+    void alpha_movesTheSeparationUp();
+    void severalRoots_areSurfacesEach();
+};
+
+void StrandMesherTest::seedling_isOneClosedSurface()
+{
+    const TreeBuilder seedling;
+    const BranchMesh mesh = strandMesh(seedling);
+    verifyClosed(mesh, 1);
+    QCOMPARE(checkSurface(mesh).components, 1U);
+}
+
+void StrandMesherTest::randomTrees_haveOneClosedSurface_data()
+{
+    QTest::addColumn<int>("seed");
+    QTest::addColumn<int>("perTip");
+    for (int seed = 0; seed < 60; ++seed)
+        QTest::addRow("%d", seed) << seed << 1 + seed % 5;
+}
+
+void StrandMesherTest::randomTrees_haveOneClosedSurface()
+{
+    QFETCH(int, seed);
+    QFETCH(int, perTip);
+    TreeBuilder builder =
+        raisedTree(30U + 17U * static_cast<std::uint32_t>(seed), static_cast<std::uint64_t>(seed) + 1);
+    setWood(builder, [&](WoodParameters& wood) { wood.strandsPerTip = perTip; });
+    const BranchMesh mesh = strandMesh(builder);
+    verifyClosed(mesh, 1);
+    QCOMPARE(checkSurface(mesh).components, 1U);
+}
+
+void StrandMesherTest::randomProfiles_leaveTheSurfaceClosed_data()
+{
+    QTest::addColumn<int>("seed");
+    for (int seed = 0; seed < 200; ++seed)
+        QTest::addRow("%d", seed) << seed;
+}
+
+void StrandMesherTest::randomProfiles_leaveTheSurfaceClosed()
+{
+    QFETCH(int, seed);
+    Random random(static_cast<std::uint64_t>(seed), 0, 0, Purpose::Leaf);
+    TreeBuilder builder =
+        raisedTree(20U + 3U * static_cast<std::uint32_t>(seed), static_cast<std::uint64_t>(seed) + 1);
+    setWood(builder, [&](WoodParameters& wood) {
+        wood.strandsPerTip = 1 + static_cast<int>(random.uniform(0.0, 5.0));
+        wood.alpha = random.uniform(3.0, 12.0);
+        wood.steps = random.uniform() < 0.5 ? 500 : static_cast<int>(random.uniform(0.0, 100.0));
+        wood.packing = random.uniform() < 0.8 ? StrandPacking::Rest : StrandPacking::Pbd;
+        wood.smoothing = random.uniform();
+    });
+    shapeAtRandom(builder, random);
+    verifyClosed(strandMesh(builder), 1);
+}
+
+void StrandMesherTest::volume_isThatOfTheStrands()
+{
+    TreeBuilder builder = raisedTree(1500, 3);
+    constexpr double radius = 0.004;
+    setWood(builder, [&](WoodParameters& wood) {
+        wood.strandRadius = radius;
+        wood.strandsPerTip = 5;
+    });
+    const StrandLayouts layouts(builder.tree, builder.index, Widths(builder.tree, builder.index));
+    double strands = 0.0;
+    for (const StrandNode& node : layouts.skeleton().nodes) {
+        const StrandNode& below = layouts.skeleton().nodes[node.parent];
+        strands += node.strands * std::numbers::pi * radius * radius *
+                   double{(node.position - below.position).norm()};
+    }
+    const double volume = enclosedVolume(meshStrands(layouts, builder.tree.parameters()));
+    QVERIFY2(volume > strands && volume < 1.6 / 0.75 * strands,
+             qPrintable(QString::number(volume / strands)));
+}
+
+void StrandMesherTest::mesh_isTheSameOnOneThreadAndMany()
+{
+    TreeBuilder builder = raisedTree(2500, 2);
+    Random random(7, 0, 0, Purpose::Leaf);
+    shapeAtRandom(builder, random);
+    const BranchMesh many = strandMesh(builder);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const BranchMesh single = strandMesh(builder);
+    QVERIFY(std::ranges::equal(many.vertices, single.vertices));
+    QVERIFY(std::ranges::equal(many.indices, single.indices));
+    QVERIFY(many.origins == single.origins);
+}
+
+void StrandMesherTest::textureCoordinates_areContinuousAcrossEdges()
+{
+    const TreeBuilder builder = raisedTree(800, 5);
+    const BranchMesh mesh = strandMesh(builder);
+    // No triangle spans more than half of a texture, so none shows the whole image squeezed; but where a ring
+    // of bark begins at a fork, one triangle must.
+    std::size_t wide = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        float least = 1e9F;
+        float most = -1e9F;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const float u = mesh.vertices[mesh.indices[i + k]].uv[0];
+            QVERIFY(std::isfinite(u));
+            least = std::min(least, u);
+            most = std::max(most, u);
+        }
+        wide += most - least > 0.5F ? 1 : 0;
+    }
+    QVERIFY2(static_cast<double>(wide) < 0.005 * static_cast<double>(mesh.indices.size() / 3),
+             qPrintable(QString::number(wide)));
+}
+
+void StrandMesherTest::alpha_movesTheSeparationUp()
+{
+    // A fork of two equal branches: the lowest vertex between them lies higher, the greater α is.
+    TreeBuilder builder = raisedTree(2000, 4);
+    std::vector<std::size_t> sizes;
+    for (const double alpha : {3.0, 20.0, 100.0}) {
+        setWood(builder, [&](WoodParameters& wood) {
+            wood.alpha = alpha;
+            wood.strandsPerTip = 5;
+        });
+        const BranchMesh mesh = strandMesh(builder);
+        verifyClosed(mesh, 1);
+        sizes.push_back(mesh.vertices.size());
+    }
+    // Joined sections have no inner walls, so they need fewer vertices.
+    QVERIFY(sizes[2] < sizes[1]);
+    QVERIFY(sizes[1] < sizes[0]);
+}
+
+void StrandMesherTest::severalRoots_areSurfacesEach()
+{
+    TreeBuilder builder = raisedTree(300, 6);
+    builder.apply(rootBirth(builder.tree, builder.index, Vec3(3.0F, 8.0F, 0.0F)));
+    const BranchMesh mesh = strandMesh(builder);
+    verifyClosed(mesh, 2);
+    QCOMPARE(checkSurface(mesh).components, 2U);
+}
+
+const TestClass<StrandMesherTest> strandMesherTest;
+
+} // namespace espalier::test
+
+#include "StrandMesherTest.moc"
