@@ -32,7 +32,7 @@ void PlanarPatch::triangulate(std::span<const Outline> whole, std::span<const Ou
     collect(whole, parts);
     joinEqualEdges(triangles);
     traceFaces();
-    assignHoles();
+    assignHoles(triangles);
     for (const Face& face : m_faces)
         clip(face, triangles);
 }
@@ -147,7 +147,30 @@ void PlanarPatch::traceFaces()
     }
 }
 
-void PlanarPatch::assignHoles()
+/// Takes the pair of joined edges that is nearest to a point apart again, so that there is a face.
+void PlanarPatch::openFaceNear(const Vec2& place, Triangles& triangles)
+{
+    std::uint32_t nearest = kNoStrand;
+    float least = std::numeric_limits<float>::max();
+    for (std::uint32_t point = 0; point < m_firstPart; ++point) {
+        if (m_partner[point] == kNoStrand)
+            continue;
+        if (const float distance = (m_points[point] - place).squaredNorm(); distance < least) {
+            least = distance;
+            nearest = point;
+        }
+    }
+    if (nearest == kNoStrand)
+        return;
+    const std::uint32_t next = m_next[nearest];
+    const std::uint32_t inner = m_partner[nearest];
+    std::erase(triangles, std::array{nearest, next, inner});
+    std::erase(triangles, std::array{next, m_next[inner], inner});
+    m_edges.erase(pairOf(std::min(next, inner), std::max(next, inner)));
+    m_faces.push_back({nearest, next, m_next[inner], inner});
+}
+
+void PlanarPatch::assignHoles(Triangles& triangles)
 {
     // From right to left, so that the line from a hole to the right meets no hole that is still apart.
     const auto rightmost = [&](const Face& hole) {
@@ -155,6 +178,13 @@ void PlanarPatch::assignHoles()
     };
     std::ranges::stable_sort(m_holes, std::greater(),
                              [&](const Face& hole) { return m_points[rightmost(hole)].x(); });
+    if (m_faces.empty() && !m_holes.empty())
+        openFaceNear(m_points[m_holes.front().front()], triangles);
+    // An outline that crosses itself can run the wrong way around on the whole.
+    if (m_faces.empty() && !m_holes.empty() && m_holes.front().front() < m_firstPart) {
+        m_faces.push_back(std::move(m_holes.front()));
+        m_holes.erase(m_holes.begin());
+    }
     for (const Face& hole : m_holes) {
         const Vec2& point = m_points[rightmost(hole)];
         Face* home = nullptr;

@@ -47,7 +47,8 @@ private:
     void collect(std::span<const Outline> whole, std::span<const Outline> parts);
     void joinEqualEdges(Triangles& triangles);
     void traceFaces();
-    void assignHoles();
+    void openFaceNear(const Vec2& place, Triangles& triangles);
+    void assignHoles(Triangles& triangles);
     void connectHole(Face& face, const Face& hole);
     void clip(const Face& face, Triangles& triangles);
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace espalier {
 
@@ -293,6 +294,46 @@ private:
     tbb::enumerable_thread_specific<Scratch> m_scratch;
 };
 
+/// Removes the surfaces of cavities that are closed on all sides: nobody sees them.
+void removeVoids(MeshBuffer<VertexIndex>& indices, const MeshBuffer<MeshVertex>& vertices)
+{
+    std::vector<VertexIndex> root(vertices.size());
+    std::iota(root.begin(), root.end(), 0U);
+    const auto find = [&](VertexIndex i) {
+        while (root[i] != i)
+            i = root[i] = root[root[i]];
+        return i;
+    };
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        for (std::size_t k = 1; k < 3; ++k) {
+            const VertexIndex a = find(indices[i]);
+            const VertexIndex b = find(indices[i + k]);
+            root[std::max(a, b)] = std::min(a, b);
+        }
+    }
+    std::vector<double> volumes(vertices.size(), 0.0);
+    const auto at = [&](std::size_t i) -> Eigen::Vector3d {
+        return toVec3(vertices[indices[i]].position).cast<double>();
+    };
+    for (std::size_t i = 0; i < indices.size(); i += 3)
+        volumes[find(indices[i])] += at(i).dot(at(i + 1).cross(at(i + 2)));
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        if (volumes[find(indices[i])] < 0.0)
+            continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            indices[kept++] = indices[i + k];
+    }
+    indices.resize(kept);
+}
+
+bool haveCavities(const StrandTubes& tubes)
+{
+    return std::ranges::any_of(tubes.nodes, [](const StrandTubes::Node& node) {
+        return std::ranges::any_of(node.whole.loops, &SectionLoop::isCavity);
+    });
+}
+
 } // namespace
 
 BranchMesh meshStrands(const StrandLayouts& layouts, const TreeParameters& parameters,
@@ -302,6 +343,8 @@ BranchMesh meshStrands(const StrandLayouts& layouts, const TreeParameters& param
     const StrandSections sections(layouts, tubes, parameters);
     BranchMesh mesh;
     mesh.indices = StrandTriangulation(layouts, tubes, sections).make();
+    if (haveCavities(tubes))
+        removeVoids(mesh.indices, sections.vertices());
     mesh.vertices = sections.vertices();
     mesh.origins = sections.origins();
     dressStrands(layouts, tubes, sections, parameters, mesh);

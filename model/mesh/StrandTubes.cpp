@@ -91,7 +91,7 @@ private:
             m_sections[node] = std::make_unique<NodeSection>();
             m_sections[node]->set(m_layouts, node, m_alpha);
         }
-        n.whole.loops = section(node).boundary({}, 0);
+        n.whole.loops = section(node).outline();
     }
 
     std::uint32_t partOf(std::uint32_t node, std::uint32_t strand) const
@@ -268,9 +268,23 @@ private:
         int steps = 1;
         for (const std::uint32_t child : children)
             steps = std::max(steps, stepsTo(child));
+        // Two patches on one outline could share an edge across it: then it has two sections.
+        StrandTubes::Node& n = m_result.nodes[node];
+        const bool isDoubled =
+            !children.empty() && !n.continuesAbove && (!n.continuesBelow || m_skeleton.isBase(node));
+        if (isDoubled)
+            steps = std::max(steps, 3);
+        // So has a tube between two patches.
+        const bool isBetween = !n.continuesAbove && std::ranges::any_of(children, [&](std::uint32_t child) {
+            return !m_result.nodes[child].continuesBelow;
+        });
+        if (isBetween)
+            steps = std::max(steps, kMostSteps);
         for (const std::uint32_t child : children)
             m_result.nodes[child].steps = steps;
-        m_result.nodes[node].joined = joinedSteps(node, steps);
+        n.joined = std::max(joinedSteps(node, steps), isDoubled ? 1 : 0);
+        if (isBetween)
+            n.joined = std::min(n.joined, kMostSteps - 3);
     }
 
     int stepsTo(std::uint32_t child) const

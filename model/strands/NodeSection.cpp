@@ -55,33 +55,54 @@ void NodeSection::set(const StrandLayouts& layouts, std::uint32_t node, float al
 
 void NodeSection::findParts()
 {
-    const std::uint32_t count = m_layouts->strandCount(m_node);
-    std::vector<std::uint32_t> root(count);
+    // Triangles that share an edge are connected; those that touch in one strand are not.
+    std::vector<DirectedEdge> edges;
+    for (std::uint32_t t = 0; t < m_triangles.size(); ++t) {
+        const auto& corners = m_triangles[t];
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            const std::uint32_t from = corners[k];
+            const std::uint32_t to = corners[(k + 1) % 3];
+            edges.push_back({keyOf(std::min(from, to), std::max(from, to)), t, k});
+        }
+    }
+    std::ranges::sort(edges, [](const DirectedEdge& a, const DirectedEdge& b) {
+        return a.key != b.key ? a.key < b.key : a.triangle < b.triangle;
+    });
+    std::vector<std::uint32_t> root(m_triangles.size());
     std::iota(root.begin(), root.end(), 0U);
     const auto find = [&](std::uint32_t i) {
         while (root[i] != i)
             i = root[i] = root[root[i]];
         return i;
     };
-    std::vector<bool> isUsed(count, false);
-    // Triangles that share an edge are connected; those that touch in one strand are not.
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> edges;
-    for (const auto& corners : m_triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            isUsed[corners[k]] = true;
-            const std::uint32_t a = find(corners[k]);
-            const std::uint32_t b = find(corners[(k + 1) % 3]);
-            root[std::max(a, b)] = std::min(a, b);
-        }
-    }
-    m_parts.assign(count, kNoPart);
-    m_partCount = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (!isUsed[i])
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+        if (edges[i].key != edges[i + 1].key)
             continue;
-        const std::uint32_t r = find(i);
-        m_parts[i] = r == i ? m_partCount++ : m_parts[r];
+        const std::uint32_t a = find(edges[i].triangle);
+        const std::uint32_t b = find(edges[i + 1].triangle);
+        root[std::max(a, b)] = std::min(a, b);
     }
+    // A strand in which parts touch belongs to the first of them.
+    m_parts.assign(m_layouts->strandCount(m_node), kNoPart);
+    m_partCount = 0;
+    std::vector<std::uint32_t> partOf(m_triangles.size(), kNoPart);
+    for (std::uint32_t t = 0; t < m_triangles.size(); ++t) {
+        std::uint32_t& part = partOf[find(t)];
+        if (part == kNoPart)
+            part = m_partCount++;
+        for (const std::uint32_t corner : m_triangles[t])
+            m_parts[corner] = std::min(m_parts[corner], part);
+    }
+}
+
+std::vector<SectionLoop> NodeSection::outline() const
+{
+    if (m_isLattice || m_partCount < 2)
+        return boundary({}, 0);
+    std::vector<SectionLoop> loops;
+    for (std::uint32_t part = 0; part < m_partCount; ++part)
+        std::ranges::move(boundary(m_parts, part), std::back_inserter(loops));
+    return loops;
 }
 
 std::vector<SectionLoop> NodeSection::boundary(std::span<const std::uint32_t> labels,
@@ -193,7 +214,7 @@ std::vector<SectionLoop> NodeSection::triangleBoundary(std::span<const std::uint
                     break;
                 edge = beyond;
             }
-        } while (edge != &edges[i]);
+        } while (edge != &edges[i] && loop.strands.size() <= edges.size());
     }
     return loops;
 }

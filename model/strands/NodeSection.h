@@ -34,6 +34,8 @@ public:
     std::span<const std::uint32_t> parts() const { return m_parts; }
     static constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
 
+    /// The boundaries of all parts.
+    std::vector<SectionLoop> outline() const;
     /// The boundary of the triangles between strands with the label @p wanted; of all, if @p labels is empty.
     /// Loops that touch themselves in a strand visit it more than once.
     std::vector<SectionLoop> boundary(std::span<const std::uint32_t> labels, std::uint32_t wanted) const;
