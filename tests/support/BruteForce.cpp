@@ -119,7 +119,7 @@ double bias(const Tree& tree, const TreeIndex& index, const BudRef& bud)
     const Vec3d y = Vec3d::UnitY();
     const Vec3d h = index.heading(bud.node).cast<double>();
     const Vec3d direction = budDirection(tree.key(bud.node), bud.slot, index.rotation(bud.node),
-                                         tree.parametersOf(bud.node).growth)
+                                         tree.parametersOf(bud.node))
                                 .cast<double>();
     const double tau = std::acos(std::clamp(h.dot(y), -1.0, 1.0));
     const Vec3d across = direction - direction.dot(h) * h;

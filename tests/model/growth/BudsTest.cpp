@@ -36,7 +36,7 @@ void BudsTest::terminalBud_pointsAlongItsInternode()
     for (InternodeId id = 0; id < 50; ++id) {
         const Rotation rotation = randomRotation(random);
         QVERIFY(
-            (budDirection(childKey(1, 0, id), kTerminalSlot, rotation, {}) - rotation * Vec3(Vec3::UnitY()))
+            (budDirection(childKey(1, 0, id), kTerminalSlot, rotation, GrowthParameters()) - rotation * Vec3(Vec3::UnitY()))
                 .norm() < 1e-6F);
     }
 }
