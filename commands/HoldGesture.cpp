@@ -29,7 +29,9 @@ void HoldGesture::holdTo(double seconds)
 void HoldGesture::makeStep()
 {
     ++m_steps;
-    m_edit.apply(step(m_edit.document()));
+    TreeDelta delta = step(m_edit.document());
+    m_changes += delta.isEmpty() ? 0 : 1;
+    m_edit.apply(std::move(delta));
 }
 
 void HoldGesture::finish()

@@ -27,7 +27,7 @@ public:
     /// Time that the steps made so far stand for, s.
     double seconds() const { return m_steps / m_stepsPerSecond; }
     /// Number of the steps that have changed the tree.
-    std::size_t changeCount() const { return m_edit.deltaCount(); }
+    int changeCount() const { return m_changes; }
 
 protected:
     /// Precondition: @p branch is alive.
@@ -47,6 +47,7 @@ private:
     double m_stepsPerSecond;
     QString m_text;
     int m_steps = 0;
+    int m_changes = 0;
 };
 
 } // namespace espalier

@@ -66,8 +66,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions", "Press a branch and hold: it alone grows until you let go."), "V",
          "invigorate", true},
         {Reduce, Group::Tools, "reduce", QT_TRANSLATE_NOOP("Actions", "Reduce"),
-         QT_TRANSLATE_NOOP("Actions", "Press a branch and hold: its youngest growth goes, step by step."), "R",
-         "reduce", true},
+         QT_TRANSLATE_NOOP("Actions", "Press a branch and hold: its youngest growth goes, step by step."),
+         "R", "reduce", true},
         {GrowStep, Group::Tools, "growStep", QT_TRANSLATE_NOOP("Actions", "Grow One Step"),
          QT_TRANSLATE_NOOP("Actions", "Let the tree grow one step on its own."), "G", ""},
         {SmallerBrush, Group::Tools, "smallerBrush", QT_TRANSLATE_NOOP("Actions", "Smaller Brush"),
@@ -123,8 +123,8 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush,      ActionId::Lasso, ActionId::Grow,
-                                       ActionId::Prune,      ActionId::Bend,  ActionId::Width,
+    static constexpr std::array kTools{ActionId::Brush,      ActionId::Lasso,  ActionId::Grow,
+                                       ActionId::Prune,      ActionId::Bend,   ActionId::Width,
                                        ActionId::Invigorate, ActionId::Reduce, ActionId::SelectBud};
     return kTools;
 }

@@ -15,8 +15,9 @@ using enum ParameterText::Scale;
 
 constexpr ParameterText kModel[] = {
     {"growth.model", QT_TRANSLATE_NOOP("Parameters", "Growth model"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Treesketch: buds compete for space and light. Vigour: light decides how "
-                                     "fast each shoot grows, month by month."),
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Treesketch: buds compete for space and light. Vigour: light decides how "
+                       "fast each shoot grows, month by month."),
      Linear, 2, "", 1.0, "",
      QT_TRANSLATE_NOOP("Parameters",
                        "Self-organising competition, or shoot growth by vigour with apical control.")},
@@ -57,8 +58,8 @@ constexpr ParameterText kVigourBuds[] = {
      QT_TRANSLATE_NOOP("Parameters", "How strongly growing tips hold back the buds below them."), Cubic, 2,
      "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Apical dominance: auxin from lit apical buds.")},
     {"vigour.inhibitorLoss", QT_TRANSLATE_NOOP("Parameters", "Reach of the inhibition"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Lost at each internode: more lets buds break nearer to the tip."), Cubic,
-     2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the inhibitor on its way down.")},
+     QT_TRANSLATE_NOOP("Parameters", "Lost at each internode: more lets buds break nearer to the tip."),
+     Cubic, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the inhibitor on its way down.")},
 };
 
 constexpr ParameterText kVigourControl[] = {
@@ -342,7 +343,8 @@ constexpr ParameterSection kSections[] = {
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Bud break"), kVigourBuds, Vigour},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Control"), kVigourControl, Vigour},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Tropisms"), kVigourTropisms, Vigour},
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Weight and shade"), kVigourWeight, Vigour},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Weight and shade"), kVigourWeight,
+     Vigour},
     {ParameterSheet::Brush, QT_TRANSLATE_NOOP("Parameters", "Room to grow"), kMarkers},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Form"), kLeafForm},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Place"), kLeafPlace},
@@ -353,17 +355,17 @@ constexpr ParameterSection kSections[] = {
 
 // The names of the choices in ParameterInfo, as a person reads them.
 [[maybe_unused]] constexpr const char* kChoices[] = {
-    QT_TRANSLATE_NOOP("Parameters", "ovate"),    QT_TRANSLATE_NOOP("Parameters", "lanceolate"),
-    QT_TRANSLATE_NOOP("Parameters", "lobed"),    QT_TRANSLATE_NOOP("Parameters", "needles"),
-    QT_TRANSLATE_NOOP("Parameters", "furrowed"), QT_TRANSLATE_NOOP("Parameters", "smooth"),
-    QT_TRANSLATE_NOOP("Parameters", "plated"),   QT_TRANSLATE_NOOP("Parameters", "birch"),
-    QT_TRANSLATE_NOOP("Parameters", "cordate"),  QT_TRANSLATE_NOOP("Parameters", "palmate"),
-    QT_TRANSLATE_NOOP("Parameters", "pinnate"),  QT_TRANSLATE_NOOP("Parameters", "willow"),
-    QT_TRANSLATE_NOOP("Parameters", "fascicle"), QT_TRANSLATE_NOOP("Parameters", "frond"),
-    QT_TRANSLATE_NOOP("Parameters", "cherry"),   QT_TRANSLATE_NOOP("Parameters", "mottled"),
-    QT_TRANSLATE_NOOP("Parameters", "fibrous"),  QT_TRANSLATE_NOOP("Parameters", "ringed"),
-    QT_TRANSLATE_NOOP("Parameters", "shoot"),    QT_TRANSLATE_NOOP("Parameters", "spiral"),
-    QT_TRANSLATE_NOOP("Parameters", "opposite"), QT_TRANSLATE_NOOP("Parameters", "flat"),
+    QT_TRANSLATE_NOOP("Parameters", "ovate"),      QT_TRANSLATE_NOOP("Parameters", "lanceolate"),
+    QT_TRANSLATE_NOOP("Parameters", "lobed"),      QT_TRANSLATE_NOOP("Parameters", "needles"),
+    QT_TRANSLATE_NOOP("Parameters", "furrowed"),   QT_TRANSLATE_NOOP("Parameters", "smooth"),
+    QT_TRANSLATE_NOOP("Parameters", "plated"),     QT_TRANSLATE_NOOP("Parameters", "birch"),
+    QT_TRANSLATE_NOOP("Parameters", "cordate"),    QT_TRANSLATE_NOOP("Parameters", "palmate"),
+    QT_TRANSLATE_NOOP("Parameters", "pinnate"),    QT_TRANSLATE_NOOP("Parameters", "willow"),
+    QT_TRANSLATE_NOOP("Parameters", "fascicle"),   QT_TRANSLATE_NOOP("Parameters", "frond"),
+    QT_TRANSLATE_NOOP("Parameters", "cherry"),     QT_TRANSLATE_NOOP("Parameters", "mottled"),
+    QT_TRANSLATE_NOOP("Parameters", "fibrous"),    QT_TRANSLATE_NOOP("Parameters", "ringed"),
+    QT_TRANSLATE_NOOP("Parameters", "shoot"),      QT_TRANSLATE_NOOP("Parameters", "spiral"),
+    QT_TRANSLATE_NOOP("Parameters", "opposite"),   QT_TRANSLATE_NOOP("Parameters", "flat"),
     QT_TRANSLATE_NOOP("Parameters", "treesketch"), QT_TRANSLATE_NOOP("Parameters", "vigour"),
 };
 

@@ -45,8 +45,8 @@ constexpr OperationKind kKinds[] = {
     kindOf<PruneOperation>(),         kindOf<TravelOperation>(),      kindOf<UndoOperation>(),
     kindOf<RedoOperation>(),          kindOf<BendOperation>(),        kindOf<SetWidthOperation>(),
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
-    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),
-    kindOf<InvigorateOperation>(),    kindOf<ReduceOperation>(),
+    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
+    kindOf<ReduceOperation>(),
 };
 
 } // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "commands/recipe/InternodeReference.h"
 #include "commands/recipe/HeldTime.h"
+#include "commands/recipe/InternodeReference.h"
 #include "commands/recipe/RecipeOperation.h"
 
 namespace espalier {

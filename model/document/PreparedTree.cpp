@@ -6,9 +6,7 @@
 namespace espalier {
 
 PreparedTree::PreparedTree(Tree whole, Journal history, std::size_t ahead)
-    : tree(std::move(whole)),
-      journal(std::move(history)),
-      growthModel(std::make_unique<NamedModel>())
+    : tree(std::move(whole)), journal(std::move(history)), growthModel(std::make_unique<NamedModel>())
 {
     for (; ahead > 0; --ahead) {
         tree.revert(*journal.back());

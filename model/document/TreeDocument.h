@@ -45,7 +45,8 @@ public:
 
     const Tree& tree() const { return m_tree; }
     const TreeIndex& index() const { return m_index; }
-    /// The growth model, up to date; it grows by the model that the parameters in force name. Only for the document's thread, since the call may update the model.
+    /// The growth model, up to date; it grows by the model that the parameters in force name. Only for the
+    /// document's thread, since the call may update the model.
     const GrowthModel& growthModel() const
     {
         m_growthModel->settle(m_tree, m_index);

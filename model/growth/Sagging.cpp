@@ -92,8 +92,7 @@ void sagBranches(GrowingTree& growing, const VigourFlux& flux, const VigourParam
             continue;
         const Rotation turn(Eigen::AngleAxisf(static_cast<float>(angle), axis / sine));
         const Rotation carrier = growing.rotation(tree.parent(id));
-        growing.turn(id,
-                     (carrier.conjugate() * turn * carrier * tree.columns().rotation[id]).normalized());
+        growing.turn(id, (carrier.conjugate() * turn * carrier * tree.columns().rotation[id]).normalized());
     }
 }
 

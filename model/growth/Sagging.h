@@ -7,10 +7,10 @@ namespace espalier {
 
 /// The weight on an internode: of itself and all that it carries.
 struct BranchLoad {
-    double mass = 0.0;            ///< Of internodes as thick as a tip and as long as the parameters say
+    double mass = 0.0; ///< Of internodes as thick as a tip and as long as the parameters say
     Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< Mass times position, m
-    double tips = 0.0;            ///< Twig tips that it carries
-    float lowest = 0.0F;          ///< Height of the lowest node above it, m
+    double tips = 0.0;                                ///< Twig tips that it carries
+    float lowest = 0.0F;                              ///< Height of the lowest node above it, m
     BranchLoad& operator+=(const BranchLoad& other)
     {
         mass += other.mass;

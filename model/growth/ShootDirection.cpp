@@ -22,10 +22,9 @@ std::array<Vec3, 13> upperDirections()
     const auto ring = [&](int points, double elevation) {
         for (int i = 0; i < points; ++i) {
             const double azimuth = 2.0 * std::numbers::pi * (i + 0.5) / points;
-            directions[count++] =
-                Vec3(static_cast<float>(std::cos(elevation) * std::cos(azimuth)),
-                     static_cast<float>(std::sin(elevation)),
-                     static_cast<float>(std::cos(elevation) * std::sin(azimuth)));
+            directions[count++] = Vec3(static_cast<float>(std::cos(elevation) * std::cos(azimuth)),
+                                       static_cast<float>(std::sin(elevation)),
+                                       static_cast<float>(std::cos(elevation) * std::sin(azimuth)));
         }
     };
     ring(4, radians(60));

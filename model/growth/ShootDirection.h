@@ -17,7 +17,8 @@ Vec3 lightDirection(const VoxelSpace& space, const Vec3& position);
 
 /// The direction of the internode that grows from @p bud by the vigour model, a unit vector: the bud's, with
 /// the random turn of the axis or the horizontal tropism of a new lateral, then turned by gravitropism and
-/// phototropism. Below 0, gravitropism turns branches down, but the trunk up. @p order of the new internode's axis.
+/// phototropism. Below 0, gravitropism turns branches down, but the trunk up. @p order of the new internode's
+/// axis.
 Vec3 shootDirection(const GrowingTree& growing, const VoxelSpace& space, const VigourParameters& parameters,
                     const BudRef& bud, int order);
 

@@ -11,7 +11,7 @@ namespace espalier {
 namespace {
 
 /// A shoot that lives on added vigour alone grows as if it had at least this light.
-constexpr double kLightOfAddedVigour = 0.6;
+constexpr double kLightOfAddedVigour = 0.4;
 constexpr std::size_t kNodesPerTask = 2048;
 
 } // namespace

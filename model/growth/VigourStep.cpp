@@ -267,8 +267,7 @@ TreeDelta vigourStepToward(const Tree& tree, const TreeIndex& index, const Voxel
     const std::vector<EnabledBud> enabled = competition.enabled();
     if (enabled.empty())
         return growing.takeDelta();
-    const VigourFlux flux(growing, space, p,
-                          {.competitors = options.competitors, .years = kYearsUnderBrush});
+    const VigourFlux flux(growing, space, p, {.competitors = options.competitors, .years = kYearsUnderBrush});
 
     std::vector<VigorousShoot> shoots;
     double greatest = 0.0;

@@ -7,9 +7,9 @@ namespace espalier {
 
 /// A growth step of the vigour model without a brush: a month (EvoEngine 2024; Strands 2024 §4.1). Tips
 /// lengthen, and pass on to a new internode when theirs is long enough; lateral buds break; branches sag
-/// under the new weight; shaded ends are shed. Vigour that was added (addedVigour) lets its subtree grow up to
-/// three times as much, with longer internodes and more laterals, until it is used up. The delta is empty if
-/// nothing grew.
+/// under the new weight; shaded ends are shed. Vigour that was added (addedVigour) lets its subtree grow up
+/// to three times as much, with longer internodes and more laterals, until it is used up. The delta is empty
+/// if nothing grew.
 TreeDelta vigourStep(const Tree& tree, const TreeIndex& index, const VoxelSpace& space,
                      const GrowthStepOptions& options, GrowthWorkspace& workspace);
 

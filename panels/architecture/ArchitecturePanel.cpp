@@ -155,8 +155,8 @@ void ArchitecturePanel::chooseSpecies(int item)
 void ArchitecturePanel::follow()
 {
     const TreeParameters& shown = m_editor.shown();
-    const auto found =
-        std::ranges::find(vigourSpecies(), shown.vigour, &VigourSpecies::parameters) - vigourSpecies().begin();
+    const auto found = std::ranges::find(vigourSpecies(), shown.vigour, &VigourSpecies::parameters) -
+                       vigourSpecies().begin();
     const bool isSpecies = found < std::ssize(vigourSpecies());
     m_species->setCurrentIndex(isSpecies ? static_cast<int>(found) + 1 : 0);
     const bool isVigour = shown.growth.model == GrowthModelKind::Vigour;

@@ -21,7 +21,8 @@ class ValueField;
 
 /// The choice of the growth model, and the parameters of the model in force. TreeSketch's are drawings with
 /// handles to drag (§3.4, figure 16): cards side by side, one with the schematic tree; sliders and switches;
-/// and on demand its other parameters. The vigour model's are rows, and a choice of species. Contents that are too wide for the window scroll sideways.
+/// and on demand its other parameters. The vigour model's are rows, and a choice of species. Contents that
+/// are too wide for the window scroll sideways.
 class ArchitecturePanel : public Bar {
     Q_OBJECT
 

@@ -140,9 +140,9 @@ void InterruptionsTest::interruption_endsTheGestureAsOneUndoStep_data()
     const auto add = [](ActionId tool, const char* name, const char* what) {
         QTest::addRow("%s, %s", name, what) << tool << QString::fromLatin1(what);
     };
-    const std::pair<ActionId, const char*> tools[] = {{Brush, "brush"}, {Bend, "bend"},   {Width, "width"},
-                                                      {Prune, "prune"}, {Lasso, "lasso"}, {Grow, "grow"},
-                                                      {Invigorate, "invigorate"}, {Reduce, "reduce"}};
+    const std::pair<ActionId, const char*> tools[] = {
+        {Brush, "brush"}, {Bend, "bend"}, {Width, "width"},           {Prune, "prune"},
+        {Lasso, "lasso"}, {Grow, "grow"}, {Invigorate, "invigorate"}, {Reduce, "reduce"}};
     for (const auto& [tool, name] : tools) {
         add(tool, name, "P");
         add(tool, name, "W");

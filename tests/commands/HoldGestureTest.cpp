@@ -263,7 +263,7 @@ void HoldGestureTest::reducedToTheEnd_keepsTheHeldInternode()
     ReduceGesture nothing(document, 0);
     nothing.holdTo(1.0);
     nothing.finish();
-    QCOMPARE(nothing.changeCount(), std::size_t{0});
+    QCOMPARE(nothing.changeCount(), 0);
     QCOMPARE(differenceFrom(before, document), QString());
 }
 

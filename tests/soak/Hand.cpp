@@ -205,8 +205,7 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
         doesAny<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
                 RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation, ImportOperation,
-                InvigorateOperation, ReduceOperation>(
-            Hand(document, random), operation);
+                InvigorateOperation, ReduceOperation>(Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

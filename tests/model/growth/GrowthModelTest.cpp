@@ -59,9 +59,8 @@ TreeDelta stepOf(const TreeDocument& document, std::unique_ptr<GrowthModel> mode
 GrowthModelKind modelOf(const TreeDocument& document)
 {
     GrowthWorkspace workspace;
-    const TreeDelta delta =
-        document.growthModel().growFreely(document.tree(), document.index(),
-                                          GrowthStepOptions::of(document.parameters().growth), workspace);
+    const TreeDelta delta = document.growthModel().growFreely(
+        document.tree(), document.index(), GrowthStepOptions::of(document.parameters().growth), workspace);
     const bool isVigour = delta == stepOf(document, std::make_unique<VigourModel>());
     const bool isTreeSketch = delta == stepOf(document, std::make_unique<SelfOrganisingModel>());
     if (isVigour == isTreeSketch)
