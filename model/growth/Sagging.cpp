@@ -37,6 +37,7 @@ std::vector<BranchLoad> loadsOf(const GrowingTree& growing, const VigourFlux& fl
         const Vec3 node = isAfter ? growing.stretchedPosition(id) : growing.nodePosition(id);
         const double mass = thickness * thickness * length / internodeLength;
         const Vec3 middle = node - 0.5F * length * growing.heading(id);
+        load.reach += length;
         load.mass += mass;
         load.moment += mass * middle.cast<double>();
         load.lowest = std::min(load.lowest == 0.0F ? node.y() : load.lowest, node.y());
@@ -72,9 +73,11 @@ void sagBranches(GrowingTree& growing, const VigourFlux& flux, const VigourParam
     const auto counted = [&](const BranchLoad& load, const Vec3& base) {
         return std::floor(kSteps * sagging(p, load, base)) / kSteps;
     };
+    std::vector<double> drops(tree.size(), 0.0); // how far nodes may move by what turns so far, m
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (!flux.takesPart(id) || flux.order(id) == 0)
             continue;
+        drops[id] = drops[tree.parent(id)];
         const Vec3 base = growing.index().basePosition(tree, id);
         const double old = counted(before[id], base);
         const double sag = counted(after[id], base);
@@ -86,10 +89,11 @@ void sagBranches(GrowingTree& growing, const VigourFlux& flux, const VigourParam
         if (sine < 1e-3F)
             continue;
         const double angle = std::atan2(sine, -heading.y()) * (sag - old) / (1.0 - old);
-        // The lowest node moves down by at most the angle times its distance.
-        const Eigen::Vector3d centre = after[id].moment / after[id].mass - base.cast<double>();
-        if (after[id].lowest < 3.0 * angle * centre.norm())
+        // No node of the branch moves further than the angle times its distance.
+        const double moved = drops[id] + angle * after[id].reach;
+        if (after[id].lowest < moved)
             continue;
+        drops[id] = moved;
         const Rotation turn(Eigen::AngleAxisf(static_cast<float>(angle), axis / sine));
         const Rotation carrier = growing.rotation(tree.parent(id));
         growing.turn(id, (carrier.conjugate() * turn * carrier * tree.columns().rotation[id]).normalized());

@@ -55,8 +55,9 @@ public:
     bool grow(VigorousShoot& shoot)
     {
         const auto [node, slot] = shoot.bud;
-        // A new internode has the length that it gets in this step.
+        // A new internode has the length that it gets in this step, and one with branches is mature.
         if (slot == kTerminalSlot && !m_growing.isNew(node) &&
+            m_growing.index().firstChild(node) == kNoInternode &&
             m_growing.length(node) < fullLength(shoot, m_growing.key(node))) {
             if (!lengthen(shoot))
                 return false;

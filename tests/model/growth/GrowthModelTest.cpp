@@ -176,8 +176,8 @@ void GrowthModelTest::recipe_changesTheModelInTheMiddle()
     QVERIFY(recipe);
     TreeDocument document;
     RecipePlayer player(document, *recipe);
-    player.advance(std::numeric_limits<double>::infinity());
-    QVERIFY(player.isDone());
+    while (!player.isDone())
+        player.advance(std::numeric_limits<double>::infinity());
     QCOMPARE(player.warnings(), QStringList());
     bool hasLengthened = false;
     for (const auto& delta : document.journal())

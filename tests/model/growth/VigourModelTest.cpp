@@ -161,8 +161,8 @@ void VigourModelTest::loneLitShoot_growsAtHalfTheRate()
     document.reset(1, vigorous());
     const FluxOf flux(document, {});
     QCOMPARE(flux->nodes().size(), std::size_t{1});
-    QCOMPARE(flux->light(0), 1.0);
-    QCOMPARE(flux->rate(0), 0.5);
+    QVERIFY(std::abs(flux->light(0) - 1.0) < 1e-5);
+    QVERIFY(std::abs(flux->rate(0) - 0.5) < 1e-5);
 }
 
 void VigourModelTest::apicalControl_ordersTheAxes()
@@ -296,7 +296,7 @@ void VigourModelTest::sagging_neverRises()
     VigourParameters vigour = branchy();
     vigour.bending = 20.0;
     vigour.bendingMaximum = 0.3;
-    BranchLoad load{.mass = 10.0, .moment = {10.0, 5.0, 0.0}, .tips = 4.0, .lowest = 1.0F};
+    BranchLoad load{.mass = 10.0, .moment = {10.0, 5.0, 0.0}, .tips = 4.0, .lowest = 1.0F, .reach = 2.0};
     const double light = sagging(vigour, load, Vec3::Zero());
     load.moment *= 2.0;
     const double heavy = sagging(vigour, load, Vec3::Zero());
