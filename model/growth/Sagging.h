@@ -11,7 +11,7 @@ struct BranchLoad {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< Mass times position, m
     double tips = 0.0;                                ///< Twig tips that it carries
     float lowest = 0.0F;                              ///< Height of the lowest node above it, m
-    double reach = 0.0; ///< Length of the longest way through it to a tip, m
+    double reach = 0.0;                               ///< Length of the longest way through it to a tip, m
     BranchLoad& operator+=(const BranchLoad& other)
     {
         mass += other.mass;
