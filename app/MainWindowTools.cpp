@@ -11,8 +11,10 @@
 #include "views/tools/BendTool.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/GrowTool.h"
+#include "views/tools/InvigorateTool.h"
 #include "views/tools/LassoTool.h"
 #include "views/tools/PruneTool.h"
+#include "views/tools/ReduceTool.h"
 #include "views/tools/SelectBudTool.h"
 #include "views/tools/WidthTool.h"
 
@@ -76,6 +78,12 @@ void MainWindow::takeTool()
         break;
     case ActionId::Prune:
         viewport.setTool(std::make_unique<PruneTool>(context));
+        break;
+    case ActionId::Invigorate:
+        viewport.setTool(std::make_unique<InvigorateTool>(context));
+        break;
+    case ActionId::Reduce:
+        viewport.setTool(std::make_unique<ReduceTool>(context));
         break;
     case ActionId::SelectBud:
         viewport.setTool(std::make_unique<SelectBudTool>(context));

@@ -62,6 +62,12 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
         {Lasso, Group::Tools, "lasso", QT_TRANSLATE_NOOP("Actions", "Lasso"),
          QT_TRANSLATE_NOOP("Actions", "Draw the silhouette of a crown: the tree grows until it fills it."),
          "O", "lasso", true},
+        {Invigorate, Group::Tools, "invigorate", QT_TRANSLATE_NOOP("Actions", "Invigorate"),
+         QT_TRANSLATE_NOOP("Actions", "Press a branch and hold: it alone grows until you let go."), "V",
+         "invigorate", true},
+        {Reduce, Group::Tools, "reduce", QT_TRANSLATE_NOOP("Actions", "Reduce"),
+         QT_TRANSLATE_NOOP("Actions", "Press a branch and hold: its youngest growth goes, step by step."),
+         "R", "reduce", true},
         {GrowStep, Group::Tools, "growStep", QT_TRANSLATE_NOOP("Actions", "Grow One Step"),
          QT_TRANSLATE_NOOP("Actions", "Let the tree grow one step on its own."), "G", ""},
         {SmallerBrush, Group::Tools, "smallerBrush", QT_TRANSLATE_NOOP("Actions", "Smaller Brush"),
@@ -117,8 +123,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush, ActionId::Lasso, ActionId::Grow,     ActionId::Prune,
-                                       ActionId::Bend,  ActionId::Width, ActionId::SelectBud};
+    static constexpr std::array kTools{ActionId::Brush,      ActionId::Lasso,  ActionId::Grow,
+                                       ActionId::Prune,      ActionId::Bend,   ActionId::Width,
+                                       ActionId::Invigorate, ActionId::Reduce, ActionId::SelectBud};
     return kTools;
 }
 

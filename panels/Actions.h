@@ -31,6 +31,8 @@ enum class ActionId {
     Bend,
     Width,
     Lasso,
+    Invigorate,
+    Reduce,
     GrowStep,
     SmallerBrush,
     LargerBrush,

@@ -13,6 +13,96 @@ namespace {
 
 using enum ParameterText::Scale;
 
+constexpr ParameterText kModel[] = {
+    {"growth.model", QT_TRANSLATE_NOOP("Parameters", "Growth model"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Treesketch: buds compete for space and light. Vigour: light decides how "
+                       "fast each shoot grows, month by month."),
+     Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Self-organising competition, or shoot growth by vigour with apical control.")},
+};
+
+constexpr ParameterText kVigourShoot[] = {
+    {"vigour.growthRate", QT_TRANSLATE_NOOP("Parameters", "Growth in a year"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much the strongest shoot grows in full light, in twelve steps."),
+     Logarithmic, 0, "cm", 100.0, "", QT_TRANSLATE_NOOP("Parameters", "Annual elongation of a shoot.")},
+    {"vigour.internodeLength", QT_TRANSLATE_NOOP("Parameters", "Length of internodes"), "",
+     QT_TRANSLATE_NOOP("Parameters", "An internode lengthens over several steps, up to this."), Logarithmic,
+     1, "cm", 100.0, "", QT_TRANSLATE_NOOP("Parameters", "Length of a mature metamer.")},
+    {"vigour.branchingAngle", QT_TRANSLATE_NOOP("Parameters", "Angle of laterals"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Between an axis and a branch that begins on it."), Linear, 0, "°", 1.0,
+     "", QT_TRANSLATE_NOOP("Parameters", "Angle of insertion of a lateral shoot.")},
+    {"vigour.lateralBuds", QT_TRANSLATE_NOOP("Parameters", "Lateral buds"), "",
+     QT_TRANSLATE_NOOP("Parameters", "At each node: one makes a spiral, two crossed pairs, more a whorl."),
+     Linear, 0, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Alternate, opposite or verticillate.")},
+};
+
+constexpr ParameterText kVigourAxis[] = {
+    {"vigour.rollSpread", QT_TRANSLATE_NOOP("Parameters", "Spread of the roll"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How irregularly branches stand around their axis."), Linear, 0, "°",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Standard deviation of the divergence angle.")},
+    {"vigour.apicalSpread", QT_TRANSLATE_NOOP("Parameters", "Wandering"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much an axis changes its direction from node to node."), Linear, 1,
+     "°", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Standard deviation of the apical angle.")},
+    {"vigour.maximumOrder", QT_TRANSLATE_NOOP("Parameters", "Orders of branches"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Branches of branches of branches: this many, and no more."), Linear, 0,
+     "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Highest order of an axis.")},
+};
+
+constexpr ParameterText kVigourBuds[] = {
+    {"vigour.flushingRate", QT_TRANSLATE_NOOP("Parameters", "Flushing"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How readily lateral buds become branches."), Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Chance of lateral bud break for each internode of growth.")},
+    {"vigour.apicalDominance", QT_TRANSLATE_NOOP("Parameters", "Inhibition"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How strongly growing tips hold back the buds below them."), Cubic, 2,
+     "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Apical dominance: auxin from lit apical buds.")},
+    {"vigour.inhibitorLoss", QT_TRANSLATE_NOOP("Parameters", "Reach of the inhibition"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Lost at each internode: more lets buds break nearer to the tip."),
+     Cubic, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the inhibitor on its way down.")},
+};
+
+constexpr ParameterText kVigourControl[] = {
+    {"vigour.apicalControl", QT_TRANSLATE_NOOP("Parameters", "Apical control"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Above 1 the trunk outgrows its branches, as in a spruce; below 1 they outgrow it."),
+     Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Excurrent above 1, decurrent below.")},
+    {"vigour.distanceControl", QT_TRANSLATE_NOOP("Parameters", "Tired with distance"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much less shoots grow that are far from the root."), Linear, 2, "",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with the distance to the root.")},
+    {"vigour.heightControl", QT_TRANSLATE_NOOP("Parameters", "Tired with height"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much less high shoots grow: more makes flat crowns."), Linear, 2,
+     "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with height.")},
+};
+
+constexpr ParameterText kVigourTropisms[] = {
+    {"vigour.gravitropism", QT_TRANSLATE_NOOP("Parameters", "Gravitropism"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Above 0 shoots turn up at each node, below 0 branches turn down."),
+     Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Orthotropic above 0, positively gravitropic below.")},
+    {"vigour.phototropism", QT_TRANSLATE_NOOP("Parameters", "Phototropism"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How far shoots turn to the light at each node."), Cubic, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Growth toward the brightest direction.")},
+    {"vigour.horizontalTropism", QT_TRANSLATE_NOOP("Parameters", "Level branches"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How far a new branch turns to the level when it begins."), Linear, 2,
+     "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Plagiotropy of lateral shoots.")},
+};
+
+constexpr ParameterText kVigourWeight[] = {
+    {"vigour.bending", QT_TRANSLATE_NOOP("Parameters", "Sagging"), "k",
+     QT_TRANSLATE_NOOP("Parameters", "How far branches sag under their weight as they grow."), Cubic, 1, "",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Gravimorphic bending by branch load.")},
+    {"vigour.bendingExponent", QT_TRANSLATE_NOOP("Parameters", "Stiff with age"), "p",
+     QT_TRANSLATE_NOOP("Parameters", "How much thick wood resists: more bends only the thin ends."), Linear,
+     2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Exponent of thickness in flexural stiffness.")},
+    {"vigour.bendingMaximum", QT_TRANSLATE_NOOP("Parameters", "Most sagging"), "",
+     QT_TRANSLATE_NOOP("Parameters", "At most this part of the angle to straight down, for each internode."),
+     Cubic, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Limit of the bend of an internode.")},
+    {"vigour.lightPruning", QT_TRANSLATE_NOOP("Parameters", "Shade pruning"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Ends of branches with less light than this fall."), Linear, 2, "", 1.0,
+     "", QT_TRANSLATE_NOOP("Parameters", "Cladoptosis of shaded shoots.")},
+};
+
 constexpr ParameterText kTropism[] = {
     {"growth.setPointAngle", QT_TRANSLATE_NOOP("Parameters", "Set-point angle"), "θ",
      QT_TRANSLATE_NOOP("Parameters", "Where shoots turn: 0° is up, 90° level, and more makes them weep."),
@@ -238,6 +328,7 @@ constexpr ParameterText kBark[] = {
 using enum ParameterSection::Look;
 
 constexpr ParameterSection kSections[] = {
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Model"), kModel, Model},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Tropism"), kTropism, Diagram},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Gravimorphism"), kGravimorphism, Diagram},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Branching"), kBranching, Diagram},
@@ -247,6 +338,13 @@ constexpr ParameterSection kSections[] = {
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Habit"), kHabit, Rows},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shoot"), kShoot, More},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shade"), kShadow, More},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Shoot"), kVigourShoot, Vigour},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Axis"), kVigourAxis, Vigour},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Bud break"), kVigourBuds, Vigour},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Control"), kVigourControl, Vigour},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Tropisms"), kVigourTropisms, Vigour},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Weight and shade"), kVigourWeight,
+     Vigour},
     {ParameterSheet::Brush, QT_TRANSLATE_NOOP("Parameters", "Room to grow"), kMarkers},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Form"), kLeafForm},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Place"), kLeafPlace},
@@ -257,17 +355,18 @@ constexpr ParameterSection kSections[] = {
 
 // The names of the choices in ParameterInfo, as a person reads them.
 [[maybe_unused]] constexpr const char* kChoices[] = {
-    QT_TRANSLATE_NOOP("Parameters", "ovate"),    QT_TRANSLATE_NOOP("Parameters", "lanceolate"),
-    QT_TRANSLATE_NOOP("Parameters", "lobed"),    QT_TRANSLATE_NOOP("Parameters", "needles"),
-    QT_TRANSLATE_NOOP("Parameters", "furrowed"), QT_TRANSLATE_NOOP("Parameters", "smooth"),
-    QT_TRANSLATE_NOOP("Parameters", "plated"),   QT_TRANSLATE_NOOP("Parameters", "birch"),
-    QT_TRANSLATE_NOOP("Parameters", "cordate"),  QT_TRANSLATE_NOOP("Parameters", "palmate"),
-    QT_TRANSLATE_NOOP("Parameters", "pinnate"),  QT_TRANSLATE_NOOP("Parameters", "willow"),
-    QT_TRANSLATE_NOOP("Parameters", "fascicle"), QT_TRANSLATE_NOOP("Parameters", "frond"),
-    QT_TRANSLATE_NOOP("Parameters", "cherry"),   QT_TRANSLATE_NOOP("Parameters", "mottled"),
-    QT_TRANSLATE_NOOP("Parameters", "fibrous"),  QT_TRANSLATE_NOOP("Parameters", "ringed"),
-    QT_TRANSLATE_NOOP("Parameters", "shoot"),    QT_TRANSLATE_NOOP("Parameters", "spiral"),
-    QT_TRANSLATE_NOOP("Parameters", "opposite"), QT_TRANSLATE_NOOP("Parameters", "flat"),
+    QT_TRANSLATE_NOOP("Parameters", "ovate"),      QT_TRANSLATE_NOOP("Parameters", "lanceolate"),
+    QT_TRANSLATE_NOOP("Parameters", "lobed"),      QT_TRANSLATE_NOOP("Parameters", "needles"),
+    QT_TRANSLATE_NOOP("Parameters", "furrowed"),   QT_TRANSLATE_NOOP("Parameters", "smooth"),
+    QT_TRANSLATE_NOOP("Parameters", "plated"),     QT_TRANSLATE_NOOP("Parameters", "birch"),
+    QT_TRANSLATE_NOOP("Parameters", "cordate"),    QT_TRANSLATE_NOOP("Parameters", "palmate"),
+    QT_TRANSLATE_NOOP("Parameters", "pinnate"),    QT_TRANSLATE_NOOP("Parameters", "willow"),
+    QT_TRANSLATE_NOOP("Parameters", "fascicle"),   QT_TRANSLATE_NOOP("Parameters", "frond"),
+    QT_TRANSLATE_NOOP("Parameters", "cherry"),     QT_TRANSLATE_NOOP("Parameters", "mottled"),
+    QT_TRANSLATE_NOOP("Parameters", "fibrous"),    QT_TRANSLATE_NOOP("Parameters", "ringed"),
+    QT_TRANSLATE_NOOP("Parameters", "shoot"),      QT_TRANSLATE_NOOP("Parameters", "spiral"),
+    QT_TRANSLATE_NOOP("Parameters", "opposite"),   QT_TRANSLATE_NOOP("Parameters", "flat"),
+    QT_TRANSLATE_NOOP("Parameters", "treesketch"), QT_TRANSLATE_NOOP("Parameters", "vigour"),
 };
 
 } // namespace

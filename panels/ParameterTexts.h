@@ -44,6 +44,8 @@ struct ParameterSection {
         Rows,
         Diagram, ///< As a diagram with handles
         More,    ///< As rows that show on demand
+        Model,   ///< As rows that always show; the others show if the model that they belong to is in force
+        Vigour,  ///< As rows of the vigour model
     };
     Look look = Look::Rows;
 };

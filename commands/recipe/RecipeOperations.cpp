@@ -4,11 +4,13 @@
 #include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/GrowOperation.h"
 #include "commands/recipe/ImportOperation.h"
+#include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/RecipeOperation.h"
 #include "commands/recipe/RecipeText.h"
 #include "commands/recipe/RedoOperation.h"
+#include "commands/recipe/ReduceOperation.h"
 #include "commands/recipe/RegrowOperation.h"
 #include "commands/recipe/RemoveLassoOperation.h"
 #include "commands/recipe/SetParametersOperation.h"
@@ -43,7 +45,8 @@ constexpr OperationKind kKinds[] = {
     kindOf<PruneOperation>(),         kindOf<TravelOperation>(),      kindOf<UndoOperation>(),
     kindOf<RedoOperation>(),          kindOf<BendOperation>(),        kindOf<SetWidthOperation>(),
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
-    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),
+    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
+    kindOf<ReduceOperation>(),
 };
 
 } // namespace

@@ -121,12 +121,6 @@ void TreeDocument::travelTo(std::size_t position)
     }
 }
 
-void TreeDocument::setGrowthModel(std::unique_ptr<GrowthModel> model)
-{
-    m_growthModel = std::move(model);
-    m_growthModel->rebuild(m_tree, m_index);
-}
-
 void TreeDocument::setCompetitors(const Competitors& competitors)
 {
     if (competitors == m_competitors)

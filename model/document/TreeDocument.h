@@ -45,7 +45,8 @@ public:
 
     const Tree& tree() const { return m_tree; }
     const TreeIndex& index() const { return m_index; }
-    /// The growth model, up to date. Only for the document's thread, since the call may update the model.
+    /// The growth model, up to date; it grows by the model that the parameters in force name. Only for the
+    /// document's thread, since the call may update the model.
     const GrowthModel& growthModel() const
     {
         m_growthModel->settle(m_tree, m_index);
@@ -58,9 +59,6 @@ public:
     }
     /// A model of the same kind for a copy of the tree.
     std::unique_ptr<GrowthModel> freshGrowthModel() const { return m_growthModel->fresh(); }
-    /// The tree grows by @p model (not null) from now on. Internodes that exist stay as they are. reset()
-    /// makes the model a SelfOrganisingModel again.
-    void setGrowthModel(std::unique_ptr<GrowthModel> model);
     /// The living nodes, for picking; brought up to date like growthModel().
     const PickIndex& pickIndex() const
     {

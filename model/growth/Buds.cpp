@@ -11,6 +11,8 @@ namespace {
 constexpr double kBranchingSpread = radians(18);
 constexpr double kAzimuthSpread = radians(25);
 constexpr double kWidestBranching = radians(170);
+/// The vigour model has no parameter for this.
+constexpr double kVigourIrregularity = 0.4;
 
 /// Sine and cosine of an angle within ±π/2, rad, with an error below 3e-6. Taylor series take a tenth of the
 /// time of the library's functions.
@@ -41,12 +43,12 @@ struct Direction {
     }
 };
 
-double azimuthOf(const GrowthParameters& grown, int slot)
+double azimuthOf(const BudForm& form, int slot)
 {
     constexpr double kGoldenAngle = radians(137.507764);
     if (budKind(slot) == BudKind::Adventitious)
         return kGoldenAngle * (slot - kFirstAdventitiousSlot);
-    return 2.0 * std::numbers::pi * slot / grown.lateralsPerNode;
+    return 2.0 * std::numbers::pi * slot / form.laterals;
 }
 
 /// Unit direction of a lateral bud in the frame of its internode.
@@ -65,14 +67,20 @@ Vec3 scattered(InternodeKey key, int slot, double branchingAngle, const Directio
 
 } // namespace
 
-BudAngles::BudAngles(const GrowthParameters& grown)
-    : m_branchingAngle(grown.branchingAngle),
-      m_branching{std::cos(grown.branchingAngle), std::sin(grown.branchingAngle)},
-      m_irregularity(grown.irregularity),
-      m_lateralsPerNode(grown.lateralsPerNode)
+BudForm::BudForm(const TreeParameters& parameters) : BudForm(parameters.growth)
+{
+    if (parameters.growth.model != GrowthModelKind::Vigour)
+        return;
+    branchingAngle = parameters.vigour.branchingAngle;
+    irregularity = kVigourIrregularity;
+    laterals = parameters.vigour.lateralBuds;
+}
+
+BudAngles::BudAngles(const BudForm& form)
+    : m_form(form), m_branching{std::cos(form.branchingAngle), std::sin(form.branchingAngle)}
 {
     for (int slot = 0; slot < kBudSlots; ++slot) {
-        const double azimuth = azimuthOf(grown, slot);
+        const double azimuth = azimuthOf(form, slot);
         m_azimuths[static_cast<std::size_t>(slot)] = {std::cos(azimuth), std::sin(azimuth)};
     }
 }
@@ -82,21 +90,21 @@ Vec3 BudAngles::direction(InternodeKey key, int slot) const
     if (slot == kTerminalSlot)
         return Vec3::UnitY();
     const Turn& azimuth = m_azimuths[static_cast<std::size_t>(slot)];
-    return scattered(key, slot, m_branchingAngle, {m_branching.cosine, m_branching.sine},
-                     {azimuth.cosine, azimuth.sine}, m_irregularity);
+    return scattered(key, slot, m_form.branchingAngle, {m_branching.cosine, m_branching.sine},
+                     {azimuth.cosine, azimuth.sine}, m_form.irregularity);
 }
 
-Vec3 budDirection(InternodeKey key, int slot, const Rotation& rotation, const GrowthParameters& grown)
+Vec3 budDirection(InternodeKey key, int slot, const Rotation& rotation, const BudForm& form)
 {
     if (slot == kTerminalSlot)
         return rotation * Vec3(Vec3::UnitY());
-    return rotation * scattered(key, slot, grown.branchingAngle, Direction(grown.branchingAngle),
-                                Direction(azimuthOf(grown, slot)), grown.irregularity);
+    return rotation * scattered(key, slot, form.branchingAngle, Direction(form.branchingAngle),
+                                Direction(azimuthOf(form, slot)), form.irregularity);
 }
 
-BudMask newBuds(const GrowthParameters& parameters)
+BudMask newBuds(const BudForm& form)
 {
-    return static_cast<BudMask>(kTerminalBud | ((1U << parameters.lateralsPerNode) - 1U));
+    return static_cast<BudMask>(kTerminalBud | ((1U << form.laterals) - 1U));
 }
 
 } // namespace espalier

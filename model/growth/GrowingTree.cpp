@@ -13,14 +13,15 @@ GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspa
       m_rows(std::make_shared<TreeRows>())
 {
     m_workspace.buds.clear(tree.size());
+    m_workspace.lengths.clear(tree.size());
     // Only sets that have changed are prepared: a tree with a long history has many, and a step must be fast.
     std::vector<BudAngles>& angles = m_workspace.budAngles;
     std::size_t set = 0;
     for (const TreeParameters& parameters : tree.parameterSets()) {
         if (set == angles.size())
-            angles.emplace_back(parameters.growth);
-        else if (!angles[set].areOf(parameters.growth))
-            angles[set] = BudAngles(parameters.growth);
+            angles.emplace_back(parameters);
+        else if (!angles[set].areOf(parameters))
+            angles[set] = BudAngles(parameters);
         ++set;
     }
 }
@@ -50,17 +51,38 @@ InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& directio
                    .length = static_cast<float>(length),
                    .vigour = static_cast<float>(vigour),
                    .slot = static_cast<std::uint8_t>(slot),
-                   .buds = BudStates::active(newBuds(m_tree.parameters().growth)),
+                   .buds = BudStates::active(newBuds(m_tree.parameters())),
                    .birth = m_tree.step() + 1,
                    .parameterSet = static_cast<std::uint16_t>(m_tree.currentParameterSet()),
                    .key = childKey(key(parent), slot, m_tree.step() + 1)});
 
     const Placement placement =
-        placeOn(nodePosition(parent), parentRotation, local, static_cast<float>(length));
+        placeOn(stretchedPosition(parent), parentRotation, local, static_cast<float>(length));
     m_axes.push_back(slot == kTerminalSlot ? axis(parent) : id);
     m_positions.push_back(placement.node);
     m_rotations.push_back(placement.rotation);
     return id;
+}
+
+void GrowingTree::stretch(InternodeId id, float length)
+{
+    if (m_workspace.lengths.setOnce(id, length))
+        m_stretched.push_back(id);
+    else
+        m_workspace.lengths.set(id, length);
+}
+
+void GrowingTree::turn(InternodeId id, const Rotation& local)
+{
+    m_delta.internodes.rotation.push_back({id, m_tree.columns().rotation[id], local});
+}
+
+void GrowingTree::setAddedVigour(InternodeId id, float years)
+{
+    const std::optional<float> before = m_tree.content().sparse.addedVigour.at(id);
+    const std::optional<float> after = years > 0.0F ? std::optional<float>(years) : std::nullopt;
+    if (before != after)
+        m_delta.sparse.addedVigour.push_back({id, before, after});
 }
 
 std::vector<Cell> GrowingTree::newCells(const VoxelSpace& space) const
@@ -81,6 +103,8 @@ TreeDelta GrowingTree::takeDelta()
         m_delta.internodes.buds.reserve(m_changedBuds.size());
     for (const InternodeId id : m_changedBuds)
         m_delta.internodes.buds.push_back({id, m_tree.budStates(id), m_workspace.buds[id]});
+    for (const InternodeId id : m_stretched)
+        m_delta.internodes.length.push_back({id, m_tree.length(id), m_workspace.lengths[id]});
     m_delta.born.count = rows().size();
     if (m_delta.born.count > 0)
         m_delta.rows = std::move(m_rows);

@@ -14,6 +14,7 @@ struct GrowthWorkspace {
     StampedColumn<double> vigour;
     StampedColumn<BudStates> buds;
     StampedColumn<std::uint8_t> marks;
+    StampedColumn<float> lengths;
     std::vector<BudAngles> budAngles; ///< By index of the parameter set
 };
 
@@ -40,6 +41,17 @@ public:
     {
         return isNew(id) ? m_positions[id - m_tree.size()] : m_index.nodePosition(id);
     }
+    float length(InternodeId id) const
+    {
+        if (isNew(id))
+            return rows().length[id - m_tree.size()];
+        return m_workspace.lengths.has(id) ? m_workspace.lengths[id] : m_tree.length(id);
+    }
+    /// The position of the node, m, after stretch().
+    Vec3 stretchedPosition(InternodeId id) const
+    {
+        return nodePosition(id) + (isNew(id) ? 0.0F : length(id) - m_tree.length(id)) * heading(id);
+    }
     const Rotation& rotation(InternodeId id) const
     {
         return isNew(id) ? m_rotations[id - m_tree.size()] : m_index.rotation(id);
@@ -61,9 +73,9 @@ public:
     {
         return isNew(id) ? m_axes[id - m_tree.size()] : m_index.axis(id);
     }
-    const GrowthParameters& grownWith(InternodeId id) const
+    const TreeParameters& grownWith(InternodeId id) const
     {
-        return isNew(id) ? m_tree.parameters().growth : m_tree.parametersOf(id).growth;
+        return isNew(id) ? m_tree.parameters() : m_tree.parametersOf(id);
     }
 
     /// World direction of the bud @p slot at a node.
@@ -82,6 +94,14 @@ public:
     /// the shortest way to that direction
     InternodeId grow(InternodeId parent, int slot, const Vec3& direction, double roll, double length,
                      double vigour);
+    /// Gives an internode of the tree that carries no others another length, m. nodePosition() stays that of
+    /// the beginning of the step.
+    void stretch(InternodeId id, float length);
+    /// Gives an internode of the tree another local frame; nodePosition() and rotation() stay those of the
+    /// beginning of the step. At most once for each internode.
+    void turn(InternodeId id, const Rotation& local);
+    /// Sets the added vigour of an internode, years; 0 is none. At most once for each internode.
+    void setAddedVigour(InternodeId id, float years);
     /// Lets an internode of the tree die in this step; the caller kills all that it carries as well.
     void kill(InternodeId id) { m_delta.died.push_back(id); }
 
@@ -101,6 +121,7 @@ private:
     std::vector<Rotation> m_rotations;
     std::vector<InternodeId> m_axes;
     std::vector<InternodeId> m_changedBuds;
+    std::vector<InternodeId> m_stretched;
 };
 
 } // namespace espalier

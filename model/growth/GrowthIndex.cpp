@@ -175,7 +175,7 @@ std::int32_t GrowthIndex::budQ(const Tree& tree, const TreeIndex& index, Interno
     if (slot == kTerminalSlot || m_settings.ellipse.isNeutral())
         return m_sensed[id];
     const Rotation& rotation = index.rotation(id);
-    const Vec3 bud = budDirection(tree.key(id), slot, rotation, tree.parametersOf(id).growth);
+    const Vec3 bud = budDirection(tree.key(id), slot, rotation, tree.parametersOf(id));
     const double bias = gravimorphicBias(m_settings.ellipse, rotation * Vec3(Vec3::UnitY()), bud);
     return static_cast<std::int32_t>(bias * m_sensed[id] + 0.5);
 }

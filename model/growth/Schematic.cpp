@@ -25,6 +25,7 @@ constexpr double kSteepest = radians(179.5);
 
 GrowthParameters inPlane(GrowthParameters parameters)
 {
+    parameters.model = GrowthModelKind::TreeSketch;
     parameters.irregularity = 0.0;
     parameters.lateralsPerNode = std::min(parameters.lateralsPerNode, 2);
     parameters.setPointAngle = std::min(parameters.setPointAngle, kSteepest);

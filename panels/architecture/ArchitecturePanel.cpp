@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/architecture/ArchitecturePanel.h"
 
+#include "model/growth/VigourSpecies.h"
 #include "panels/ParameterRow.h"
 #include "panels/Sideways.h"
 #include "panels/Theme.h"
@@ -11,6 +12,7 @@
 #include "panels/architecture/TropismDiagram.h"
 #include "panels/architecture/ValueField.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -45,45 +47,126 @@ QLabel* captionLabel(const QString& text, QWidget* parent)
     return label;
 }
 
+/// A widget of controls side by side; returns its layout.
+QHBoxLayout* controlsLine(QWidget& widget)
+{
+    auto* line = new QHBoxLayout(&widget);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(kDiagramSpacing);
+    return line;
+}
+
 } // namespace
 
 ArchitecturePanel::ArchitecturePanel(TreeDocument& document, QWidget* parent)
-    : Bar(parent), m_editor(document), m_moreButton(new BarButton(BarButton::Look::Tab)), m_more(new QWidget)
+    : Bar(parent),
+      m_editor(document),
+      m_moreButton(new BarButton(BarButton::Look::Tab)),
+      m_treeSketch(new QWidget),
+      m_more(new QWidget),
+      m_vigour(new QWidget)
 {
     setAccessibleName(tr("Architecture"));
     auto* content = new QWidget;
     auto* line = new QHBoxLayout(content);
     line->setContentsMargins(kPanelMargin, 14, kPanelMargin, 8);
     line->setSpacing(kDiagramSpacing);
-    m_more->setParent(content);
+    for (QWidget* part : {m_treeSketch, m_vigour, m_more})
+        part->setParent(content);
+    QHBoxLayout* treeSketchLine = controlsLine(*m_treeSketch);
+    QHBoxLayout* moreLine = controlsLine(*m_more);
+    QHBoxLayout* vigourLine = controlsLine(*m_vigour);
     m_more->hide();
-    auto* moreLine = new QHBoxLayout(m_more);
-    moreLine->setContentsMargins(0, 0, 0, 0);
-    moreLine->setSpacing(kDiagramSpacing);
 
     using enum ParameterSection::Look;
     for (const ParameterSection& section : parameterSections()) {
         if (section.sheet != ParameterSheet::Architecture)
             continue;
-        QHBoxLayout* where = section.look == More ? moreLine : line;
-        if (where->count() > 0 || section.look == More)
-            where->addWidget(barSeparator(Qt::Vertical, content));
-        where->addWidget(section.look == Diagram ? makeCard(section, content) : makeColumn(section, content));
+        addSection(section, section.look == Model    ? *line
+                            : section.look == More   ? *moreLine
+                            : section.look == Vigour ? *vigourLine
+                                                     : *treeSketchLine);
     }
-    m_moreButton->setText(tr("More ›"));
-    m_moreButton->setObjectName(QStringLiteral("moreGrowth"));
-    m_moreButton->setCheckable(true);
-    m_moreButton->setToolTip(tr("The rest of what steers growth: shoots, shade, room to grow"));
-    connect(m_moreButton, &QToolButton::toggled, this, &ArchitecturePanel::showMore);
-    QWidget* last = line->itemAt(line->count() - 1)->widget();
-    auto* lines = qobject_cast<QVBoxLayout*>(last->layout());
-    lines->insertWidget(lines->count() - 1, m_moreButton, 0, Qt::AlignLeft);
+    makeSpecies(*line->itemAt(0)->widget());
+    addMoreButton(*treeSketchLine->itemAt(treeSketchLine->count() - 1)->widget());
+    line->addWidget(m_treeSketch);
     line->addWidget(m_more);
+    line->addWidget(m_vigour);
+    line->addStretch();
+    connect(&m_editor, &ParameterEditor::shownChanged, this, &ArchitecturePanel::follow);
 
     m_sideways = new Sideways(content, this);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(1, 1, 1, 1);
     whole->addWidget(m_sideways);
+    follow();
+}
+
+void ArchitecturePanel::addSection(const ParameterSection& section, QHBoxLayout& line)
+{
+    if (section.look != ParameterSection::Look::Model)
+        line.addWidget(barSeparator(Qt::Vertical, line.parentWidget()));
+    line.addWidget(section.look == ParameterSection::Look::Diagram
+                       ? makeCard(section, line.parentWidget())
+                       : makeColumn(section, line.parentWidget()));
+}
+
+void ArchitecturePanel::addMoreButton(QWidget& column)
+{
+    m_moreButton->setText(tr("More ›"));
+    m_moreButton->setObjectName(QStringLiteral("moreGrowth"));
+    m_moreButton->setCheckable(true);
+    m_moreButton->setToolTip(tr("The rest of what steers growth: shoots, shade, room to grow"));
+    connect(m_moreButton, &QToolButton::toggled, this, &ArchitecturePanel::showMore);
+    auto* lines = qobject_cast<QVBoxLayout*>(column.layout());
+    lines->insertWidget(lines->count() - 1, m_moreButton, 0, Qt::AlignLeft);
+}
+
+void ArchitecturePanel::makeSpecies(QWidget& column)
+{
+    m_species = new QComboBox(&column);
+    m_species->setObjectName(QStringLiteral("species"));
+    m_species->setAccessibleName(tr("Species"));
+    m_species->setToolTip(tr("Sets all that the vigour model goes by, as a species grows"));
+    m_species->setFocusPolicy(Qt::StrongFocus);
+    m_species->addItem(tr("No species"));
+    for (const VigourSpecies& species : vigourSpecies())
+        m_species->addItem(parameterTr(species.name));
+    connect(m_species, &QComboBox::activated, this, &ArchitecturePanel::chooseSpecies);
+    auto* lines = qobject_cast<QVBoxLayout*>(column.layout());
+    lines->insertWidget(lines->count() - 1, m_species);
+}
+
+void ArchitecturePanel::chooseSpecies(int item)
+{
+    if (item <= 0) { // that is no choice
+        follow();
+        return;
+    }
+    const VigourSpecies& species = vigourSpecies()[static_cast<std::size_t>(item - 1)];
+    m_editor.begin();
+    TreeParameters parameters = m_editor.shown();
+    parameters.vigour = species.parameters;
+    m_editor.show(parameters);
+    m_editor.finish(tr("Species"));
+}
+
+/// Shows the controls of the model in force.
+void ArchitecturePanel::follow()
+{
+    const TreeParameters& shown = m_editor.shown();
+    const auto found = std::ranges::find(vigourSpecies(), shown.vigour, &VigourSpecies::parameters) -
+                       vigourSpecies().begin();
+    const bool isSpecies = found < std::ssize(vigourSpecies());
+    m_species->setCurrentIndex(isSpecies ? static_cast<int>(found) + 1 : 0);
+    const bool isVigour = shown.growth.model == GrowthModelKind::Vigour;
+    if (isVigour == !m_vigour->isHidden() && isVigour == m_treeSketch->isHidden())
+        return;
+    m_species->setVisible(isVigour);
+    m_vigour->setVisible(isVigour);
+    m_treeSketch->setVisible(!isVigour);
+    m_more->setVisible(!isVigour && isMoreShown());
+    Q_EMIT sizeWanted();
 }
 
 Diagram* ArchitecturePanel::makeDiagram(const ParameterSection& section, QWidget* parent)
@@ -158,7 +241,7 @@ QWidget* ArchitecturePanel::makeColumn(const ParameterSection& section, QWidget*
 
 void ArchitecturePanel::fit(const QSize& room)
 {
-    const int columns = 2 * (kDiagramWidth + 2 * kDiagramSpacing + 1);
+    const int columns = 3 * (kDiagramWidth + 2 * kDiagramSpacing + 1);
     const int count = static_cast<int>(m_cards.size());
     const int wide = (room.width() - 2 * kPanelMargin - columns) / count - 2 * kDiagramSpacing - 1;
     const int card = std::clamp(wide, kLeastCard, kMostCard);

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+class QComboBox;
+class QHBoxLayout;
 class QToolButton;
 
 namespace espalier {
@@ -17,9 +19,10 @@ class Sideways;
 class TropismDiagram;
 class ValueField;
 
-/// The parameters of growth as drawings with handles to drag (TreeSketch §3.4, figure 16): cards side by
-/// side, one with the schematic tree; sliders and switches; and on demand the other parameters of growth.
-/// Contents that are too wide for the window scroll sideways.
+/// The choice of the growth model, and the parameters of the model in force. TreeSketch's are drawings with
+/// handles to drag (§3.4, figure 16): cards side by side, one with the schematic tree; sliders and switches;
+/// and on demand its other parameters. The vigour model's are rows, and a choice of species. Contents that
+/// are too wide for the window scroll sideways.
 class ArchitecturePanel : public Bar {
     Q_OBJECT
 
@@ -35,6 +38,8 @@ public:
     ParameterRow* row(std::string_view key) const;
     ValueField* field(std::string_view key) const;
 
+    /// The choice of the species whose parameters of vigour are in force; its first item is none of them.
+    QComboBox& species() const { return *m_species; }
     bool isMoreShown() const;
     void showMore(bool shown);
 
@@ -46,6 +51,11 @@ private:
     QWidget* makeCard(const ParameterSection& section, QWidget* parent);
     QWidget* makeColumn(const ParameterSection& section, QWidget* parent);
     Diagram* makeDiagram(const ParameterSection& section, QWidget* parent);
+    void addSection(const ParameterSection& section, QHBoxLayout& line);
+    void addMoreButton(QWidget& column);
+    void makeSpecies(QWidget& column);
+    void chooseSpecies(int item);
+    void follow();
 
     ParameterEditor m_editor;
     TropismDiagram* m_schematic = nullptr;
@@ -54,7 +64,10 @@ private:
     std::vector<ValueField*> m_fields;
     std::vector<ParameterRow*> m_rows;
     QToolButton* m_moreButton;
-    QWidget* m_more;
+    QWidget* m_treeSketch; ///< The controls of TreeSketch's model
+    QWidget* m_more;       ///< Those that show on demand
+    QWidget* m_vigour;     ///< The controls of the vigour model
+    QComboBox* m_species = nullptr;
     Sideways* m_sideways;
 };
 

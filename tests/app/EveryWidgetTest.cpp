@@ -112,7 +112,7 @@ const QStringList kNotInSchematic{
     QStringLiteral("growth.ellipseParallel"),   QStringLiteral("growth.lateralsPerNode"),
     QStringLiteral("growth.markerDensity"),     QStringLiteral("growth.markerAge"),
     QStringLiteral("growth.tropismFromStroke"), QStringLiteral("growth.irregularity"),
-    QStringLiteral("growth.internodeLength")};
+    QStringLiteral("growth.internodeLength"),   QStringLiteral("growth.model")};
 
 /// The parameter that @p widget changes, or nothing.
 QString parameterOf(const QWidget& widget)

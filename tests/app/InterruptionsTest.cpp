@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/document/Edit.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
@@ -102,6 +103,11 @@ void InterruptionsTest::begin(ActionId tool)
         for (int i = 1; i <= 6; ++i)
             moveTo(at(-0.4F + 0.15F * static_cast<float>(i), 0.6F));
         break;
+    case ActionId::Invigorate:
+    case ActionId::Reduce:
+        press(at(0.0F, 0.3F));
+        QTRY_VERIFY(m_window->document().edit() != nullptr && m_window->document().edit()->deltaCount() > 0);
+        break;
     case ActionId::Lasso:
         press(at(-0.6F, 0.8F));
         for (const QPoint& place : {at(0.0F, 0.3F), at(0.6F, 0.8F), at(0.0F, 1.4F)})
@@ -134,8 +140,9 @@ void InterruptionsTest::interruption_endsTheGestureAsOneUndoStep_data()
     const auto add = [](ActionId tool, const char* name, const char* what) {
         QTest::addRow("%s, %s", name, what) << tool << QString::fromLatin1(what);
     };
-    const std::pair<ActionId, const char*> tools[] = {{Brush, "brush"}, {Bend, "bend"},   {Width, "width"},
-                                                      {Prune, "prune"}, {Lasso, "lasso"}, {Grow, "grow"}};
+    const std::pair<ActionId, const char*> tools[] = {
+        {Brush, "brush"}, {Bend, "bend"}, {Width, "width"},           {Prune, "prune"},
+        {Lasso, "lasso"}, {Grow, "grow"}, {Invigorate, "invigorate"}, {Reduce, "reduce"}};
     for (const auto& [tool, name] : tools) {
         add(tool, name, "P");
         add(tool, name, "W");
@@ -212,6 +219,8 @@ void InterruptionsTest::escape_takesTheGestureBack_data()
     QTest::newRow("prune") << ActionId::Prune;
     QTest::newRow("lasso") << ActionId::Lasso;
     QTest::newRow("grow") << ActionId::Grow;
+    QTest::newRow("invigorate") << ActionId::Invigorate;
+    QTest::newRow("reduce") << ActionId::Reduce;
 }
 
 void InterruptionsTest::escape_takesTheGestureBack()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BrushGesture.h"
 #include "commands/GrowGesture.h"
+#include "commands/InvigorateGesture.h"
+#include "model/growth/VigourSpecies.h"
 #include "tests/bench/Crowns.h"
 
 #include <benchmark/benchmark.h>
@@ -155,6 +157,46 @@ void undoAndRedoOfAStroke(benchmark::State& state)
     state.counters["redo_median_ms"] = 1000.0 * median(redos);
 }
 
+/// A hundred months of a species by the vigour model, and a second of invigoration.
+void vigourYears(benchmark::State& state)
+{
+    const VigourSpecies& species = vigourSpecies()[static_cast<std::size_t>(state.range(0))];
+    TreeParameters parameters;
+    parameters.growth.model = GrowthModelKind::Vigour;
+    parameters.vigour = species.parameters;
+    std::vector<double> steps;
+    double hold = 0.0;
+    std::uint32_t internodes = 0;
+    for (auto _ : state) {
+        TreeDocument document;
+        document.reset(3, parameters);
+        GrowGesture gesture(document);
+        const double start = cpuTime();
+        for (int step = 0; step < 100; ++step) {
+            const double before = cpuTime();
+            gesture.step();
+            steps.push_back(cpuTime() - before);
+        }
+        state.SetIterationTime(cpuTime() - start);
+        gesture.finish();
+        internodes = document.index().livingCount();
+        InvigorateGesture invigoration(document, document.index().firstChild(0));
+        const double before = cpuTime();
+        invigoration.holdTo(1.0);
+        hold = cpuTime() - before;
+        invigoration.cancel();
+    }
+    state.SetLabel(species.name);
+    state.counters["internodes"] = internodes;
+    state.counters["step_worst_ms"] = 1000.0 * worst(steps);
+    state.counters["hold_ms"] = 1000.0 * hold;
+}
+
+BENCHMARK(vigourYears)
+    ->DenseRange(0, static_cast<int>(vigourSpecies().size()) - 1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(2);
 BENCHMARK(brushStep)
     ->ArgsProduct({{50'000, 500'000}, {50, 200}})
     ->ArgNames({"internodes", "radius_cm"})

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/Gravimorphism.h"
+#include "model/growth/VigourSpecies.h"
 #include "panels/ParameterNumber.h"
 #include "panels/ParameterRow.h"
 #include "panels/ParameterValue.h"
@@ -17,6 +18,7 @@
 #include <QAccessible>
 #include <QAccessibleInterface>
 #include <QApplication>
+#include <QComboBox>
 #include <QImage>
 #include <QLatin1Char>
 #include <QPoint>
@@ -63,13 +65,17 @@ private Q_SLOTS:
     void cone_growsBeyondItsCard();
     void rows_slidersSwitchesAndMore();
     void panel_fitsWindows();
+    void model_choosesTheControls();
+    void species_isOneUndoStep();
 };
 
 void ArchitecturePanelTest::everyParameterOfGrowth_hasAControlThatShowsIt()
 {
     int shown = 0;
     visitParameters(parameters(), [&](const ParameterInfo& info, const auto& field) {
-        if (std::strncmp(info.key, "growth.", 7) != 0 || sheetOf(info.key) != ParameterSheet::Architecture)
+        const std::string_view key(info.key);
+        if (!(key.starts_with("growth.") || key.starts_with("vigour.")) ||
+            sheetOf(info.key) != ParameterSheet::Architecture)
             return;
         ++shown;
         const ParameterRow* row = m_panel->row(info.key);
@@ -81,7 +87,7 @@ void ArchitecturePanelTest::everyParameterOfGrowth_hasAControlThatShowsIt()
         else
             QVERIFY2(std::abs(number->number().value() - value) < 0.005, info.key);
     });
-    QCOMPARE(shown, 25);
+    QCOMPARE(shown, 26 + 20);
 }
 
 void ArchitecturePanelTest::everyControl_explainsItself()
@@ -314,6 +320,51 @@ void ArchitecturePanelTest::panel_fitsWindows()
                 QVERIFY(QRectF(diagram->rect()).contains(diagram->handlePlace(i)));
         }
     }
+}
+
+void ArchitecturePanelTest::model_choosesTheControls()
+{
+    auto* model = m_panel->row("growth.model")->findChild<QComboBox*>();
+    QVERIFY(model->isVisible());
+    QVERIFY(m_panel->schematic().isVisible());
+    QVERIFY(!m_panel->row("vigour.apicalControl")->isVisible() && !m_panel->species().isVisible());
+    model->setFocus();
+    QTest::keyClick(model, Qt::Key_Down);
+    QCOMPARE(parameters().growth.model, GrowthModelKind::Vigour);
+    QCOMPARE(steps(), 1);
+    QVERIFY(!m_panel->schematic().isVisible());
+    visitParameters(parameters(), [this](const ParameterInfo& info, const auto&) {
+        if (std::string_view(info.key).starts_with("vigour."))
+            QVERIFY2(m_panel->row(info.key)->isVisible(), info.key);
+    });
+    QVERIFY(m_panel->species().isVisible());
+    m_document->undo();
+    QVERIFY(m_panel->schematic().isVisible() && !m_panel->species().isVisible());
+}
+
+void ArchitecturePanelTest::species_isOneUndoStep()
+{
+    TreeParameters vigorous;
+    vigorous.growth.model = GrowthModelKind::Vigour;
+    m_document->reset(1, vigorous);
+    QComboBox& species = m_panel->species();
+    QVERIFY(species.isVisible());
+    const std::span<const VigourSpecies> all = vigourSpecies();
+    QCOMPARE(species.count(), static_cast<int>(all.size()) + 1);
+    species.setFocus();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        QTest::keyClick(&species, Qt::Key_Down);
+        QCOMPARE(species.currentText(), QString::fromLatin1(all[i].name));
+        QCOMPARE(parameters().vigour, all[i].parameters);
+        QCOMPARE(parameters().growth, vigorous.growth);
+        QCOMPARE(steps(), static_cast<int>(i) + 1);
+    }
+    m_document->undo();
+    QCOMPARE(species.currentIndex(), static_cast<int>(all.size()) - 1);
+    // Another value is none of the species.
+    auto* slider = m_panel->row("vigour.apicalControl")->findChild<QSlider*>();
+    QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() - 2, slider->height() / 2));
+    QCOMPARE(species.currentIndex(), 0);
 }
 
 static const test::TestClass<ArchitecturePanelTest> architecturePanelTest;

@@ -5,9 +5,11 @@
 #include "commands/BrushGesture.h"
 #include "commands/GrowGesture.h"
 #include "commands/ImportSkeleton.h"
+#include "commands/InvigorateGesture.h"
 #include "commands/LassoGesture.h"
 #include "commands/ParameterGesture.h"
 #include "commands/Prune.h"
+#include "commands/ReduceGesture.h"
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
 #include "commands/WidthGesture.h"
@@ -73,6 +75,16 @@ public:
         for (const InternodeReference& internode : operation.internodes)
             cuts.push_back(internode.number());
         pruneBranches(m_document, cuts);
+    }
+
+    void operator()(const InvigorateOperation& operation)
+    {
+        hold<InvigorateGesture>(operation.internode, operation.seconds);
+    }
+
+    void operator()(const ReduceOperation& operation)
+    {
+        hold<ReduceGesture>(operation.internode, operation.seconds);
     }
 
     void operator()(const TravelOperation& operation)
@@ -162,6 +174,19 @@ public:
     }
 
 private:
+    template <class Gesture>
+    void hold(const InternodeReference& internode, double seconds)
+    {
+        const Result<InternodeId> branch = internode.resolve(m_document);
+        if (!branch)
+            return;
+        Gesture gesture(m_document, *branch);
+        if (m_random.onceIn(3))
+            gesture.holdTo(0.5 * seconds);
+        gesture.holdTo(seconds);
+        gesture.finish();
+    }
+
     TreeDocument& m_document;
     RandomOperations& m_random;
 };
@@ -179,8 +204,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
     const bool isDone =
         doesAny<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
-                RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation, ImportOperation>(
-            Hand(document, random), operation);
+                RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation, ImportOperation,
+                InvigorateOperation, ReduceOperation>(Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

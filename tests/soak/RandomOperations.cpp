@@ -36,6 +36,16 @@ TreeParameters RandomOperations::parameters()
     parameters.leaves.arrangement = static_cast<LeafArrangement>(below(kLeafArrangementCount));
     parameters.leaves.length = m_random.uniform(0.02, 0.3);
     parameters.bark.kind = static_cast<BarkKind>(below(kBarkKindCount));
+    parameters.growth.model = onceIn(2) ? GrowthModelKind::Vigour : GrowthModelKind::TreeSketch;
+    parameters.vigour.growthRate = m_random.uniform(0.2, 1.0);
+    parameters.vigour.internodeLength = m_random.uniform(0.05, 0.2);
+    parameters.vigour.lateralBuds = 1 + below(4);
+    parameters.vigour.apicalControl = m_random.uniform(0.7, 1.6);
+    parameters.vigour.apicalDominance = m_random.uniform(0.0, 3.0);
+    parameters.vigour.gravitropism = m_random.uniform(-0.1, 0.1);
+    parameters.vigour.horizontalTropism = onceIn(2) ? m_random.uniform(0.0, 0.5) : 0.0;
+    parameters.vigour.bending = onceIn(2) ? m_random.uniform(0.0, 20.0) : 0.0;
+    parameters.vigour.lightPruning = onceIn(2) ? m_random.uniform(0.0, 0.7) : 0.0;
     normaliseDirectionWeights(parameters.growth);
     return parameters;
 }
@@ -167,6 +177,18 @@ PruneOperation RandomOperations::make(const TreeDocument& document, int)
     for (int i = 0; i < count; ++i)
         operation.internodes.push_back(any(document));
     return operation;
+}
+
+template <>
+InvigorateOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    return {any(document), 0.1 * below(8)};
+}
+
+template <>
+ReduceOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    return {any(document), 0.1 * below(12)};
 }
 
 template <>
@@ -362,6 +384,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<SetWidthOperation>(16, 4),      kindOf<LassoOperation>(2, 0),
         kindOf<RegrowOperation>(1, 0),         kindOf<RemoveLassoOperation>(1, 1),
         kindOf<FillEnvelopesOperation>(1, 0),  kindOf<ImportOperation>(1, 1),
+        kindOf<InvigorateOperation>(8, 0),     kindOf<ReduceOperation>(8, 14),
     };
     return kKinds;
 }

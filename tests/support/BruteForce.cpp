@@ -118,9 +118,9 @@ double bias(const Tree& tree, const TreeIndex& index, const BudRef& bud)
         return 1.0;
     const Vec3d y = Vec3d::UnitY();
     const Vec3d h = index.heading(bud.node).cast<double>();
-    const Vec3d direction = budDirection(tree.key(bud.node), bud.slot, index.rotation(bud.node),
-                                         tree.parametersOf(bud.node).growth)
-                                .cast<double>();
+    const Vec3d direction =
+        budDirection(tree.key(bud.node), bud.slot, index.rotation(bud.node), tree.parametersOf(bud.node))
+            .cast<double>();
     const double tau = std::acos(std::clamp(h.dot(y), -1.0, 1.0));
     const Vec3d across = direction - direction.dot(h) * h;
     if (std::sin(tau) < 1e-6 || across.norm() < 1e-6)

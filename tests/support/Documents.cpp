@@ -2,6 +2,7 @@
 #include "tests/support/Documents.h"
 
 #include "model/document/Edit.h"
+#include "model/growth/IndexedModel.h"
 
 #include <algorithm>
 
@@ -58,7 +59,7 @@ QString treeIndexFault(const Tree& tree, const TreeIndex& index)
 
 const GrowthIndex& growthIndexOf(const TreeDocument& document)
 {
-    return dynamic_cast<const SelfOrganisingModel&>(document.growthModel()).index();
+    return dynamic_cast<const IndexedModel&>(document.growthModel()).index();
 }
 
 QString indexFault(const TreeDocument& document)

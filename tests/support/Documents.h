@@ -2,11 +2,11 @@
 #pragma once
 
 #include "model/document/TreeDocument.h"
-#include "model/growth/SelfOrganisingModel.h"
+#include "model/growth/GrowthIndex.h"
 
 namespace espalier::test {
 
-/// What the model that documents start with knows of the document's tree.
+/// What the document's growth model knows of its tree.
 const GrowthIndex& growthIndexOf(const TreeDocument& document);
 
 /// What of the document's indices differs from freshly made ones, in all that can be asked of them; empty if

@@ -21,8 +21,8 @@ constexpr double kNoBudDifference = 2.0; ///< px
 
 Vec3 budPosition(const Tree& tree, const TreeIndex& index, const BudRef& bud, float radius)
 {
-    const Vec3 direction = budDirection(tree.key(bud.node), bud.slot, index.rotation(bud.node),
-                                        tree.parametersOf(bud.node).growth);
+    const Vec3 direction =
+        budDirection(tree.key(bud.node), bud.slot, index.rotation(bud.node), tree.parametersOf(bud.node));
     const float offset = kOffset * tree.length(bud.node) + (bud.slot == kTerminalSlot ? 0.0F : radius);
     return index.nodePosition(bud.node) + offset * direction;
 }

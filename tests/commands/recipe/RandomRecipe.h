@@ -48,6 +48,9 @@ inline Recipe randomRecipe(std::uint64_t seed)
         result.operations.emplace_back(GrowOperation{i + 1, stroke.only});
         result.operations.emplace_back(PruneOperation{{7U, static_cast<InternodeId>(random.bits() % 1000)}});
         result.operations.emplace_back(TravelOperation{i - 50});
+        result.operations.emplace_back(
+            InvigorateOperation{static_cast<InternodeId>(i), random.uniform(0.0, kMostHeldSeconds)});
+        result.operations.emplace_back(ReduceOperation{InternodeReference(InternodeKey(i), {}), 0.1 * i});
         result.operations.emplace_back(UndoOperation{i + 2});
         result.operations.emplace_back(RedoOperation{i + 3});
         BendOperation bend{.base = static_cast<InternodeId>(i),

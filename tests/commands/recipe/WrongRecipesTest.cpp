@@ -74,6 +74,12 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].internodes[1]: a whole number from 0 to 4294967294 is expected");
     row(operationsOf(R"({"op": "prune", "internodes": [{"internode": 3}]})"),
         "operations[0].internodes[0]: a key (“key”) or a place (“at”) is expected");
+    row(operationsOf(R"({"op": "invigorate", "internode": 3})"), "operations[0].seconds: it is missing");
+    row(operationsOf(R"({"op": "invigorate", "internode": 3, "seconds": 601})"),
+        "operations[0].seconds: a number from 0 to 600 is expected");
+    row(operationsOf(R"({"op": "reduce", "seconds": 1})"), "operations[0].internode: it is missing");
+    row(operationsOf(R"({"op": "reduce", "internode": 3, "seconds": -1})"),
+        "operations[0].seconds: a number from 0 to 600 is expected");
     row(operationsOf(R"({"op": "grow", "steps": 2, "only": {"bud": 1}})"),
         "operations[0].only.internode: it is missing");
     row(operationsOf(R"({"op": "grow", "steps": 2, "only": {"internode": 1, "bud": 6}})"),

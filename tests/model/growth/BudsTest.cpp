@@ -35,9 +35,9 @@ void BudsTest::terminalBud_pointsAlongItsInternode()
     Random random(1, 0, 0, Purpose::Direction);
     for (InternodeId id = 0; id < 50; ++id) {
         const Rotation rotation = randomRotation(random);
-        QVERIFY(
-            (budDirection(childKey(1, 0, id), kTerminalSlot, rotation, {}) - rotation * Vec3(Vec3::UnitY()))
-                .norm() < 1e-6F);
+        QVERIFY((budDirection(childKey(1, 0, id), kTerminalSlot, rotation, GrowthParameters()) -
+                 rotation * Vec3(Vec3::UnitY()))
+                    .norm() < 1e-6F);
     }
 }
 

@@ -3,83 +3,101 @@
 
 #include "commands/GrowGesture.h"
 #include "commands/GrowthReplica.h"
+#include "commands/SetParameters.h"
+#include "commands/performances/RecipeReplica.h"
+#include "commands/recipe/Recipe.h"
+#include "commands/recipe/RecipePlayer.h"
+#include "model/document/EditFollower.h"
+#include "model/document/PreparedTree.h"
+#include "model/growth/SelfOrganisingModel.h"
+#include "model/growth/VigourModel.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
+#include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
 
 #include <QTest>
 
 namespace espalier::test {
 
+/// A document grows by the model that its parameters in force name.
 class GrowthModelTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void document_growsByTheModelThatItHas();
+    void document_growsByTheModelThatItsParametersName();
     void switchedModels_growOnFromEachOthersTree();
     void switchedModels_areUndone();
-    void replica_growsByTheModelThatItIsGiven();
+    void travels_bringTheModelBack();
+    void readDocument_growsByTheModelOfItsFile();
+    void growthReplica_growsByTheModelOfItsTree();
+    void recipe_changesTheModelInTheMiddle();
 };
 
 namespace {
 
-/// Lengthens the trunk by one internode a step.
-class UprightModel final : public GrowthModel {
-public:
-    std::unique_ptr<GrowthModel> fresh() const override { return std::make_unique<UprightModel>(); }
-    void rebuild(const Tree& /*tree*/, const TreeIndex& /*index*/) override { ++m_rebuilds; }
-    void follow(const Tree& /*tree*/, const TreeIndex& /*index*/, const TreeDelta& /*delta*/) override {}
-    bool settleSome(const Tree& /*tree*/, const TreeIndex& /*index*/, std::size_t /*nodes*/) override
-    {
-        return m_rebuilds > 0;
-    }
-    const VoxelSpace& space() const override { return m_space; }
-    std::size_t bytes() const override { return 0; }
-    TreeDelta growFreely(const Tree& tree, const TreeIndex& index, const GrowthStepOptions& /*options*/,
-                         GrowthWorkspace& workspace) const override
-    {
-        const BudRef tip{trunkTip(index, 0), kTerminalSlot};
-        const Vec3 above = index.nodePosition(tip.node) + Vec3(0.0F, 100.0F, 0.0F);
-        return growLeader(tree, index, tip, above, 0.0F, 1, workspace);
-    }
-    TreeDelta growToward(const Tree& tree, const TreeIndex& index, MarkerSet& /*markers*/,
-                         const GrowthStepOptions& options, GrowthWorkspace& workspace) const override
-    {
-        return growFreely(tree, index, options, workspace);
-    }
+void setModel(TreeDocument& document, GrowthModelKind kind)
+{
+    TreeParameters parameters = document.parameters();
+    parameters.growth.model = kind;
+    parameters.vigour.growthRate = 0.8;
+    parameters.vigour.internodeLength = 0.1;
+    setParameters(document, parameters);
+}
 
-private:
-    VoxelSpace m_space;
-    int m_rebuilds = 0;
-};
+/// The step that @p model makes of the document's tree.
+TreeDelta stepOf(const TreeDocument& document, std::unique_ptr<GrowthModel> model)
+{
+    model->rebuild(document.tree(), document.index());
+    model->settle(document.tree(), document.index());
+    GrowthWorkspace workspace;
+    return model->growFreely(document.tree(), document.index(),
+                             GrowthStepOptions::of(document.parameters().growth), workspace);
+}
+
+/// The model that makes the same next step of the tree as the document does.
+GrowthModelKind modelOf(const TreeDocument& document)
+{
+    GrowthWorkspace workspace;
+    const TreeDelta delta = document.growthModel().growFreely(
+        document.tree(), document.index(), GrowthStepOptions::of(document.parameters().growth), workspace);
+    const bool isVigour = delta == stepOf(document, std::make_unique<VigourModel>());
+    const bool isTreeSketch = delta == stepOf(document, std::make_unique<SelfOrganisingModel>());
+    if (isVigour == isTreeSketch)
+        qFatal("the step is that of both models, or of none");
+    return isVigour ? GrowthModelKind::Vigour : GrowthModelKind::TreeSketch;
+}
 
 } // namespace
 
-void GrowthModelTest::document_growsByTheModelThatItHas()
+void GrowthModelTest::document_growsByTheModelThatItsParametersName()
 {
     TreeDocument document;
-    document.setGrowthModel(std::make_unique<UprightModel>());
-    grow(document, 7);
-    QCOMPARE(document.index().livingCount(), 8U);
-    QCOMPARE(document.index().axis(trunkTip(document.index(), 0)), 0U);
-    QCOMPARE(document.index().tipCount(0), 1U);
+    growAtRandom(document, 4, 30, 80);
+    QCOMPARE(modelOf(document), GrowthModelKind::TreeSketch);
+    setModel(document, GrowthModelKind::Vigour);
+    QCOMPARE(modelOf(document), GrowthModelKind::Vigour);
+    document.undo();
+    QCOMPARE(modelOf(document), GrowthModelKind::TreeSketch);
+    document.redo();
+    QCOMPARE(modelOf(document), GrowthModelKind::Vigour);
+    document.reset(4);
+    QCOMPARE(modelOf(document), GrowthModelKind::TreeSketch);
 }
 
 void GrowthModelTest::switchedModels_growOnFromEachOthersTree()
 {
     TreeDocument document;
     growAtRandom(document, 5, 30, 80);
-    const std::uint32_t before = document.index().livingCount();
-
-    document.setGrowthModel(std::make_unique<UprightModel>());
-    grow(document, 3);
-    QCOMPARE(document.index().livingCount(), before + 3);
-
-    document.setGrowthModel(std::make_unique<SelfOrganisingModel>());
-    QCOMPARE(indexFault(document), QString());
-    grow(document, 2);
-    QVERIFY(document.index().livingCount() > before + 5);
-    QCOMPARE(indexFault(document), QString());
+    for (const GrowthModelKind kind :
+         {GrowthModelKind::Vigour, GrowthModelKind::TreeSketch, GrowthModelKind::Vigour}) {
+        setModel(document, kind);
+        const std::uint32_t before = document.tree().size();
+        QVERIFY(grow(document, 8) > 0);
+        QVERIFY(document.tree().size() > before);
+        QCOMPARE(indexFault(document), QString());
+    }
+    QCOMPARE(replayFault(document), QString());
 }
 
 void GrowthModelTest::switchedModels_areUndone()
@@ -87,25 +105,101 @@ void GrowthModelTest::switchedModels_areUndone()
     TreeDocument document;
     growAtRandom(document, 6, 30, 80);
     const DocumentState start(document);
+    const int commands = document.undoStack().count();
     grow(document, 1);
-    document.setGrowthModel(std::make_unique<UprightModel>());
+    setModel(document, GrowthModelKind::Vigour);
+    grow(document, 5);
+    setModel(document, GrowthModelKind::TreeSketch);
     grow(document, 2);
-    document.setGrowthModel(std::make_unique<SelfOrganisingModel>());
-    document.undo();
-    document.undo();
+    const DocumentState done(document);
+    while (document.undoStack().index() > commands)
+        document.undo();
     QCOMPARE(differenceFrom(start, document), QString());
+    while (document.undoStack().canRedo())
+        document.redo();
+    QVERIFY(DocumentState(document) == done);
 }
 
-void GrowthModelTest::replica_growsByTheModelThatItIsGiven()
+void GrowthModelTest::travels_bringTheModelBack()
 {
     TreeDocument document;
-    growAtRandom(document, 7, 20, 50);
-    document.setGrowthModel(std::make_unique<UprightModel>());
-    const Tree before = document.tree();
-    GrowGesture gesture(document);
-    GrowthReplica replica(before, document.freshGrowthModel(), gesture.takeProcess());
-    const GrownStep step = replica.grow();
-    QCOMPARE(step.delta.born.count, 1U);
+    growAtRandom(document, 7, 30, 80);
+    const std::size_t before = document.journal().size();
+    setModel(document, GrowthModelKind::Vigour);
+    grow(document, 5);
+    const std::size_t after = document.journal().size();
+    travel(document, before);
+    QCOMPARE(modelOf(document), GrowthModelKind::TreeSketch);
+    travel(document, after);
+    QCOMPARE(modelOf(document), GrowthModelKind::Vigour);
+}
+
+void GrowthModelTest::readDocument_growsByTheModelOfItsFile()
+{
+    TreeDocument document;
+    growAtRandom(document, 8, 30, 80);
+    setModel(document, GrowthModelKind::Vigour);
+    grow(document, 3);
+    TreeDocument other;
+    other.reset(PreparedTree(document.tree(), document.journal()));
+    QCOMPARE(modelOf(other), GrowthModelKind::Vigour);
+    grow(document, 4);
+    grow(other, 4);
+    QVERIFY(other.tree() == document.tree());
+}
+
+void GrowthModelTest::growthReplica_growsByTheModelOfItsTree()
+{
+    for (const GrowthModelKind kind : {GrowthModelKind::Vigour, GrowthModelKind::TreeSketch}) {
+        TreeDocument document;
+        growAtRandom(document, 9, 20, 50);
+        setModel(document, kind);
+        const Tree before = document.tree();
+        GrowGesture gesture(document);
+        GrowthReplica replica(before, document.freshGrowthModel(), gesture.takeProcess());
+        GrownStep step = replica.grow();
+        QVERIFY(step.delta == (kind == GrowthModelKind::Vigour
+                                   ? stepOf(document, std::make_unique<VigourModel>())
+                                   : stepOf(document, std::make_unique<SelfOrganisingModel>())));
+    }
+}
+
+void GrowthModelTest::recipe_changesTheModelInTheMiddle()
+{
+    const Result<Recipe> recipe = parseRecipe(R"({"espalier-recipe": 1, "operations": [
+        {"op": "grow", "steps": 6},
+        {"op": "setParameters", "parameters": {"growth": {"model": "vigour"},
+                                               "vigour": {"growthRate": 0.8, "internodeLength": 0.1}}},
+        {"op": "grow", "steps": 20},
+        {"op": "setParameters", "parameters": {"growth": {"model": "treesketch"}}},
+        {"op": "grow", "steps": 2}]})");
+    QVERIFY(recipe);
+    TreeDocument document;
+    RecipePlayer player(document, *recipe);
+    while (!player.isDone())
+        player.advance(std::numeric_limits<double>::infinity());
+    QCOMPARE(player.warnings(), QStringList());
+    bool hasLengthened = false;
+    for (const auto& delta : document.journal())
+        hasLengthened = hasLengthened || !delta->internodes.length.empty();
+    QVERIFY(hasLengthened);
+
+    // The same on another thread, as the window plays it.
+    TreeDocument follower;
+    RecipeReplica replica(*recipe);
+    EditFollower following(follower);
+    for (bool isDone = false; !isDone;) {
+        RecipePart part = replica.advance(1.0, std::chrono::milliseconds(0));
+        isDone = part.moment.isDone;
+        following.add(std::move(part.events));
+        while (following.advance(std::chrono::milliseconds(5))) {
+        }
+    }
+    QVERIFY(follower.tree() == document.tree());
+    QCOMPARE(modelOf(follower), GrowthModelKind::TreeSketch);
+    follower.undo();
+    follower.undo();
+    QCOMPARE(modelOf(follower), GrowthModelKind::Vigour);
 }
 
 const TestClass<GrowthModelTest> growthModelTest;
