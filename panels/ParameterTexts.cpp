@@ -362,7 +362,8 @@ QStringList choiceNames(const char* choices)
 {
     QStringList names;
     for (const QByteArray& name : QByteArray(choices).split(' ')) {
-        const auto* longer = std::ranges::find(kLongerNames, name, &LongerName::choice);
+        const auto* longer =
+            std::ranges::find_if(kLongerNames, [&](const LongerName& known) { return name == known.choice; });
         QString shown = parameterTr(longer != std::end(kLongerNames) ? longer->shown : name.constData());
         shown.replace(QLatin1Char('_'), QLatin1Char(' '));
         if (!shown.isEmpty())
