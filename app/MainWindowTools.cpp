@@ -8,12 +8,14 @@
 #include "panels/Notice.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
+#include "views/tools/AddBudsTool.h"
 #include "views/tools/BendTool.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/GrowTool.h"
 #include "views/tools/LassoTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/SelectBudTool.h"
+#include "views/tools/TwistTool.h"
 #include "views/tools/WidthTool.h"
 
 #include <QActionGroup>
@@ -86,6 +88,14 @@ void MainWindow::takeTool()
         break;
     case ActionId::Width:
         viewport.setTool(std::make_unique<WidthTool>(context));
+        break;
+    case ActionId::Twist:
+        viewport.setTool(std::make_unique<TwistTool>(context));
+        popOut = Workspace::PopOut::Twist;
+        break;
+    case ActionId::AddBuds:
+        viewport.setTool(std::make_unique<AddBudsTool>(context));
+        popOut = Workspace::PopOut::AddBuds;
         break;
     case ActionId::Lasso:
         viewport.setTool(std::make_unique<LassoTool>(context, m_lassoRunner));

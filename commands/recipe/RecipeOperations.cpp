@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/AddBudsOperation.h"
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
@@ -14,6 +15,7 @@
 #include "commands/recipe/SetParametersOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
 #include "commands/recipe/TravelOperation.h"
+#include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"
 
 #include <QJsonDocument>
@@ -43,7 +45,8 @@ constexpr OperationKind kKinds[] = {
     kindOf<PruneOperation>(),         kindOf<TravelOperation>(),      kindOf<UndoOperation>(),
     kindOf<RedoOperation>(),          kindOf<BendOperation>(),        kindOf<SetWidthOperation>(),
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
-    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),
+    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<TwistOperation>(),
+    kindOf<AddBudsOperation>(),
 };
 
 } // namespace
