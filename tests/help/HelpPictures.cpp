@@ -305,8 +305,8 @@ void shootTwist(Photographer& by)
 void shootAddBuds(Photographer& by)
 {
     by.begin("addBuds", 8, ActionId::AddBuds);
-    by.look(Box3(Vec3(-0.5F, 0.0F, -0.3F), Vec3(0.5F, 1.5F, 0.3F)));
-    by.hover(by.at(-0.18, 0.8));
+    by.look(Box3(Vec3(-0.4F, 0.4F, -0.2F), Vec3(0.2F, 1.0F, 0.2F)));
+    by.hover(by.at(-0.13, 0.76));
     by.shoot("addBuds-window", by.left(100));
 }
 

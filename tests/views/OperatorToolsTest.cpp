@@ -232,6 +232,7 @@ void OperatorToolsTest::twistFingerAndPen_twist()
 void OperatorToolsTest::twistOverlay_windsAroundTheBranch()
 {
     const TwistTool* tool = take<TwistTool>();
+    QTest::mouseMove(m_view.get(), at(middle(4)));
     QTest::mouseMove(m_view.get(), at(middle(3)));
     const auto turned = [&] {
         Overlay overlay;

@@ -40,22 +40,32 @@ double TwistTool::twistOf(InternodeId id) const
     return twist ? degrees(static_cast<double>(*twist)) : 0.0;
 }
 
+std::optional<InternodeId> TwistTool::internodeAt(const PointerSample& sample) const
+{
+    const auto picked = context().pick(sample.position, sample.device);
+    if (!picked)
+        return std::nullopt;
+    const TreeDocument& document = context().document();
+    return nearestOnAxis(document.tree(), document.index(), context().camera(), *picked, sample.position).id;
+}
+
 void TwistTool::begin(const PointerSample& sample)
 {
     m_isDown = true;
     m_isPulled = false;
     m_pressedAt = sample.position;
+    m_at = sample.position;
     m_hovered.reset();
     context().requestRepaint();
-    const auto picked = context().pick(sample.position, sample.device);
+    const std::optional<InternodeId> picked = internodeAt(sample);
     if (!picked)
         return;
     const TreeDocument& document = context().document();
     const bool isSecondTap = sample.time - std::exchange(m_tapTime, -1e9) < kTwistDoubleTap &&
                              m_id < document.index().size() &&
-                             document.index().axis(m_id) == document.index().axis(picked->id);
+                             document.index().axis(m_id) == document.index().axis(*picked);
     if (!isSecondTap)
-        m_id = picked->id;
+        m_id = *picked;
     m_scope = scopeOf(sample);
     m_from = twistOf(m_id);
     const Camera& camera = context().camera();
@@ -74,6 +84,7 @@ void TwistTool::begin(const PointerSample& sample)
 void TwistTool::move(const PointerSample& sample)
 {
     const QPointF way = sample.position - m_pressedAt;
+    m_at = sample.position;
     if (!m_gesture || (!m_isPulled && lengthOf(way) <= kTwistSlip))
         return;
     // Above 0, strands lean to the left on their way up.
@@ -120,8 +131,8 @@ void TwistTool::stop()
 
 void TwistTool::hover(const PointerSample& sample)
 {
-    const auto picked = context().pick(sample.position, sample.device);
-    m_hovered = picked ? std::optional(picked->id) : std::nullopt;
+    m_at = sample.position;
+    m_hovered = internodeAt(sample);
     m_scope = scopeOf(sample);
     context().requestRepaint();
 }
@@ -202,7 +213,7 @@ void TwistTool::paint(Overlay& overlay) const
     }
     if (const double angle = m_gesture && m_isPulled ? m_gesture->angle() : twistOf(*shown);
         angle != 0.0 || m_gesture)
-        overlay.addLabel({document.index().nodePosition(*shown),
+        overlay.addLabel({camera.onPlane(m_at, document.index().nodePosition(*shown)),
                           {18.0, 0.0},
                           tr("%1° from node to node").arg(numberText(angle, 1)),
                           m_gesture ? kBrushColour : kPickedColour});

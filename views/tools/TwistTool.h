@@ -40,6 +40,7 @@ public:
 
 private:
     TwistScope scopeOf(const PointerSample& sample) const;
+    std::optional<InternodeId> internodeAt(const PointerSample& sample) const;
     double twistOf(InternodeId id) const;
     void stop();
     void paintStrands(Overlay& overlay, InternodeId id) const;
@@ -52,6 +53,7 @@ private:
     TwistScope m_scope = TwistScope::Branch;
     double m_from = 0.0; ///< Twist before the drag, degrees
     QPointF m_pressedAt;
+    QPointF m_at;     ///< Of the pointer, px
     QPointF m_upward; ///< The branch's direction on the screen at the press, of unit length
     double m_tapTime = -1e9;
     std::optional<InternodeId> m_hovered;
