@@ -8,6 +8,7 @@
 #include "panels/Notice.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
+#include "views/tools/AddBudsTool.h"
 #include "views/tools/BendTool.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/GrowTool.h"
@@ -16,6 +17,7 @@
 #include "views/tools/PruneTool.h"
 #include "views/tools/ReduceTool.h"
 #include "views/tools/SelectBudTool.h"
+#include "views/tools/TwistTool.h"
 #include "views/tools/WidthTool.h"
 
 #include <QActionGroup>
@@ -94,6 +96,14 @@ void MainWindow::takeTool()
         break;
     case ActionId::Width:
         viewport.setTool(std::make_unique<WidthTool>(context));
+        break;
+    case ActionId::Twist:
+        viewport.setTool(std::make_unique<TwistTool>(context));
+        popOut = Workspace::PopOut::Twist;
+        break;
+    case ActionId::AddBuds:
+        viewport.setTool(std::make_unique<AddBudsTool>(context));
+        popOut = Workspace::PopOut::AddBuds;
         break;
     case ActionId::Lasso:
         viewport.setTool(std::make_unique<LassoTool>(context, m_lassoRunner));

@@ -4,6 +4,7 @@
 #include "app/files/Library.h"
 #include "app/files/Settings.h"
 #include "model/mesh/TreeCounts.h"
+#include "panels/AddBudsPopOut.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPanel.h"
@@ -16,6 +17,7 @@
 #include "panels/ParameterPanel.h"
 #include "panels/RotationStrip.h"
 #include "panels/Theme.h"
+#include "panels/TwistPopOut.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
@@ -48,6 +50,8 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_growPopOut(new GrowPopOut(document, this)),
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
+      m_twistPopOut(new TwistPopOut(settings, this)),
+      m_addBudsPopOut(new AddBudsPopOut(settings, this)),
       m_architecture(new ArchitecturePanel(document, this)),
       m_brushSheet(new BrushPanel(document, settings, Preferences::kSoftest, Preferences::kFirmest, this)),
       m_background(new BackgroundPanel(settings, this)),
@@ -218,6 +222,7 @@ void Workspace::arrange()
             place.moveLeft(right - place.x() - place.width());
         return place;
     };
+    m_sideBar->fit(height() - Viewport::kStripHeight - y);
     const QRect tools(QPoint(kGap, y), m_sideBar->sizeHint());
     m_sideBar->setGeometry(placed(tools));
     m_sideBar->setVisible(shown);
@@ -242,10 +247,9 @@ void Workspace::arrange()
     }
 
     m_viewport->setFrameMargins({0, y - kGap, width() - right, kStatusHeight});
-    const std::pair<QWidget*, PopOut> popOuts[] = {{m_brushPopOut, PopOut::Brush},
-                                                   {m_growPopOut, PopOut::Grow},
-                                                   {m_bendPopOut, PopOut::Bend},
-                                                   {m_lassoPopOut, PopOut::Lasso}};
+    const std::pair<QWidget*, PopOut> popOuts[] = {
+        {m_brushPopOut, PopOut::Brush}, {m_growPopOut, PopOut::Grow},   {m_bendPopOut, PopOut::Bend},
+        {m_lassoPopOut, PopOut::Lasso}, {m_twistPopOut, PopOut::Twist}, {m_addBudsPopOut, PopOut::AddBuds}};
     const int lowestPopOut = height() - Viewport::kStripHeight - 4;
     QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {

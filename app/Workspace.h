@@ -18,6 +18,7 @@ namespace espalier {
 class ArchitecturePanel;
 class BackgroundPanel;
 class Bar;
+class AddBudsPopOut;
 class BendPopOut;
 class BrushPanel;
 class BrushPopOut;
@@ -28,6 +29,7 @@ class LassoPopOut;
 class LibraryPanel;
 class Notice;
 class RotationStrip;
+class TwistPopOut;
 class Viewport;
 
 /// The tree from edge to edge, and over it the bars, the pop-out of the tool, one sheet of parameters, a
@@ -36,7 +38,7 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow, Bend, Lasso };
+    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds };
     static constexpr int kSheetCount = 5;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -93,6 +95,8 @@ private:
     GrowPopOut* m_growPopOut;
     BendPopOut* m_bendPopOut;
     LassoPopOut* m_lassoPopOut;
+    TwistPopOut* m_twistPopOut;
+    AddBudsPopOut* m_addBudsPopOut;
     ArchitecturePanel* m_architecture;
     BrushPanel* m_brushSheet;
     BackgroundPanel* m_background;

@@ -59,6 +59,12 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
         {Width, Group::Tools, "width", QT_TRANSLATE_NOOP("Actions", "Width"),
          QT_TRANSLATE_NOOP("Actions", "Tap a branch to hold its width, and draw the handle to change it."),
          "W", "width", true},
+        {Twist, Group::Tools, "twist", QT_TRANSLATE_NOOP("Actions", "Twist"),
+         QT_TRANSLATE_NOOP("Actions", "Drag along a branch, or around it, to twist its strands."), "T",
+         "twist", true},
+        {AddBuds, Group::Tools, "addBuds", QT_TRANSLATE_NOOP("Actions", "New Buds"),
+         QT_TRANSLATE_NOOP("Actions", "Tap old wood: buds break through its bark, and grow into branches."),
+         "Shift+U", "addBuds", true},
         {Lasso, Group::Tools, "lasso", QT_TRANSLATE_NOOP("Actions", "Lasso"),
          QT_TRANSLATE_NOOP("Actions", "Draw the silhouette of a crown: the tree grows until it fills it."),
          "O", "lasso", true},
@@ -125,7 +131,8 @@ std::span<const ActionId> Actions::tools()
 {
     static constexpr std::array kTools{ActionId::Brush,      ActionId::Lasso,  ActionId::Grow,
                                        ActionId::Prune,      ActionId::Bend,   ActionId::Width,
-                                       ActionId::Invigorate, ActionId::Reduce, ActionId::SelectBud};
+                                       ActionId::Invigorate, ActionId::Reduce, ActionId::SelectBud,
+                                       ActionId::Twist,      ActionId::AddBuds};
     return kTools;
 }
 

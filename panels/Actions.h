@@ -30,6 +30,8 @@ enum class ActionId {
     SelectBud,
     Bend,
     Width,
+    Twist,
+    AddBuds,
     Lasso,
     Invigorate,
     Reduce,

@@ -4,6 +4,7 @@
 #include "panels/Icon.h"
 #include "panels/Theme.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -11,10 +12,14 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace espalier {
 
 namespace {
+
+constexpr int kSideMargin = 6;  ///< px
+constexpr int kSideSpacing = 4; ///< px
 
 constexpr int kLeastTitle = 4; ///< Letters; a shorter title is useless
 /// px that a title can get by hiding buttons whose actions are available elsewhere.
@@ -27,16 +32,46 @@ constexpr std::array kYielding{ActionId::Markers, ActionId::Export, ActionId::Op
 
 SideBar::SideBar(const Actions& actions, QWidget* parent) : Bar(parent)
 {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(6, 6, 6, 6);
-    column->setSpacing(4);
+    m_grid = new QGridLayout(this);
+    m_grid->setContentsMargins(kSideMargin, kSideMargin, kSideMargin, kSideMargin);
+    m_grid->setSpacing(kSideSpacing);
     for (const ActionId id : Actions::tools())
-        column->addWidget(new BarButton(BarButton::Look::IconAboveText, actions[id], this));
-    column->addSpacing(3);
-    column->addWidget(barSeparator(Qt::Horizontal, this));
-    column->addSpacing(3);
+        m_tools.push_back(new BarButton(BarButton::Look::IconAboveText, actions[id], this));
+    m_line = barSeparator(Qt::Horizontal, this);
     for (const ActionId id : {ActionId::Undo, ActionId::Redo})
-        column->addWidget(new BarButton(BarButton::Look::IconAboveText, actions[id], this));
+        m_steps.push_back(new BarButton(BarButton::Look::IconAboveText, actions[id], this));
+    arrange(1);
+}
+
+void SideBar::fit(int height)
+{
+    const int row = m_tools.front()->sizeHint().height() + kSideSpacing;
+    const int room = height - 2 * kSideMargin - kSideSpacing - m_line->height();
+    const auto rows = [](std::size_t count, int columns) {
+        return (static_cast<int>(count) + columns - 1) / columns;
+    };
+    int columns = 1;
+    while (columns < 4 && (rows(m_tools.size(), columns) + rows(m_steps.size(), columns)) * row > room)
+        ++columns;
+    arrange(columns);
+}
+
+void SideBar::arrange(int columns)
+{
+    if (std::exchange(m_columns, columns) == columns)
+        return;
+    while (QLayoutItem* item = m_grid->takeAt(0))
+        delete item;
+    int row = 0;
+    const auto add = [&](const std::vector<BarButton*>& buttons) {
+        for (std::size_t i = 0; i < buttons.size(); ++i)
+            m_grid->addWidget(buttons[i], row + static_cast<int>(i) / columns, static_cast<int>(i) % columns);
+        row += (static_cast<int>(buttons.size()) + columns - 1) / columns;
+    };
+    add(m_tools);
+    m_grid->addWidget(m_line, row++, 0, 1, columns);
+    add(m_steps);
+    m_grid->invalidate();
 }
 
 TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFiles, QWidget* parent)

@@ -6,18 +6,32 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
+class QGridLayout;
 class QLabel;
 class QMenu;
 
 namespace espalier {
 
-/// The column of tools on the left.
+/// The tools on the left, in one column or in several.
 class SideBar : public Bar {
     Q_OBJECT
 
 public:
     explicit SideBar(const Actions& actions, QWidget* parent = nullptr);
+
+    /// Puts the tools into as many columns as they need within @p height, px.
+    void fit(int height);
+
+private:
+    void arrange(int columns);
+
+    QGridLayout* m_grid;
+    std::vector<BarButton*> m_tools;
+    std::vector<BarButton*> m_steps; ///< Undo and redo, in a row of their own below the tools
+    QWidget* m_line;
+    int m_columns = 0;
 };
 
 /// The bar at the top: files on the left, sheets in the middle, what is shown on the right.

@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 
 namespace espalier {
@@ -317,6 +318,37 @@ constexpr ParameterText kWidths[] = {
      QT_TRANSLATE_NOOP("Parameters", "How much the trunk spreads where it meets the ground.")},
 };
 
+constexpr ParameterText kStrands[] = {
+    {"wood.mesher", QT_TRANSLATE_NOOP("Parameters", "Surface"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Tubes: each branch is a tube that begins inside its parent. Strands: the "
+                       "wood is bundles of strands, which run from every tip to the ground, "
+                       "under one closed bark.")},
+    {"wood.strandsPerTip", QT_TRANSLATE_NOOP("Parameters", "Strands at a tip"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How many strands begin at each tip. More make a smoother surface, and "
+                                     "branches that separate more clearly."),
+     Linear, 0},
+    {"wood.strandRadius", QT_TRANSLATE_NOOP("Parameters", "Strand radius"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How thick each strand is. The trunk then gets as thick as its strands "
+                                     "want it; at 0 it keeps the width that it has."),
+     Cubic, 1, "mm", 1000.0, QT_TRANSLATE_NOOP("Parameters", "automatic")},
+    {"wood.alpha", QT_TRANSLATE_NOOP("Parameters", "Cohesion"), "α",
+     QT_TRANSLATE_NOOP("Parameters", "Branches separate at a fork where their strands are further apart than "
+                                     "so many strand radii: low early, high late."),
+     Logarithmic, 1},
+    {"wood.packing", QT_TRANSLATE_NOOP("Parameters", "Packing"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How the strands of a section are pressed together. At rest: until none "
+                                     "overlaps. As published: by the paper's simulation, which stops on the "
+                                     "way there.")},
+    {"wood.steps", QT_TRANSLATE_NOOP("Parameters", "Packing steps"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How long strands are pressed together at each node. Few steps keep the "
+                                     "shape of a fork further down the trunk; many make it round at once."),
+     Cubic, 0},
+    {"wood.smoothing", QT_TRANSLATE_NOOP("Parameters", "Smoothing"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How far the ridges of single strands are smoothed: 0 shows each of them.")},
+};
+
 constexpr ParameterText kBark[] = {
     {"bark.kind", QT_TRANSLATE_NOOP("Parameters", "Kind"), "",
      QT_TRANSLATE_NOOP("Parameters", "What the bark looks like.")},
@@ -350,6 +382,7 @@ constexpr ParameterSection kSections[] = {
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Place"), kLeafPlace},
     {ParameterSheet::Leaves, QT_TRANSLATE_NOOP("Parameters", "Colour"), kLeafColour},
     {ParameterSheet::Branches, QT_TRANSLATE_NOOP("Parameters", "Width"), kWidths},
+    {ParameterSheet::Branches, QT_TRANSLATE_NOOP("Parameters", "Strands"), kStrands},
     {ParameterSheet::Branches, QT_TRANSLATE_NOOP("Parameters", "Bark"), kBark},
 };
 
@@ -367,6 +400,17 @@ constexpr ParameterSection kSections[] = {
     QT_TRANSLATE_NOOP("Parameters", "shoot"),      QT_TRANSLATE_NOOP("Parameters", "spiral"),
     QT_TRANSLATE_NOOP("Parameters", "opposite"),   QT_TRANSLATE_NOOP("Parameters", "flat"),
     QT_TRANSLATE_NOOP("Parameters", "treesketch"), QT_TRANSLATE_NOOP("Parameters", "vigour"),
+    QT_TRANSLATE_NOOP("Parameters", "tubes"),      QT_TRANSLATE_NOOP("Parameters", "strands"),
+};
+
+/// Choices whose names in files are too short for a person to understand.
+struct LongerName {
+    const char* choice;
+    const char* shown; ///< Untranslated
+};
+constexpr LongerName kLongerNames[] = {
+    {"rest", QT_TRANSLATE_NOOP("Parameters", "at rest")},
+    {"pbd", QT_TRANSLATE_NOOP("Parameters", "as published")},
 };
 
 } // namespace
@@ -417,7 +461,9 @@ QStringList choiceNames(const char* choices)
 {
     QStringList names;
     for (const QByteArray& name : QByteArray(choices).split(' ')) {
-        QString shown = parameterTr(name.constData());
+        const auto* longer =
+            std::ranges::find_if(kLongerNames, [&](const LongerName& known) { return name == known.choice; });
+        QString shown = parameterTr(longer != std::end(kLongerNames) ? longer->shown : name.constData());
         shown.replace(QLatin1Char('_'), QLatin1Char(' '));
         if (!shown.isEmpty())
             shown[0] = shown[0].toUpper();

@@ -12,6 +12,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace espalier {
 
 namespace {
@@ -60,6 +63,11 @@ ViewRow::ViewRow(const ParameterScale& scale, QWidget* parent) : QWidget(parent)
         m_number = new ParameterNumber(scale, this);
         m_slider = new ParameterSlider(scale, this);
         m_slider->setFixedHeight(20);
+        // A key changes a number of things by one at least.
+        if (scale.info().quantity == Quantity::Count)
+            m_slider->setSingleStep(std::max(
+                m_slider->singleStep(), static_cast<int>(std::ceil(scale.placeOf(scale.info().minimum + 1.0) *
+                                                                   m_slider->maximum()))));
         line->addWidget(makeLabel(label, this), 1);
         line->addWidget(m_number);
         column->addWidget(m_slider);

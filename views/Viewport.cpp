@@ -175,6 +175,9 @@ void Viewport::followSettings()
     values.markersShown = m_shown.markersShown;
     values.bendingWeight = m_shown.bendingWeight;
     values.stretchingWeight = m_shown.stretchingWeight;
+    values.twistsSubtree = m_shown.twistsSubtree;
+    values.newBuds = m_shown.newBuds;
+    values.budSpacing = m_shown.budSpacing;
     values.envelopeShown = m_shown.envelopeShown;
     values.planeShown = m_shown.planeShown;
     values.sunShown = m_shown.sunShown;

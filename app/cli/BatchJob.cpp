@@ -4,6 +4,7 @@
 #include "app/files/Outputs.h"
 #include "commands/DocumentProject.h"
 #include "commands/ImportSkeleton.h"
+#include "commands/SetParameters.h"
 #include "commands/recipe/JournalRecipe.h"
 #include "commands/recipe/Recipe.h"
 #include "commands/recipe/RecipePlayer.h"
@@ -251,8 +252,9 @@ Result<QString> playRecipes(TreeDocument& document, QString& name, const Command
         Result<ReplayInput> input = readReplayInput(fileName);
         if (!input)
             return input.error();
-        if (input->project && line.inputs.size() == 1 && !line.seed)
+        if (input->project && line.inputs.size() == 1 && !line.seed && line.overrides.isEmpty())
             wanted = shownTree(*input->project);
+        line.overrides.applyTo(input->recipe);
         recipes.push_back(std::move(input->recipe));
     }
     if (line.seed)
@@ -355,12 +357,29 @@ Result<void> importTree(const CommandLine& line)
     return writeOutputs(projectOf(document, QFileInfo(fileName).completeBaseName()), line.outputs);
 }
 
+/// Shows the project, with the parameters that the command line gives in force.
+Result<void> showWithOverrides(TreeDocument& document, Project project, const CommandLine& line)
+{
+    showProject(document, std::move(project));
+    if (!setParameters(document, line.overrides.appliedTo(document.parameters())))
+        return inputError(
+            QFileInfo(line.inputs.constFirst()).fileName(),
+            QCoreApplication::translate("CommandLine", "there is no room for more parameter sets"));
+    return {};
+}
+
 Result<void> exportProject(const CommandLine& line)
 {
-    const Result<Project> project = loadInput(line);
+    Result<Project> project = loadInput(line);
     if (!project)
         return project.error();
-    return writeOutputs(*project, line.outputs);
+    if (line.overrides.isEmpty())
+        return writeOutputs(*project, line.outputs);
+    const QString name = project->name;
+    TreeDocument document;
+    if (const Result<void> shown = showWithOverrides(document, std::move(*project), line); !shown)
+        return shown.error();
+    return writeOutputs(projectOf(document, name), line.outputs);
 }
 
 Result<void> render(const CommandLine& line)
@@ -369,7 +388,8 @@ Result<void> render(const CommandLine& line)
     if (!project)
         return project.error();
     TreeDocument document;
-    showProject(document, std::move(*project));
+    if (const Result<void> shown = showWithOverrides(document, std::move(*project), line); !shown)
+        return shown.error();
     return writePictureOf(document, line, {});
 }
 

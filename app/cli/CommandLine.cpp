@@ -139,6 +139,8 @@ constexpr Option kOptions[] = {
                      .arg(value));
          return {};
      }},
+    {"set", " replay export render ",
+     [](CommandLine& line, const QString& value) -> Result<void> { return line.overrides.add(value); }},
 };
 
 /// Reads the arguments after a verb.
@@ -293,7 +295,7 @@ QString commandLineHelp()
                "                [--camera front|side|top|three-quarter]\n"
                "                [--transparent [--ground-shadow]]\n"
                "                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]\n"
-               "                [--strict]\n"
+               "                [--strict] [--set GROUP.NAME=VALUE]...\n"
                "    Does what a recipe says, without a window, and writes what comes of it.\n"
                "    Of a project, all is done again that was done to its tree.\n"
                "    Of several recipes each continues the tree of the one before: the first\n"
@@ -301,15 +303,18 @@ QString commandLineHelp()
                "    --profiles: the places of the strands in each cross-section, as JSON.\n"
                "    What operations do not find in the tree is printed; with --strict it is an\n"
                "    error, and nothing is written.\n"
+               "    --set gives a parameter a value for the whole replay, whatever recipes say:\n"
+               "    --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.\n"
                "\n"
                "espalier import SKELETON.csv -o OUT...\n"
                "    Makes a tree of a measured one: lines of id, parent, both ends and radius.\n"
                "\n"
-               "espalier export PROJECT [-o OUT]...\n"
-               "    Writes a project in other formats.\n"
+               "espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...\n"
+               "    Writes a project in other formats. --set changes parameters for what is\n"
+               "    written; the project stays as it is.\n"
                "\n"
                "espalier render PROJECT --png FILE [--size WxH] [--camera ...]\n"
-               "                [--transparent [--ground-shadow]]\n"
+               "                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...\n"
                "    Takes a picture. It wants a display; a virtual one will do.\n"
                "    --transparent: the tree alone, with straight alpha; --ground-shadow keeps\n"
                "    its shadow, as black of some opacity.\n"

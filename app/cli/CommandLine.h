@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/cli/ParameterOverrides.h"
 #include "model/base/Error.h"
 
 #include <QSize>
@@ -38,6 +39,7 @@ struct CommandLine {
     bool strict = false;               ///< An operation that finds nothing to do is an error
     int threads = 0;                   ///< 0 for as many as the machine has
     std::optional<std::uint64_t> seed; ///< In place of the recipe's
+    ParameterOverrides overrides{};    ///< In place of the recipe's or project's
 
     /// Whether a window or a picture will be drawn, which needs a display.
     bool needsDisplay() const;

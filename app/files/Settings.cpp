@@ -69,6 +69,9 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/planeShown"), values.planeShown);
     visit(QStringLiteral("view/bendingWeight"), values.bendingWeight);
     visit(QStringLiteral("view/stretchingWeight"), values.stretchingWeight);
+    visit(QStringLiteral("view/twistsSubtree"), values.twistsSubtree);
+    visit(QStringLiteral("view/newBuds"), values.newBuds);
+    visit(QStringLiteral("view/budSpacing"), values.budSpacing);
     visit(QStringLiteral("view/groundShown"), values.groundShown);
     visit(QStringLiteral("view/shadowsShown"), values.shadowsShown);
     visit(QStringLiteral("view/gridShown"), values.gridShown);

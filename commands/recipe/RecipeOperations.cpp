@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/AddBudsOperation.h"
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
@@ -16,6 +17,7 @@
 #include "commands/recipe/SetParametersOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
 #include "commands/recipe/TravelOperation.h"
+#include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"
 
 #include <QJsonDocument>
@@ -46,7 +48,7 @@ constexpr OperationKind kKinds[] = {
     kindOf<RedoOperation>(),          kindOf<BendOperation>(),        kindOf<SetWidthOperation>(),
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
     kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
-    kindOf<ReduceOperation>(),
+    kindOf<ReduceOperation>(),        kindOf<TwistOperation>(),       kindOf<AddBudsOperation>(),
 };
 
 } // namespace

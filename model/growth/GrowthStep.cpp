@@ -67,8 +67,10 @@ private:
         Vec3 result = heading;
         if (m_tree.parent(node) == kNoInternode)
             return result; // a root internode has no laterals
-        const auto started =
-            static_cast<unsigned>(newBuds(m_tree.grownWith(node)) & ~m_tree.buds(node) & ~kTerminalBud);
+        // A bud that sleeps or has died has not started.
+        const BudStates states = m_tree.budStates(node);
+        const auto started = static_cast<unsigned>(newBuds(m_tree.grownWith(node)) &
+                                                   ~(states.living | states.other) & ~kTerminalBud);
         for (unsigned rest = started; rest != 0; rest &= rest - 1) {
             const Vec3 lateral = m_tree.budDirection(node, std::countr_zero(rest));
             const Vec3 axis = heading.cross(lateral);

@@ -46,6 +46,8 @@ void ViewSettings::setValues(const ViewValues& values)
     wanted.brushRadius = std::clamp(wanted.brushRadius, 0.0, kMaxBrushRadius);
     for (double* weight : {&wanted.bendingWeight, &wanted.stretchingWeight})
         *weight = std::clamp(*weight, kLeastBendWeight, kMostBendWeight);
+    wanted.newBuds = std::round(std::clamp(wanted.newBuds, kLeastNewBuds, kMostNewBuds));
+    wanted.budSpacing = std::clamp(wanted.budSpacing, 0.0, kMostBudSpacing);
     wanted.sunElevation = std::clamp(wanted.sunElevation, kLeastSunElevation, radians(90));
     TracingImage& tracing = wanted.tracing;
     for (double* offset : {&tracing.right, &tracing.up})

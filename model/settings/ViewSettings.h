@@ -18,6 +18,11 @@ inline constexpr double kMaxBrushRadius = 5.0;
 inline constexpr double kLeastBendWeight = 0.01;
 inline constexpr double kMostBendWeight = 100.0;
 
+/// Limits of the adventitious buds that a tap adds: their number, and the distance between them, m.
+inline constexpr double kLeastNewBuds = 3;
+inline constexpr double kMostNewBuds = 8;
+inline constexpr double kMostBudSpacing = 0.3;
+
 /// The next larger (@p notches > 0) or smaller radius, for the wheel and the keys [ and ]: a notch changes it
 /// by a tenth, down to the radius 0 of a single axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
@@ -64,6 +69,9 @@ struct ViewValues {
         1.0; ///< Resistance of branches against bending, kLeastBendWeight...kMostBendWeight
     /// Resistance of branches against stretching, kLeastBendWeight...kMostBendWeight.
     double stretchingWeight = 1.0;
+    bool twistsSubtree = false; ///< A twist reaches all that a branch carries, not only the branch itself
+    double newBuds = 5;         ///< Buds that a tap adds, a whole number, kLeastNewBuds...kMostNewBuds
+    double budSpacing = 0.03;   ///< Distance along the branch between them, m, 0...kMostBudSpacing
     bool leavesShown = true;
     bool groundShown = true;
     bool shadowsShown = true;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/CommandLine.h"
 
+#include "commands/recipe/GrowOperation.h"
+#include "commands/recipe/SetParametersOperation.h"
 #include "tests/support/TestClasses.h"
 
 #include <QTest>
+
+#include <cmath>
 
 using namespace espalier;
 
@@ -17,6 +21,10 @@ private Q_SLOTS:
     void transparent_isAskedForWithoutAValue();
     void doubleDash_endsTheOptions();
     void demo_takesARecipeOrNone();
+    void set_readsEveryKindOfValue();
+    void set_isTakenByEveryVerbThatMakesSomething();
+    void set_winsOverContradictions();
+    void set_holdsForAllOfARecipe();
     void wrongLines_saySo_data();
     void wrongLines_saySo();
 };
@@ -87,12 +95,110 @@ void CommandLineTest::demo_takesARecipeOrNone()
     QCOMPARE(line->inputs, QStringList{QStringLiteral("oak.json")});
 }
 
+namespace {
+
+Result<CommandLine> replayWith(const QStringList& values)
+{
+    QStringList words{QStringLiteral("replay"), QStringLiteral("a.json")};
+    for (const QString& value : values)
+        words << QStringLiteral("--set") << value;
+    return parseCommandLine(words);
+}
+
+} // namespace
+
+void CommandLineTest::set_readsEveryKindOfValue()
+{
+    const Result<CommandLine> line =
+        replayWith({QStringLiteral("growth.shedding=0.25"), QStringLiteral("growth.branchingAngle=33"),
+                    QStringLiteral("growth.maxShootLength=4"), QStringLiteral("leaves.visible=false"),
+                    QStringLiteral("wood.mesher=strands"), QStringLiteral("growth.shedding=0.5"),
+                    QStringLiteral("growth.ellipseOffset=-0.3")});
+    QVERIFY2(line, line ? "" : qPrintable(line.error().message));
+    TreeParameters wanted;
+    wanted.growth.shedding = 0.5; // The last one counts.
+    wanted.growth.branchingAngle = radians(33);
+    wanted.growth.maxShootLength = 4;
+    wanted.growth.ellipseOffset = -0.3;
+    wanted.leaves.visible = false;
+    wanted.wood.mesher = WoodMesherKind::Strands;
+    QCOMPARE(line->overrides.appliedTo(TreeParameters()), wanted);
+    QVERIFY(parseCommandLine({QStringLiteral("replay"), QStringLiteral("a.json")})->overrides.isEmpty());
+    // Each parameter has a name here.
+    TreeParameters defaults;
+    visitParameters(defaults, [](const ParameterInfo& info, const auto&) {
+        QString least = QString::number(std::max(info.minimum, 0.05));
+        if (info.quantity == Quantity::Choice)
+            least = QString::fromLatin1(info.choices).section(QLatin1Char(' '), 0, 0);
+        else if (info.quantity == Quantity::Switch)
+            least = QStringLiteral("true");
+        else if (info.quantity == Quantity::Count)
+            least = QString::number(info.maximum);
+        const Result<CommandLine> one =
+            replayWith({QStringLiteral("%1=%2").arg(QString::fromLatin1(info.key), least)});
+        QVERIFY2(one, one ? "" : qPrintable(one.error().message));
+    });
+}
+
+void CommandLineTest::set_isTakenByEveryVerbThatMakesSomething()
+{
+    for (const char* words :
+         {"replay a.json --set growth.shedding=0.3", "export --set=growth.shedding=0.3 a.espalier",
+          "render a.espalier --png a.png --set growth.shedding=0.3"}) {
+        const Result<CommandLine> line = parseCommandLine(QString::fromLatin1(words).split(QLatin1Char(' ')));
+        QVERIFY2(line, words);
+        QCOMPARE(line->overrides.appliedTo(TreeParameters()).growth.shedding, 0.3);
+        QCOMPARE(line->inputs.size(), 1);
+    }
+}
+
+void CommandLineTest::set_winsOverContradictions()
+{
+    TreeParameters parameters;
+    parameters.growth.axisWeight = 0.2;
+    parameters.growth.tropismWeight = 0.2;
+    parameters.growth.spaceWeight = 0.6;
+    parameters.growth.ellipseVertical = 0.5;
+    parameters.growth.ellipseOffset = 0.4;
+    const auto applied = [&](const QStringList& values) {
+        const Result<CommandLine> line = replayWith(values);
+        return line ? line->overrides.appliedTo(parameters).growth : GrowthParameters{.axisWeight = -1.0};
+    };
+    const GrowthParameters axis = applied({QStringLiteral("growth.axisWeight=0.6")});
+    QVERIFY(std::abs(axis.axisWeight - 0.6) < 1e-12);
+    QVERIFY(std::abs(axis.tropismWeight - 0.1) < 1e-12 && std::abs(axis.spaceWeight - 0.3) < 1e-12);
+    const GrowthParameters two =
+        applied({QStringLiteral("growth.axisWeight=1"), QStringLiteral("growth.spaceWeight=1")});
+    QVERIFY(std::abs(two.axisWeight - 0.5) < 1e-12 && two.tropismWeight == 0.0);
+    QVERIFY(applied({QStringLiteral("growth.ellipseOffset=1")}).ellipseVertical > 1.0);
+    QCOMPARE(applied({QStringLiteral("growth.ellipseOffset=1")}).ellipseOffset, 1.0);
+    QCOMPARE(applied({QStringLiteral("growth.ellipseVertical=0.2")}).ellipseVertical, 0.2);
+    QVERIFY(applied({QStringLiteral("growth.ellipseVertical=0.2")}).ellipseOffset < 0.2);
+}
+
+void CommandLineTest::set_holdsForAllOfARecipe()
+{
+    const Result<CommandLine> line = replayWith({QStringLiteral("growth.shedding=0.5")});
+    QVERIFY(line);
+    TreeParameters other;
+    other.growth.shedding = 0.1;
+    other.growth.maxShootLength = 7;
+    Recipe recipe;
+    recipe.operations.emplace_back(GrowOperation{});
+    recipe.operations.emplace_back(SetParametersOperation{other});
+    line->overrides.applyTo(recipe);
+    other.growth.shedding = 0.5;
+    QCOMPARE(recipe.parameters.growth.shedding, 0.5);
+    QVERIFY(recipe.operations[0] == RecipeOperation(GrowOperation{}));
+    QCOMPARE(recipe.operations[1].as<SetParametersOperation>()->parameters, other);
+}
+
 void CommandLineTest::wrongLines_saySo_data()
 {
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("mentions");
     const auto add = [](const char* words, const char* mentions) {
-        QTest::newRow(words) << QString::fromLatin1(words) << QString::fromLatin1(mentions);
+        QTest::newRow(words) << QString::fromLatin1(words) << QString::fromUtf8(mentions);
     };
     add("replay", "recipe");
     add("replay a.json -o", "-o wants a value");
@@ -110,6 +216,27 @@ void CommandLineTest::wrongLines_saySo_data()
     add("replay a.json --png", "--png wants a value");
     add("replay a.json -x", "replay knows no option -x");
     add("replay a.json --stats s.json --help", "replay knows no option --help");
+    add("replay a.json --set", "--set wants a value");
+    add("replay a.json --set growth.shedding", "--set wants group.name=value, not \"growth.shedding\"");
+    add("replay a.json --set =0.3", "--set wants group.name=value, not \"=0.3\"");
+    add("replay a.json --set growth.sheding=0.3", "--set knows no parameter \"growth.sheding\"");
+    add("replay a.json --set shedding=0.3", "--set knows no parameter \"shedding\"");
+    add("replay a.json --set leaves.image=a.png", "--set knows no parameter \"leaves.image\"");
+    add("replay a.json --set growth.shedding=1.5", "--set growth.shedding: 1.5 is not within 0…1");
+    add("replay a.json --set growth.shedding=much", "--set growth.shedding: a number is expected");
+    add("replay a.json --set growth.shedding=inf", "--set growth.shedding: a number is expected");
+    add("replay a.json --set growth.shedding=", "--set growth.shedding: a number is expected");
+    add("replay a.json --set growth.maxShootLength=2.5", "a whole number is expected");
+    add("replay a.json --set leaves.visible=1", "--set leaves.visible: true or false is expected");
+    add("render a.espalier --png a.png --set bark.kind=elm",
+        "--set bark.kind: one of these is expected: fur");
+    add("replay a.json --set growth.axisWeight=0 --set growth.tropismWeight=0 --set growth.spaceWeight=0",
+        "must not all be 0");
+    add("export a.espalier --set growth.ellipseVertical=0.2 --set growth.ellipseOffset=0.3",
+        "--set growth.ellipseOffset: it must not be beyond");
+    add("info a.espalier --set growth.shedding=0.3", "info knows no option --set");
+    add("import a.csv -o a.obj --set growth.shedding=0.3", "import knows no option --set");
+    add("--demo --set growth.shedding=0.3", "espalier knows no option --set");
     add("--demo --seed 3", "espalier knows no option --seed");
     add("export", "project");
     add("export a.espalier b.espalier", "one project");

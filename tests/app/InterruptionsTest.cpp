@@ -94,6 +94,7 @@ void InterruptionsTest::begin(ActionId tool)
         break;
     case ActionId::Bend:
     case ActionId::Width:
+    case ActionId::Twist:
         press(at(0.0F, 0.7F));
         for (int i = 1; i <= 6; ++i)
             moveTo(at(0.0F, 0.7F) + QPoint(8 * i, 0));
@@ -141,8 +142,9 @@ void InterruptionsTest::interruption_endsTheGestureAsOneUndoStep_data()
         QTest::addRow("%s, %s", name, what) << tool << QString::fromLatin1(what);
     };
     const std::pair<ActionId, const char*> tools[] = {
-        {Brush, "brush"}, {Bend, "bend"}, {Width, "width"},           {Prune, "prune"},
-        {Lasso, "lasso"}, {Grow, "grow"}, {Invigorate, "invigorate"}, {Reduce, "reduce"}};
+        {Brush, "brush"},           {Bend, "bend"},     {Width, "width"},
+        {Prune, "prune"},           {Lasso, "lasso"},   {Grow, "grow"},
+        {Invigorate, "invigorate"}, {Reduce, "reduce"}, {Twist, "twist"}};
     for (const auto& [tool, name] : tools) {
         add(tool, name, "P");
         add(tool, name, "W");
@@ -217,6 +219,7 @@ void InterruptionsTest::escape_takesTheGestureBack_data()
     QTest::newRow("bend") << ActionId::Bend;
     QTest::newRow("width") << ActionId::Width;
     QTest::newRow("prune") << ActionId::Prune;
+    QTest::newRow("twist") << ActionId::Twist;
     QTest::newRow("lasso") << ActionId::Lasso;
     QTest::newRow("grow") << ActionId::Grow;
     QTest::newRow("invigorate") << ActionId::Invigorate;

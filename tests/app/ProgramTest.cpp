@@ -21,6 +21,8 @@ private Q_SLOTS:
     void replay_writesEveryOutputAndNothingElse();
     void replay_continuesOneTreeThroughSeveralRecipes();
     void replay_takesTheSeedOfTheCommandLine();
+    void replay_takesParametersOfTheCommandLine();
+    void exportAndRender_takeParametersForTheirOutputAlone();
     void replayOfAProject_givesTheSameProject();
     void replayOfAnOldProject_saysWhichStepsAreNotKnown();
     void replayOfAProject_saysIfAnotherTreeComesOfIt();
@@ -194,6 +196,58 @@ void ProgramTest::replay_takesTheSeedOfTheCommandLine()
     QVERIFY(read("a.csv") != read("c.csv"));
 }
 
+void ProgramTest::replay_takesParametersOfTheCommandLine()
+{
+    const auto recipeWith = [](const QByteArray& first, const QByteArray& later) {
+        return "{\"espalier-recipe\": 1, \"parameters\": {\"growth\": {" + first +
+               "}}, \"operations\": [{\"op\": \"grow\", \"steps\": 3}, {\"op\": \"setParameters\", "
+               "\"parameters\": {\"growth\": {\"shedding\": 0.01" +
+               later + "}}}, {\"op\": \"grow\", \"steps\": 3}]}";
+    };
+    write("plain.json", recipeWith("\"maxShootLength\": 3", ", \"maxShootLength\": 6"));
+    write("wanted.json", recipeWith("\"maxShootLength\": 4", ""));
+    runWell({"replay", "wanted.json", "-o", "a.csv"});
+    runWell({"replay", "plain.json", "--set", "growth.maxShootLength=4", "-o", "b.csv"});
+    runWell({"replay", "plain.json", "-o", "c.csv"});
+    QCOMPARE(read("b.csv"), read("a.csv"));
+    QVERIFY(read("c.csv") != read("a.csv"));
+    // The history of a project as well, which then gives another tree without a warning.
+    runWell({"replay", "plain.json", "-o", "plain.espalier"});
+    runWell({"replay", "plain.espalier", "--strict", "--set", "growth.maxShootLength=4", "-o", "d.csv"});
+    QCOMPARE(read("d.csv"), read("a.csv"));
+}
+
+void ProgramTest::exportAndRender_takeParametersForTheirOutputAlone()
+{
+    runWell({"replay", "r.json", "-o", "t.espalier", "-o", "t.csv"});
+    const QByteArray before = read("t.espalier");
+    runWell({"export", "t.espalier", "-o", "thick.csv", "-o", "thick.espalier", "--set",
+             "widths.tipDiameter=0.02", "--set", "leaves.visible=false"});
+    QVERIFY(read("thick.csv") != read("t.csv"));
+    QCOMPARE(read("t.espalier"), before);
+    const QJsonObject info = QJsonDocument::fromJson(run({"info", "thick.espalier"}).out).object();
+    const QJsonObject parameters = info[QStringLiteral("parameters")].toObject();
+    QCOMPARE(parameters[QStringLiteral("widths")][QStringLiteral("tipDiameter")].toDouble(), 0.02);
+    QCOMPARE(parameters[QStringLiteral("leaves")][QStringLiteral("visible")], QJsonValue(false));
+    // The values that a project has already change nothing.
+    runWell({"export", "t.espalier", "-o", "same.csv", "--set", "widths.exponent=2.2"});
+    QCOMPARE(read("same.csv"), read("t.csv"));
+
+    QVERIFY2(!qEnvironmentVariableIsEmpty("DISPLAY"), "There is no display: run this test with xvfb-run -a.");
+    QProcessEnvironment display = QProcessEnvironment::systemEnvironment();
+    display.remove(QStringLiteral("QT_QPA_PLATFORM"));
+    const auto picture = [&](const QStringList& more) {
+        const Outcome outcome =
+            run(QStringList{"render", "t.espalier", "--png", "p.png", "--size", "200x200"} + more, display);
+        return outcome.code == 0 ? QImage(path(QStringLiteral("p.png"))) : QImage();
+    };
+    const QImage leafy = picture({});
+    const QImage bare = picture({"--set", "leaves.visible=false"});
+    QVERIFY(!leafy.isNull() && !bare.isNull());
+    QVERIFY(leafy != bare);
+    QCOMPARE(read("t.espalier"), before);
+}
+
 void ProgramTest::replayOfAProject_givesTheSameProject()
 {
     write("shape.json", R"({"espalier-recipe": 1, "operations": [
@@ -355,6 +409,10 @@ void ProgramTest::failures_areOneLineAndACode_data()
     add("no recipe", {"replay"}, 2, "recipe");
     add("unknown option", {"replay", "r.json", "--fast"}, 2, "--fast");
     add("unknown format", {"replay", "r.json", "-o", "t.stl"}, 2, "t.stl");
+    add("parameter without a value", {"replay", "r.json", "--set", "growth.shedding"}, 2, "group.name=value");
+    add("unknown parameter", {"export", "t.espalier", "--set", "growth.x=1"}, 2, "growth.x");
+    add("value out of range", {"render", "t.espalier", "--png", "p.png", "--set", "growth.shedding=7"}, 2,
+        "growth.shedding");
     add("recipe is not there", {"replay", "none.json", "-o", "t.glb"}, 3, "none.json");
     add("recipe is a folder", {"replay", "folder"}, 3, "folder");
     add("recipe is no JSON", {"replay", "broken.json"}, 3, "broken.json");

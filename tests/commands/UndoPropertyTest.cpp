@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/AddBuds.h"
 #include "commands/BendGesture.h"
 #include "commands/DocumentProject.h"
 #include "commands/LassoGesture.h"
@@ -6,6 +7,7 @@
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
+#include "commands/TwistGesture.h"
 #include "commands/WidthGesture.h"
 #include "model/document/EditFollower.h"
 #include "tests/support/Documents.h"
@@ -155,10 +157,16 @@ private:
     Action randomAction()
     {
         const bool isLarge = m_document.index().livingCount() > 220;
-        switch (below(isLarge ? 5 : 9)) {
+        switch (below(isLarge ? 5 : 10)) {
         case 0:
             return [cut = living()](TreeDocument& document) { pruneBranches(document, std::span(&cut, 1)); };
         case 1:
+            if (below(2) == 0) {
+                const auto scope = below(2) == 0 ? TwistScope::Branch : TwistScope::Subtree;
+                return [id = living(), scope, angle = 10.0 * (below(7) - 3)](TreeDocument& document) {
+                    twistBranch(document, id, scope, angle);
+                };
+            }
             return [id = living(), diameter = m_random.uniform(-0.01, 0.1)](TreeDocument& document) {
                 setWidth(document, id, diameter);
             };
@@ -185,6 +193,13 @@ private:
             const std::vector<BrushSample> stroke =
                 randomStroke(m_random, m_document.parameters().growth, 0.4);
             return [stroke](TreeDocument& document) { brush(document, stroke); };
+        }
+        case 7: {
+            const BudSpiral spiral{.internode = living(),
+                                   .along = m_random.uniform(),
+                                   .count = 1 + below(4),
+                                   .spacing = 0.1 * m_random.uniform()};
+            return [spiral](TreeDocument& document) { addBuds(document, spiral); };
         }
         default:
             return [steps = 1 + below(2)](TreeDocument& document) { grow(document, steps); };
@@ -219,7 +234,7 @@ private:
 
     void cancelSomething()
     {
-        switch (below(5)) {
+        switch (below(6)) {
         case 0: {
             const std::vector<BrushSample> stroke =
                 randomStroke(m_random, m_document.parameters().growth, 0.3);
@@ -246,6 +261,12 @@ private:
             TimeGesture gesture(m_document);
             gesture.moveTo(static_cast<std::size_t>(below(static_cast<int>(somewhere()) + 1)));
             gesture.moveTo(somewhere() + 1);
+            gesture.cancel();
+            break;
+        }
+        case 4: {
+            TwistGesture gesture(m_document, living(), TwistScope::Subtree);
+            gesture.set(20.0);
             gesture.cancel();
             break;
         }

@@ -210,6 +210,7 @@ void drawTrees()
     drawStages("bend", {2, 3});
     drawStages("width", {3, 5});
     drawStages("selectBud", {2, 3});
+    drawStages("addBuds", {8, 11});
     drawStages("history", {3, 5});
     drawStages("architecture", {1, 13});
     drawStages("leafSheet", {4, 5, 6});
@@ -291,6 +292,24 @@ void shootBud(Photographer& by)
     by.window().viewSettings().set(&ViewValues::leavesShown, true);
 }
 
+void shootTwist(Photographer& by)
+{
+    by.begin("twist", 3, ActionId::Twist);
+    by.look(Box3(Vec3(-0.5F, 0.0F, -0.3F), Vec3(0.5F, 1.5F, 0.3F)));
+    by.press(by.at(0.01, 0.45));
+    by.drag(by.at(-0.15, 0.47), 700);
+    by.shoot("twist-window", by.left(100));
+    by.takeBack();
+}
+
+void shootAddBuds(Photographer& by)
+{
+    by.begin("addBuds", 8, ActionId::AddBuds);
+    by.look(Box3(Vec3(-0.4F, 0.4F, -0.2F), Vec3(0.2F, 1.0F, 0.2F)));
+    by.hover(by.at(-0.13, 0.76));
+    by.shoot("addBuds-window", by.left(100));
+}
+
 void shootHistory(Photographer& by)
 {
     by.begin("prune", 5, ActionId::Brush);
@@ -330,7 +349,7 @@ int main(int argc, char** argv)
     drawTrees();
     Photographer photographer;
     for (void (*shoot)(Photographer&) : {shootBrush, shootLasso, shootGrow, shootPrune, shootBend, shootWidth,
-                                         shootBud, shootHistory, shootView})
+                                         shootBud, shootTwist, shootAddBuds, shootHistory, shootView})
         shoot(photographer);
     return 0;
 }

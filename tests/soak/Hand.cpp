@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/soak/Hand.h"
 
+#include "commands/AddBuds.h"
 #include "commands/BendGesture.h"
 #include "commands/BrushGesture.h"
 #include "commands/GrowGesture.h"
@@ -12,6 +13,7 @@
 #include "commands/ReduceGesture.h"
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
+#include "commands/TwistGesture.h"
 #include "commands/WidthGesture.h"
 #include "tests/support/AllOperations.h"
 
@@ -161,6 +163,20 @@ public:
         (void)importSkeleton(m_document, operation.skeleton);
     }
 
+    void operator()(const TwistOperation& operation)
+    {
+        TwistGesture gesture(m_document, operation.internode.number(), operation.scope);
+        for (int i = m_random.below(3); i > 0; --i)
+            gesture.set(m_random.below(361) - 180);
+        gesture.set(operation.angle);
+        gesture.finish();
+    }
+
+    void operator()(const AddBudsOperation& operation)
+    {
+        addBuds(m_document, operation.spiralAt(operation.internode.number()));
+    }
+
     void operator()(const RemoveLassoOperation&) { removeEnvelopes(m_document); }
 
     /// Performs the operation if it is of this kind.
@@ -205,7 +221,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
         doesAny<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
                 RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation, ImportOperation,
-                InvigorateOperation, ReduceOperation>(Hand(document, random), operation);
+                InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation>(
+            Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

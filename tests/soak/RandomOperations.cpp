@@ -374,6 +374,25 @@ ImportOperation RandomOperations::make(const TreeDocument& document, int)
     return operation;
 }
 
+template <>
+TwistOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const double angle =
+        onceIn(4) ? 0.0 : m_random.uniform(-TwistOperation::kMostAngle, TwistOperation::kMostAngle);
+    return {any(document), angle, onceIn(3) ? TwistScope::Subtree : TwistScope::Branch};
+}
+
+template <>
+AddBudsOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    return {.internode = any(document),
+            .count = 1 + below(BudSpiral::kMostBuds),
+            .spacing = onceIn(5) ? m_random.uniform(0.0, BudSpiral::kGreatestSpacing)
+                                 : internode(document) * m_random.uniform(),
+            .along = onceIn(4) ? below(2) : m_random.uniform(),
+            .azimuth = m_random.uniform(-360.0, 360.0)};
+}
+
 std::span<const RandomOperations::Kind> RandomOperations::kinds()
 {
     static constexpr Kind kKinds[] = {
@@ -385,6 +404,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<RegrowOperation>(1, 0),         kindOf<RemoveLassoOperation>(1, 1),
         kindOf<FillEnvelopesOperation>(1, 0),  kindOf<ImportOperation>(1, 1),
         kindOf<InvigorateOperation>(8, 0),     kindOf<ReduceOperation>(8, 14),
+        kindOf<TwistOperation>(6, 2),          kindOf<AddBudsOperation>(6, 0),
     };
     return kKinds;
 }

@@ -46,7 +46,7 @@ QString difference(const TreeDocument& a, const TreeDocument& b)
 QString lifeFault(const Tree& tree)
 {
     for (InternodeId id = 1; id < tree.size(); ++id) {
-        if (tree.isAlive(id) && !tree.isAlive(tree.parent(id)))
+        if (tree.isAlive(id) && !tree.isRoot(id) && !tree.isAlive(tree.parent(id)))
             return QStringLiteral("internode %1 lives on one that does not").arg(id);
     }
     return {};

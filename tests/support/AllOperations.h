@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/recipe/AddBudsOperation.h"
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
@@ -17,4 +18,5 @@
 #include "commands/recipe/SetParametersOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
 #include "commands/recipe/TravelOperation.h"
+#include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"

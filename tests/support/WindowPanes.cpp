@@ -3,6 +3,7 @@
 
 #include "app/HelpController.h"
 #include "app/Tour.h"
+#include "panels/AddBudsPopOut.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPanel.h"
@@ -16,6 +17,7 @@
 #include "panels/RotationStrip.h"
 #include "panels/SettingsSheet.h"
 #include "panels/TourCard.h"
+#include "panels/TwistPopOut.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "panels/library/LibraryPanel.h"
 #include "panels/library/LibraryView.h"
@@ -56,6 +58,8 @@ std::vector<WindowPanes::Pane> WindowPanes::all()
         {"brush's pop-out", of(ActionId::Brush, *m_window.workspace().findChild<BrushPopOut*>())},
         {"grow", of(ActionId::Grow, m_window.workspace().growPopOut())},
         {"bend", of(ActionId::Bend, *m_window.workspace().findChild<BendPopOut*>())},
+        {"twist", of(ActionId::Twist, *m_window.workspace().findChild<TwistPopOut*>())},
+        {"new buds", of(ActionId::AddBuds, *m_window.workspace().findChild<AddBudsPopOut*>())},
         {"lasso", of(ActionId::Lasso, m_window.workspace().lassoPopOut())},
         {"history", of(ActionId::History, m_window.workspace().history())},
         {"help",

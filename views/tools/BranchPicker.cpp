@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace espalier {
@@ -137,6 +138,36 @@ std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& sc
         }
     }
     return picker.best();
+}
+
+PickedBranch nearestOnAxis(const Tree& tree, const TreeIndex& index, const Camera& camera,
+                           PickedBranch picked, const QPointF& screen)
+{
+    double least = std::numeric_limits<double>::infinity();
+    PickedBranch nearest = picked;
+    for (InternodeId id = index.axis(picked.id); id != kNoInternode; id = index.mainChild(id)) {
+        const Vec3 base = index.basePosition(tree, id);
+        const Vec3& node = index.nodePosition(id);
+        // Only internodes that lie within the picked one's bark are meant, not a far part of the same axis.
+        const float reach = 3.0F * picked.radius + 2.0F * tree.length(picked.id);
+        if ((0.5F * (base + node) - picked.position).norm() > reach + tree.length(id))
+            continue;
+        const auto lower = camera.project(base);
+        const auto upper = camera.project(node);
+        if (!lower || !upper)
+            continue;
+        const QPointF way = *upper - *lower;
+        const double squared = QPointF::dotProduct(way, way);
+        const double along =
+            squared > 0.0 ? std::clamp(QPointF::dotProduct(screen - *lower, way) / squared, 0.0, 1.0) : 1.0;
+        const QPointF beside = screen - (*lower + along * way);
+        if (const double distance = QPointF::dotProduct(beside, beside); distance < least) {
+            least = distance;
+            const auto share = static_cast<float>(along);
+            nearest = {id, share, base + share * (node - base), picked.radius};
+        }
+    }
+    return nearest;
 }
 
 double pickReach(PointerDevice device, double pixelsPerMillimetre)

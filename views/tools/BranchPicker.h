@@ -34,6 +34,11 @@ struct PickScene {
 /// practically the same distance, the one in front. Reads only the cells near the ray.
 std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& screen, double reach);
 
+/// The place on the axis of @p picked that appears nearest to @p screen. On thick wood, several internodes
+/// are under the pointer, and pickBranch() takes one of them; this is the one beside the pointer.
+PickedBranch nearestOnAxis(const Tree& tree, const TreeIndex& index, const Camera& camera,
+                           PickedBranch picked, const QPointF& screen);
+
 /// The distance within which a pointer picks: 8 mm for a finger, less for a pen or a mouse; px.
 /// @param pixelsPerMillimetre of the screen, device-independent
 double pickReach(PointerDevice device, double pixelsPerMillimetre);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/JournalRecipe.h"
 
+#include "commands/AddBuds.h"
 #include "commands/BendGesture.h"
 #include "commands/DocumentProject.h"
 #include "commands/LassoGesture.h"
@@ -8,6 +9,7 @@
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
+#include "commands/TwistGesture.h"
 #include "commands/WidthGesture.h"
 #include "commands/recipe/RecipeFile.h"
 #include "commands/recipe/RecipePlayer.h"
@@ -197,6 +199,29 @@ void JournalRecipeTest::gesture_isPlayedAgain_data()
         ontoAnother.set(path[6], 0.03);
         ontoAnother.finish();
         setWidth(document, path[6], 0.0);
+    });
+    row("twist", [](TreeDocument& document) {
+        const std::vector<InternodeId> path = pathBetween(document.tree(), 0, farthest(document));
+        TwistGesture gesture(document, path[2], TwistScope::Branch);
+        gesture.set(90.0);
+        gesture.set(12.3456);
+        gesture.finish();
+        twistBranch(document, path[3], TwistScope::Subtree, -33.3);
+        twistBranch(document, path[5], TwistScope::Branch, 0.0);
+        grow(document, 1);
+    });
+    row("new buds", [](TreeDocument& document) {
+        const std::vector<InternodeId> path = pathBetween(document.tree(), 0, farthest(document));
+        pruneBranches(document, std::array{path[5]});
+        QCOMPARE(addBuds(document,
+                         {.internode = path[3], .along = 0.3, .azimuth = 77.7, .count = 6, .spacing = 0.05}),
+                 6);
+        QCOMPARE(addBuds(document,
+                         {.internode = path[3], .along = 0.3, .azimuth = 77.7, .count = 6, .spacing = 0.05}),
+                 6);
+        grow(document, 3);
+        QCOMPARE(addBuds(document, {.internode = 0, .count = 8, .spacing = 1.0}), 8);
+        grow(document, 2);
     });
     row("parameters", [](TreeDocument& document) {
         TreeParameters parameters = document.parameters();

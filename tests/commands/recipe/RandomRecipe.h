@@ -88,6 +88,14 @@ inline Recipe randomRecipe(std::uint64_t seed)
         result.operations.emplace_back(lasso);
         result.operations.emplace_back(RegrowOperation{});
         result.operations.emplace_back(RemoveLassoOperation{});
+        result.operations.emplace_back(TwistOperation{static_cast<InternodeId>(i),
+                                                      random.uniform(-180.0, 180.0),
+                                                      i % 2 == 0 ? TwistScope::Branch : TwistScope::Subtree});
+        result.operations.emplace_back(AddBudsOperation{.internode = static_cast<InternodeId>(i),
+                                                        .count = 1 + i % 8,
+                                                        .spacing = random.uniform(),
+                                                        .along = random.uniform(),
+                                                        .azimuth = random.uniform(-360.0, 360.0)});
         ImportOperation import;
         for (int j = 0; j <= i; ++j)
             import.skeleton.push_back({j == 0 ? kNoInternode : static_cast<std::uint32_t>(j - 1),

@@ -193,6 +193,24 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].regrips[0]: “bending” is not known here");
     row(operationsOf(R"({"op": "setWidth", "internode": 1, "diameter": 1, "from": {}})"),
         "operations[0].from: a key (“key”) or a place (“at”) is expected");
+    row(operationsOf(R"({"op": "twist", "internode": 1})"), "operations[0].angle: it is missing");
+    row(operationsOf(R"({"op": "twist", "internode": 1, "angle": 181})"),
+        "operations[0].angle: a number from -180 to 180 is expected");
+    row(operationsOf(R"({"op": "twist", "internode": 1, "angle": 1, "scope": "tree"})"),
+        "operations[0].scope: one of these is expected: branch, subtree");
+    row(operationsOf(R"({"op": "twist", "internode": 1, "angle": 1, "steps": 2})"),
+        "operations[0]: “steps” is not known here");
+    row(operationsOf(R"({"op": "addBuds"})"), "operations[0].internode: it is missing");
+    row(operationsOf(R"({"op": "addBuds", "internode": 1, "count": 9})"),
+        "operations[0].count: a whole number from 1 to 8 is expected");
+    row(operationsOf(R"({"op": "addBuds", "internode": 1, "count": 2.5})"),
+        "operations[0].count: a whole number from 1 to 8 is expected");
+    row(operationsOf(R"({"op": "addBuds", "internode": 1, "spacing": -1})"),
+        "operations[0].spacing: a number from 0 to 1 is expected");
+    row(operationsOf(R"({"op": "addBuds", "internode": 1, "along": 1.5})"),
+        "operations[0].along: a number from 0 to 1 is expected");
+    row(operationsOf(R"({"op": "addBuds", "internode": 1, "azimuth": 400})"),
+        "operations[0].azimuth: a number from -360 to 360 is expected");
     row(operationsOf(R"({"op": "setWidth", "internode": 1})"), "operations[0].diameter: it is missing");
     row(operationsOf(R"({"op": "setWidth", "internode": 1, "diameter": -0.1})"),
         "operations[0].diameter: a number from 0 to 100 is expected");
