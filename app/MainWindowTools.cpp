@@ -6,12 +6,14 @@
 #include "panels/GrowPopOut.h"
 #include "panels/HistoryPanel.h"
 #include "panels/Notice.h"
+#include "panels/ProfilePanel.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
 #include "views/tools/BendTool.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/GrowTool.h"
 #include "views/tools/LassoTool.h"
+#include "views/tools/ProfileTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/SelectBudTool.h"
 #include "views/tools/WidthTool.h"
@@ -87,6 +89,10 @@ void MainWindow::takeTool()
     case ActionId::Width:
         viewport.setTool(std::make_unique<WidthTool>(context));
         break;
+    case ActionId::Profile:
+        viewport.setTool(std::make_unique<ProfileTool>(context, *m_profiles));
+        popOut = Workspace::PopOut::Profile;
+        break;
     case ActionId::Lasso:
         viewport.setTool(std::make_unique<LassoTool>(context, m_lassoRunner));
         popOut = Workspace::PopOut::Lasso;
@@ -97,6 +103,7 @@ void MainWindow::takeTool()
         break;
     }
     updateTip();
+    m_profiles->setShown(popOut == Workspace::PopOut::Profile);
     m_workspace->showPopOut(popOut);
 }
 
@@ -133,6 +140,7 @@ void MainWindow::updateEnabled()
     }
     m_workspace->brushSheet().setParametersEnabled(isGrowing || !isBusy());
     m_workspace->history().setEnabled(!isBusy());
+    m_workspace->profilePanel().setMayEdit(!isBusy());
     m_workspace->library().setMayKeep(!isBusy());
 }
 

@@ -14,6 +14,7 @@
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
+#include "panels/ProfilePanel.h"
 #include "panels/RotationStrip.h"
 #include "panels/Theme.h"
 #include "panels/architecture/ArchitecturePanel.h"
@@ -48,6 +49,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_growPopOut(new GrowPopOut(document, this)),
       m_bendPopOut(new BendPopOut(settings, this)),
       m_lassoPopOut(new LassoPopOut(document, settings, this)),
+      m_profilePanel(new ProfilePanel(this)),
       m_architecture(new ArchitecturePanel(document, this)),
       m_brushSheet(new BrushPanel(document, settings, Preferences::kSoftest, Preferences::kFirmest, this)),
       m_background(new BackgroundPanel(settings, this)),
@@ -245,7 +247,8 @@ void Workspace::arrange()
     const std::pair<QWidget*, PopOut> popOuts[] = {{m_brushPopOut, PopOut::Brush},
                                                    {m_growPopOut, PopOut::Grow},
                                                    {m_bendPopOut, PopOut::Bend},
-                                                   {m_lassoPopOut, PopOut::Lasso}};
+                                                   {m_lassoPopOut, PopOut::Lasso},
+                                                   {m_profilePanel, PopOut::Profile}};
     const int lowestPopOut = height() - Viewport::kStripHeight - 4;
     QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {

@@ -27,6 +27,7 @@ class HistoryPanel;
 class LassoPopOut;
 class LibraryPanel;
 class Notice;
+class ProfilePanel;
 class RotationStrip;
 class Viewport;
 
@@ -36,7 +37,7 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow, Bend, Lasso };
+    enum class PopOut { None, Brush, Grow, Bend, Lasso, Profile };
     static constexpr int kSheetCount = 5;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -47,6 +48,7 @@ public:
     Notice& notice() { return *m_notice; }
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
+    ProfilePanel& profilePanel() { return *m_profilePanel; }
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
     ArchitecturePanel& architecture() { return *m_architecture; }
 
@@ -93,6 +95,7 @@ private:
     GrowPopOut* m_growPopOut;
     BendPopOut* m_bendPopOut;
     LassoPopOut* m_lassoPopOut;
+    ProfilePanel* m_profilePanel;
     ArchitecturePanel* m_architecture;
     BrushPanel* m_brushSheet;
     BackgroundPanel* m_background;

@@ -59,6 +59,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
         {Width, Group::Tools, "width", QT_TRANSLATE_NOOP("Actions", "Width"),
          QT_TRANSLATE_NOOP("Actions", "Tap a branch to hold its width, and draw the handle to change it."),
          "W", "width", true},
+        {Profile, Group::Tools, "profile", QT_TRANSLATE_NOOP("Actions", "Profile"),
+         QT_TRANSLATE_NOOP("Actions", "Tap a branch to see its cross-section, and draw its shape."),
+         "Shift+P", "profile", true},
         {Lasso, Group::Tools, "lasso", QT_TRANSLATE_NOOP("Actions", "Lasso"),
          QT_TRANSLATE_NOOP("Actions", "Draw the silhouette of a crown: the tree grows until it fills it."),
          "O", "lasso", true},
@@ -117,8 +120,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush, ActionId::Lasso, ActionId::Grow,     ActionId::Prune,
-                                       ActionId::Bend,  ActionId::Width, ActionId::SelectBud};
+    static constexpr std::array kTools{ActionId::Brush,   ActionId::Lasso,    ActionId::Grow,
+                                       ActionId::Prune,   ActionId::Bend,     ActionId::Width,
+                                       ActionId::Profile, ActionId::SelectBud};
     return kTools;
 }
 

@@ -30,6 +30,7 @@ enum class ActionId {
     SelectBud,
     Bend,
     Width,
+    Profile,
     Lasso,
     GrowStep,
     SmallerBrush,

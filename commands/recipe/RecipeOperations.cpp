@@ -12,6 +12,7 @@
 #include "commands/recipe/RegrowOperation.h"
 #include "commands/recipe/RemoveLassoOperation.h"
 #include "commands/recipe/SetParametersOperation.h"
+#include "commands/recipe/SetProfileOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/UndoOperation.h"
@@ -43,7 +44,7 @@ constexpr OperationKind kKinds[] = {
     kindOf<PruneOperation>(),         kindOf<TravelOperation>(),      kindOf<UndoOperation>(),
     kindOf<RedoOperation>(),          kindOf<BendOperation>(),        kindOf<SetWidthOperation>(),
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
-    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),
+    kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<SetProfileOperation>(),
 };
 
 } // namespace
