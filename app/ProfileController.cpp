@@ -4,6 +4,8 @@
 #include "app/runners/Background.h"
 #include "commands/ProfileEdits.h"
 #include "model/base/Parallel.h"
+#include "model/strands/ProfileSlots.h"
+#include "model/strands/SlotAssignment.h"
 
 namespace espalier {
 
@@ -188,7 +190,32 @@ void ProfileController::edit(const StrandProfile& profile)
         clearProfiles(m_document, ids);
     else
         setProfile(m_document, ids, profile);
-    show(false);
+    preview();
+}
+
+/// Shows the strands in the new profile before the layouts of the whole tree are made.
+void ProfileController::preview()
+{
+    const std::optional<std::uint32_t> node = nodeOfChosen();
+    const StrandProfile* const profile = m_chosen ? m_document.tree().profileOf(*m_chosen) : nullptr;
+    if (!node || profile == nullptr) {
+        show(false);
+        return;
+    }
+    const std::uint32_t strands = m_layouts->strandCount(*node);
+    std::vector<Vec2> before;
+    for (std::uint32_t i = 0; i < strands; ++i)
+        before.push_back(m_layouts->place(*node, i));
+    const ProfileSlots slots = profileSlots(*profile, strands);
+    std::vector<std::uint32_t> chosen(strands);
+    assignSlots(before, slots.places, chosen);
+    ProfileSection section;
+    section.strandRadius = 1.0F / slots.scale;
+    for (const std::uint32_t slot : chosen)
+        section.places.push_back(slots.places[slot] / slots.scale);
+    section.branch = branchesOf(m_layouts->skeleton(), *node);
+    m_panel.canvas().showSection(section, *profile, false);
+    m_panel.describe(double{m_layouts->skeleton().nodes[*node].radius}, strands, true);
 }
 
 void ProfileController::step(bool up)

@@ -38,6 +38,7 @@ private:
     void follow(const TreeChange& change);
     void work();
     void show(bool isOther);
+    void preview();
     std::optional<std::uint32_t> nodeOfChosen() const;
     void edit(const StrandProfile& profile);
     void step(bool up);

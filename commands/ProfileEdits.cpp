@@ -94,7 +94,7 @@ void blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, 
     Edit edit(document);
     const Tree& tree = document.tree();
     const std::vector<InternodeId> path = branchBetween(tree, first, last);
-    if (path.empty() || path.size() > static_cast<std::size_t>(kMostProfileNodes))
+    if (path.empty() || path.size() > static_cast<std::size_t>(SetProfileOperation::kMostNodes))
         return;
     const StrandProfile from = forRecipes(profile);
     const StrandProfile to = forRecipes(lastProfile);

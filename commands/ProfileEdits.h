@@ -12,9 +12,6 @@ namespace espalier {
 /// root; else none.
 std::vector<InternodeId> branchBetween(const Tree& tree, InternodeId first, InternodeId last);
 
-/// The most nodes of one call.
-inline constexpr qsizetype kMostProfileNodes = 10'000;
-
 // Each of these is one undo step, or none if nothing changes. Dead and unknown internodes are left out.
 
 /// Gives the nodes of @p internodes a profile (Strands 2024 §5.3). Precondition: profileFault(profile) is

@@ -23,6 +23,8 @@ constexpr double kShownShare = 0.86;
 /// A hand-drawn outline is at least so wide, px; an attractor is at least so long.
 constexpr double kLeastSketch = 12.0;
 constexpr double kLeastAttractor = 6.0;
+/// Of strands from an earlier state of the tree.
+constexpr double kOldOpacity = 0.45;
 constexpr double kLeastZoom = 4.0;
 constexpr double kGreatestZoom = 4000.0;
 
@@ -84,7 +86,7 @@ void ProfileCanvas::showSection(const ProfileSection& section, const StrandProfi
     }
     if (isFirst)
         fit();
-    update();
+    redraw();
 }
 
 void ProfileCanvas::clear()
@@ -94,13 +96,15 @@ void ProfileCanvas::clear()
     m_profile = {};
     m_axis.clear();
     setFault({});
-    update();
+    redraw();
 }
 
 void ProfileCanvas::setOld(bool old)
 {
+    if (m_isOld == old)
+        return;
     m_isOld = old;
-    update();
+    redraw();
 }
 
 void ProfileCanvas::fit()
@@ -119,7 +123,7 @@ void ProfileCanvas::fit()
                          kLeastZoom, kGreatestZoom);
     const Vec2 middle = box.center();
     m_middle = -m_scale * QPointF(double{middle.x()}, double{middle.y()});
-    update();
+    redraw();
 }
 
 QPointF ProfileCanvas::toWidget(const Vec2& point) const
@@ -267,7 +271,7 @@ void ProfileCanvas::offer(StrandProfile profile, StrandProfile::Loop drawn)
     }
     m_profile = std::move(profile);
     m_axis = medialAxis(m_profile);
-    m_isOld = true;
+    setOld(true);
     Q_EMIT edited(m_profile);
 }
 
@@ -304,7 +308,7 @@ void ProfileCanvas::eraseAt(const QPointF& place, double reach)
     if (changed.boundaries.empty()) {
         m_profile = {};
         m_axis.clear();
-        m_isOld = true;
+        setOld(true);
         Q_EMIT edited(m_profile);
         return;
     }
@@ -328,7 +332,7 @@ bool ProfileCanvas::event(QEvent* event)
         break;
     case QEvent::LanguageChange:
     case QEvent::PaletteChange:
-        update();
+        redraw();
         break;
     default:
         break;
@@ -391,7 +395,7 @@ void ProfileCanvas::wheelEvent(QWheelEvent* event)
     m_scale =
         std::clamp(m_scale * std::pow(1.15, event->angleDelta().y() / 120.0), kLeastZoom, kGreatestZoom);
     m_middle += event->position() - toWidget(under);
-    update();
+    redraw();
 }
 
 void ProfileCanvas::keyPressEvent(QKeyEvent* event)
@@ -437,7 +441,17 @@ void ProfileCanvas::paintEvent(QPaintEvent*)
         painter.setPen(QPen(theme::kFaintText, 1.0, Qt::DashLine));
         painter.setBrush(Qt::NoBrush);
         painter.drawEllipse(origin, m_scale, m_scale);
-        paintStrands(painter);
+        if (m_strands.isNull()) {
+            m_strands = QPixmap(size() * devicePixelRatioF());
+            m_strands.setDevicePixelRatio(devicePixelRatioF());
+            m_strands.fill(Qt::transparent);
+            QPainter strands(&m_strands);
+            strands.setRenderHint(QPainter::Antialiasing);
+            paintStrands(strands);
+        }
+        painter.setOpacity(m_isOld ? kOldOpacity : 1.0);
+        painter.drawPixmap(0, 0, m_strands);
+        painter.setOpacity(1.0);
         paintLines(painter);
     }
     painter.setClipping(false);
@@ -446,10 +460,15 @@ void ProfileCanvas::paintEvent(QPaintEvent*)
     painter.drawRoundedRect(frame, 6.0, 6.0);
 }
 
+void ProfileCanvas::redraw()
+{
+    m_strands = {};
+    update();
+}
+
 void ProfileCanvas::paintStrands(QPainter& painter) const
 {
     const double radius = m_scale * double{m_section->strandRadius};
-    painter.setOpacity(m_isOld ? 0.45 : 1.0);
     // Strands smaller than a pixel merge into one surface.
     const bool isOutlined = radius > 2.2;
     const double drawn = isOutlined ? 0.94 * radius : std::max(radius, 0.7);
@@ -462,7 +481,6 @@ void ProfileCanvas::paintStrands(QPainter& painter) const
         painter.setPen(isOutlined ? QPen(colour.darker(150), std::min(1.2, 0.12 * radius)) : QPen(Qt::NoPen));
         painter.drawEllipse(place, drawn, drawn);
     }
-    painter.setOpacity(1.0);
 }
 
 void ProfileCanvas::paintLines(QPainter& painter) const

@@ -4,7 +4,7 @@
 #include "model/strands/MedialAxis.h"
 #include "model/tree/StrandProfile.h"
 
-#include <QTransform>
+#include <QPixmap>
 #include <QWidget>
 
 #include <optional>
@@ -101,6 +101,8 @@ private:
     std::optional<Point> pointAt(const QPointF& place, double reach) const;
     Vec2& at(const Point& point);
     void eraseAt(const QPointF& place, double reach);
+    /// Draws again, the strands as well.
+    void redraw();
     void paintStrands(QPainter& painter) const;
     void paintLines(QPainter& painter) const;
 
@@ -109,6 +111,7 @@ private:
     StrandProfile m_profile;
     std::vector<MedialSegment> m_axis;
     bool m_isOld = false;
+    QPixmap m_strands;     ///< The strands as they were drawn last; null if they must be drawn again
     double m_scale = 80.0; ///< px for the unit of the profile
     QPointF m_middle;      ///< The profile's origin, px from the widget's middle
 

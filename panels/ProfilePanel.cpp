@@ -109,8 +109,10 @@ void ProfilePanel::addModes(QVBoxLayout& column)
     }
     row->addStretch(1);
     column.addLayout(row);
-    connect(m_modes, &QButtonGroup::idClicked, this,
-            [this](int id) { m_canvas->setMode(static_cast<ProfileCanvas::Mode>(id)); });
+    connect(m_modes, &QButtonGroup::idClicked, this, [this](int id) {
+        m_canvas->setMode(static_cast<ProfileCanvas::Mode>(id));
+        tell({}, false);
+    });
 }
 
 void ProfilePanel::addShapes(QVBoxLayout& column)
@@ -190,9 +192,12 @@ void ProfilePanel::addActions(QVBoxLayout& column)
 void ProfilePanel::describe(double radius, std::uint32_t strands, bool hasProfile)
 {
     m_title->setText(
-        tr("Radius %1 · %n strands", nullptr, static_cast<int>(strands)).arg(lengthText(radius)));
+        tr("Radius %1 · %Ln strands", nullptr, static_cast<int>(strands)).arg(lengthText(radius)));
+    const bool isNew = !m_hasNode || m_hasProfile != hasProfile;
     m_hasNode = true;
     m_hasProfile = hasProfile;
+    if (isNew)
+        tell({}, false);
     updateEnabled();
 }
 
@@ -202,6 +207,7 @@ void ProfilePanel::showNothing()
     m_hasNode = false;
     m_hasProfile = false;
     m_canvas->clear();
+    tell({}, false);
     updateEnabled();
 }
 
@@ -231,13 +237,35 @@ void ProfilePanel::setSpan(Span span)
     updateEnabled();
 }
 
+QString ProfilePanel::advice() const
+{
+    switch (m_canvas->mode()) {
+    case ProfileCanvas::Mode::Outline:
+        return m_hasProfile ? tr("Draw another closed line: beside the first to split the wood, within it "
+                                 "for a hollow.")
+                            : tr("Draw a closed line, or begin with one of these shapes.");
+    case ProfileCanvas::Mode::Attractor:
+        return tr("Drag a straight line: the strands gather at it.");
+    case ProfileCanvas::Mode::Points:
+        return tr("Drag the points of a line.");
+    case ProfileCanvas::Mode::Erase:
+        return tr("Tap a line to take it away.");
+    }
+    return {};
+}
+
 void ProfilePanel::tell(const QString& sentence, bool isFault)
 {
+    m_faultText = isFault ? sentence : QString();
     QString shown = sentence;
     if (shown.isEmpty() && m_span != Span::None)
         shown = tr("Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.");
+    const bool isAdvice = shown.isEmpty();
+    if (isAdvice && m_hasNode)
+        shown = advice();
     m_message->setText(shown);
-    m_message->setStyleSheet(isFault ? QStringLiteral("color: %1").arg(theme::kWarning.name()) : QString());
+    const QColor& colour = isFault ? theme::kWarning : isAdvice ? theme::kDimText : theme::kText;
+    m_message->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));
 }
 
 } // namespace espalier

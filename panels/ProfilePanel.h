@@ -31,6 +31,8 @@ public:
     Span span() const { return m_span; }
     /// Shows a sentence below the section until the next stroke; empty for the usual advice.
     void tell(const QString& sentence, bool isFault);
+    /// The sentence about a fault that is shown; empty if there is none.
+    const QString& faultText() const { return m_faultText; }
 
 Q_SIGNALS:
     void edited(const StrandProfile& profile);
@@ -47,6 +49,8 @@ private:
     QPushButton* addButton(class QHBoxLayout& row, const char* name, const QString& text,
                            const QString& toolTip);
     void updateEnabled();
+    /// What the user can do now.
+    QString advice() const;
 
     ProfileCanvas* m_canvas;
     class QLabel* m_title;
@@ -56,6 +60,7 @@ private:
     QPushButton* m_copy = nullptr;
     QPushButton* m_blend = nullptr;
     QPushButton* m_clear = nullptr;
+    QString m_faultText;
     Span m_span = Span::None;
     bool m_hasNode = false;
     bool m_hasProfile = false;

@@ -21,7 +21,7 @@ QString SetProfileOperation::perform(TreeDocument& document) const
         if (!end)
             return end.error().message;
         const std::vector<InternodeId> path = branchBetween(document.tree(), ids.front(), *end);
-        if (path.empty() || path.size() > static_cast<std::size_t>(kMostProfileNodes))
+        if (path.empty() || path.size() > static_cast<std::size_t>(SetProfileOperation::kMostNodes))
             return RecipeText::tr("there is no branch from internode %1 to internode %2")
                 .arg(ids.front())
                 .arg(*end);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/SetProfileOperation.h"
 
-#include "commands/ProfileEdits.h"
 #include "commands/recipe/RecipeText.h"
 #include "model/io/ProfileJson.h"
 
@@ -30,9 +29,8 @@ SetProfileOperation SetProfileOperation::read(JsonReader& reader, RecipeReading&
 {
     SetProfileOperation operation;
     const QJsonArray array = reader.array(kProfileInternodesKey);
-    if (array.isEmpty() || array.size() > kMostProfileNodes)
-        reader.fail(kProfileInternodesKey,
-                    RecipeText::tr("1 to %1 internodes are expected").arg(kMostProfileNodes));
+    if (array.isEmpty() || array.size() > kMostNodes)
+        reader.fail(kProfileInternodesKey, RecipeText::tr("1 to %1 internodes are expected").arg(kMostNodes));
     for (qsizetype i = 0; i < array.size(); ++i) {
         const Result<InternodeReference> reference = InternodeReference::fromJson(array.at(i));
         if (!reference) {

@@ -12,8 +12,9 @@ namespace espalier {
 /// Gives nodes a profile, or takes it away.
 struct SetProfileOperation {
     static constexpr QLatin1StringView kName{"setProfile"};
+    static constexpr qsizetype kMostNodes = 10'000;
 
-    std::vector<InternodeReference> internodes; ///< 1...kMostProfileNodes; exactly one if there is `to`
+    std::vector<InternodeReference> internodes; ///< 1...kMostNodes; exactly one if there is `to`
     std::optional<StrandProfile> profile{};     ///< Empty: the profiles are taken away
     /// The other end of a branch whose nodes all get the profile. One end is on the way from the other to the
     /// root.

@@ -18,7 +18,7 @@ constexpr std::size_t kMorphPoints = 64;
 constexpr int kMorphGrid = 112;
 /// A hand-drawn line is smoothed at so many points, in so many rounds.
 constexpr std::size_t kSketchPoints = 96;
-constexpr int kSketchRounds = 3;
+constexpr int kSketchRounds = 12;
 /// Of the size of an outline: what simplifying it may move.
 constexpr double kSketchTolerance = 1.0 / 256.0;
 
@@ -210,7 +210,7 @@ StrandProfile::Loop sketchedLoop(std::span<const Vec2> stroke, float least)
     // A round outward follows each round inward, so that the outline does not shrink (Taubin).
     for (int round = 0; round < 2 * kSketchRounds; ++round) {
         before = loop;
-        const float weight = round % 2 == 0 ? 0.5F : -0.52F;
+        const float weight = round % 2 == 0 ? 0.5F : -0.51F;
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Vec2& last = before[(i + loop.size() - 1) % loop.size()];
             const Vec2& next = before[(i + 1) % loop.size()];
