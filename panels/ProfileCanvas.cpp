@@ -81,6 +81,8 @@ void ProfileCanvas::showSection(const ProfileSection& section, const StrandProfi
         setFault({});
     }
     if (isFirst || (m_profile != profile && !m_stroke)) {
+        if (!m_faulty.empty())
+            setFault({});
         m_profile = profile;
         m_axis = profile.boundaries.empty() ? std::vector<MedialSegment>() : medialAxis(profile);
     }

@@ -289,9 +289,9 @@ void shootProfile(Photographer& by)
     by.press(by.at(0.02, 0.3));
     by.release();
     by.rest();
-    QTest::mouseClick(by.window().workspace().profilePanel().findChild<QAbstractButton*>(
-                          QStringLiteral("shapeFluted")),
-                      Qt::LeftButton);
+    QTest::mouseClick(
+        by.window().workspace().profilePanel().findChild<QAbstractButton*>(QStringLiteral("shapeFluted")),
+        Qt::LeftButton);
     by.rest();
     by.shoot("profile-window", {95, 50, 640, 600});
 }
@@ -344,8 +344,8 @@ int main(int argc, char** argv)
     theme::apply(application);
     drawTrees();
     Photographer photographer;
-    for (void (*shoot)(Photographer&) : {shootBrush, shootLasso, shootGrow, shootPrune, shootBend, shootWidth, shootProfile,
-                                         shootBud, shootHistory, shootView})
+    for (void (*shoot)(Photographer&) : {shootBrush, shootLasso, shootGrow, shootPrune, shootBend, shootWidth,
+                                         shootProfile, shootBud, shootHistory, shootView})
         shoot(photographer);
     return 0;
 }
