@@ -253,7 +253,13 @@ void ProfilesTest::copyAndInterpolate_goToTheOtherEnd()
     press("shapeRing");
     press("profileCopy");
     QCOMPARE(panel().span(), ProfilePanel::Span::Copy);
-    tap(0.8F);
+    InternodeId other = first;
+    for (int i = 0; i < 3 && m_window->document().index().mainChild(other) != kNoInternode; ++i)
+        other = m_window->document().index().mainChild(other);
+    const Vec3& place = m_window->document().index().nodePosition(other);
+    const QPointF seen = viewport().camera().project(place).value_or(QPointF());
+    QTest::mouseClick(handle(), Qt::LeftButton, {}, viewport().mapTo(m_window.get(), seen.toPoint()));
+    QVERIFY(m_window->profiles().chosen().has_value());
     QCOMPARE(*m_window->profiles().chosen(), first);
     const auto count = [&] { return tree().content().sparse.profile.cells().size(); };
     QVERIFY(count() > 1);
