@@ -264,6 +264,7 @@ void ProfilesTest::copyAndInterpolate_goToTheOtherEnd()
     const auto count = [&] { return tree().content().sparse.profile.cells().size(); };
     QVERIFY(count() > 1);
     action(ActionId::Undo)->trigger();
+    QTRY_VERIFY(!m_window->isBusy() && m_window->profiles().isUpToDate());
     QCOMPARE(count(), 1U);
     // With the buttons alone.
     press("profileCopy");
@@ -273,6 +274,7 @@ void ProfilesTest::copyAndInterpolate_goToTheOtherEnd()
     QCOMPARE(count(), 3U);
     QCOMPARE(*m_window->profiles().chosen(), first);
     action(ActionId::Undo)->trigger();
+    QTRY_VERIFY(!m_window->isBusy() && m_window->profiles().isUpToDate());
     for (int i = 0; i < 3; ++i)
         press("profileUp");
     press("shapeElongated");
