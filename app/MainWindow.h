@@ -4,6 +4,7 @@
 #include "app/HelpController.h"
 #include "app/LatinKeyFilter.h"
 #include "app/LookController.h"
+#include "app/ProfileController.h"
 #include "app/Workspace.h"
 #include "app/files/FileController.h"
 #include "app/files/LibraryController.h"
@@ -41,6 +42,7 @@ public:
     UndoRunner& undoRunner() { return m_undoRunner; }
     StrandRunner& strandRunner() { return m_strandRunner; }
     HelpController& help() { return *m_help; }
+    ProfileController& profiles() { return *m_profiles; }
 
     /// Whether a gesture or growth is changing the document now.
     bool isHandBusy() const;
@@ -117,6 +119,7 @@ private:
     std::unique_ptr<FileController> m_files;
     std::unique_ptr<LibraryController> m_library;
     std::unique_ptr<LookController> m_looks;
+    std::unique_ptr<ProfileController> m_profiles;
     std::unique_ptr<HelpController> m_help;
 };
 

@@ -53,6 +53,9 @@ void MainWindow::makeInterface()
             connect(sheet, &ParameterPanel::imageDropped, m_looks.get(), &LookController::take);
         }
     }
+    m_profiles = std::make_unique<ProfileController>(
+        m_document, m_workspace->profilePanel(), [this] { return isBusy(); },
+        [this] { m_workspace->viewport().update(); });
     connectPopOuts();
     connectViewport();
 }
@@ -86,7 +89,9 @@ void MainWindow::remakeInterface()
     m_help.reset();
     m_library.reset();
     m_looks.reset();
+    // The tool in hand refers to the profiles.
     m_workspace.reset();
+    m_profiles.reset();
     // What is made from now on takes its locale from the window.
     unsetLocale();
     m_actions.setTexts();

@@ -6,6 +6,7 @@
 #include "panels/GrowPopOut.h"
 #include "panels/HistoryPanel.h"
 #include "panels/Notice.h"
+#include "panels/ProfilePanel.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
 #include "views/tools/AddBudsTool.h"
@@ -14,6 +15,7 @@
 #include "views/tools/GrowTool.h"
 #include "views/tools/InvigorateTool.h"
 #include "views/tools/LassoTool.h"
+#include "views/tools/ProfileTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/ReduceTool.h"
 #include "views/tools/SelectBudTool.h"
@@ -105,6 +107,10 @@ void MainWindow::takeTool()
         viewport.setTool(std::make_unique<AddBudsTool>(context));
         popOut = Workspace::PopOut::AddBuds;
         break;
+    case ActionId::Profile:
+        viewport.setTool(std::make_unique<ProfileTool>(context, *m_profiles));
+        popOut = Workspace::PopOut::Profile;
+        break;
     case ActionId::Lasso:
         viewport.setTool(std::make_unique<LassoTool>(context, m_lassoRunner));
         popOut = Workspace::PopOut::Lasso;
@@ -115,6 +121,7 @@ void MainWindow::takeTool()
         break;
     }
     updateTip();
+    m_profiles->setShown(popOut == Workspace::PopOut::Profile);
     m_workspace->showPopOut(popOut);
 }
 
@@ -151,6 +158,7 @@ void MainWindow::updateEnabled()
     }
     m_workspace->brushSheet().setParametersEnabled(isGrowing || !isBusy());
     m_workspace->history().setEnabled(!isBusy());
+    m_workspace->profilePanel().setMayEdit(!isBusy());
     m_workspace->library().setMayKeep(!isBusy());
 }
 

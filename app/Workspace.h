@@ -28,6 +28,7 @@ class HistoryPanel;
 class LassoPopOut;
 class LibraryPanel;
 class Notice;
+class ProfilePanel;
 class RotationStrip;
 class TwistPopOut;
 class Viewport;
@@ -38,7 +39,7 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds };
+    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds, Profile };
     static constexpr int kSheetCount = 5;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -49,6 +50,7 @@ public:
     Notice& notice() { return *m_notice; }
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
+    ProfilePanel& profilePanel() { return *m_profilePanel; }
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
     ArchitecturePanel& architecture() { return *m_architecture; }
 
@@ -97,6 +99,7 @@ private:
     LassoPopOut* m_lassoPopOut;
     TwistPopOut* m_twistPopOut;
     AddBudsPopOut* m_addBudsPopOut;
+    ProfilePanel* m_profilePanel;
     ArchitecturePanel* m_architecture;
     BrushPanel* m_brushSheet;
     BackgroundPanel* m_background;

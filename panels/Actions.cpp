@@ -65,6 +65,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
         {AddBuds, Group::Tools, "addBuds", QT_TRANSLATE_NOOP("Actions", "New Buds"),
          QT_TRANSLATE_NOOP("Actions", "Tap old wood: buds break through its bark, and grow into branches."),
          "Shift+U", "addBuds", true},
+        {Profile, Group::Tools, "profile", QT_TRANSLATE_NOOP("Actions", "Profile"),
+         QT_TRANSLATE_NOOP("Actions", "Tap a branch to see its cross-section, and draw its shape."),
+         "Shift+P", "profile", true},
         {Lasso, Group::Tools, "lasso", QT_TRANSLATE_NOOP("Actions", "Lasso"),
          QT_TRANSLATE_NOOP("Actions", "Draw the silhouette of a crown: the tree grows until it fills it."),
          "O", "lasso", true},
@@ -129,10 +132,10 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush,      ActionId::Lasso,  ActionId::Grow,
-                                       ActionId::Prune,      ActionId::Bend,   ActionId::Width,
-                                       ActionId::Invigorate, ActionId::Reduce, ActionId::SelectBud,
-                                       ActionId::Twist,      ActionId::AddBuds};
+    static constexpr std::array kTools{ActionId::Brush,      ActionId::Lasso,   ActionId::Grow,
+                                       ActionId::Prune,      ActionId::Bend,    ActionId::Width,
+                                       ActionId::Invigorate, ActionId::Reduce,  ActionId::SelectBud,
+                                       ActionId::Twist,      ActionId::AddBuds, ActionId::Profile};
     return kTools;
 }
 

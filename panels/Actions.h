@@ -32,6 +32,7 @@ enum class ActionId {
     Width,
     Twist,
     AddBuds,
+    Profile,
     Lasso,
     Invigorate,
     Reduce,

@@ -22,7 +22,8 @@ MAY_INCLUDE = {
     "model/base": set(),
     "model/tree": {"model/base"},
     **{room: BELOW_ROOMS for room in ROOMS},
-    "model/strands": BELOW_ROOMS | {"model/shape"},
+    # Profiles are lines in a plane, as lassos are.
+    "model/strands": BELOW_ROOMS | {"model/shape", "model/envelope"},
     "model/mesh": BELOW_ROOMS | {"model/growth", "model/shape", "model/strands", "model/texture"},
     # Settings of the user, not of a document: views and panels share them.
     "model/settings": {"model/base"},

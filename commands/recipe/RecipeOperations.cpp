@@ -15,6 +15,7 @@
 #include "commands/recipe/RegrowOperation.h"
 #include "commands/recipe/RemoveLassoOperation.h"
 #include "commands/recipe/SetParametersOperation.h"
+#include "commands/recipe/SetProfileOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/TwistOperation.h"
@@ -49,6 +50,7 @@ constexpr OperationKind kKinds[] = {
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
     kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
     kindOf<ReduceOperation>(),        kindOf<TwistOperation>(),       kindOf<AddBudsOperation>(),
+    kindOf<SetProfileOperation>(),
 };
 
 } // namespace

@@ -7,6 +7,23 @@
 
 namespace espalier {
 
+namespace {
+
+float extentToward(std::span<const Vec2> places, const Vec2& direction)
+{
+    float extent = 0.0F;
+    for (const Vec2& place : places)
+        extent = std::max(extent, place.dot(direction));
+    return extent;
+}
+
+} // namespace
+
+float mergeDistance(std::span<const Vec2> placed, std::span<const Vec2> added, const Vec2& side)
+{
+    return extentToward(placed, side) + extentToward(added, Vec2(-side)) + 2.0F;
+}
+
 void BundleMerge::begin(std::span<const std::uint32_t> slots, std::uint32_t first)
 {
     m_occupant.assign(slots.size(), HexLattice::kNone);

@@ -9,6 +9,11 @@
 
 namespace espalier {
 
+/// How far bundles of strands of radius 1 are moved in the direction @p side (a unit vector) so that they lie
+/// beside the bundles that are placed already: the extents of both along it and the diameter of a strand
+/// (Strands 2024, equations 1 and 2). Extents are those of the centres.
+float mergeDistance(std::span<const Vec2> placed, std::span<const Vec2> added, const Vec2& side);
+
 /// A bundle of strands on the first slots of a lattice, into which other bundles are merged. Keeps its
 /// buffers: use one for each thread.
 class BundleMerge {

@@ -33,7 +33,8 @@ HexLattice::HexLattice(std::uint32_t slots)
     const auto edge = static_cast<int>(wanted / std::numbers::sqrt3) + 2;
     struct Entry {
         std::int64_t norm;
-        double angle;
+        double angle; ///< Of this slot or of the opposite one, 0...π
+        bool isOpposite;
         Axial axial;
     };
     std::vector<Entry> entries;
@@ -42,12 +43,16 @@ HexLattice::HexLattice(std::uint32_t slots)
             const Axial axial{q, r};
             if (axial.norm() > most)
                 continue;
-            const Vec2 position = positionOf(axial);
-            entries.push_back({axial.norm(), std::atan2(double{position.y()}, double{position.x()}), axial});
+            const bool isOpposite = r < 0 || (r == 0 && q < 0);
+            const Vec2 position = positionOf(isOpposite ? Axial{-q, -r} : axial);
+            entries.push_back(
+                {axial.norm(), std::atan2(double{position.y()}, double{position.x()}), isOpposite, axial});
         }
     }
     std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
-        return a.norm != b.norm ? a.norm < b.norm : a.angle < b.angle;
+        if (a.norm != b.norm)
+            return a.norm < b.norm;
+        return a.angle != b.angle ? a.angle < b.angle : a.isOpposite < b.isOpposite;
     });
 
     const int side = 4 * edge + 3;

@@ -12,40 +12,41 @@ namespace {
 
 /// By how much the area of a profile with attractors exceeds the least one.
 constexpr float kRoomForAttractors = 1.25F;
-/// A profile in which strands find no room grows by this factor a trial.
-constexpr float kProfileGrowth = 1.02F;
+/// A profile in which strands find no room grows by these factors a trial, by more if more of them lack room.
+constexpr float kLeastGrowth = 1.01F;
+constexpr float kGreatestGrowth = 1.5F;
 
 /// The points of a hexagonal lattice with distance 2 inside the profile times @p scale, row by row.
 std::vector<Vec2> latticeIn(const StrandProfile& profile, float scale)
 {
-    Eigen::AlignedBox2f box;
-    for (const StrandProfile::Loop& loop : profile.boundaries) {
-        for (const Vec2& point : loop)
-            box.extend(Vec2(scale * point));
-    }
-    std::vector<Vec2> inside;
-    std::vector<float> crossings;
     const auto rise = static_cast<float>(std::numbers::sqrt3);
-    const auto firstRow = static_cast<int>(std::floor(box.min().y() / rise));
-    const auto lastRow = static_cast<int>(std::ceil(box.max().y() / rise));
-    for (int row = firstRow; row <= lastRow; ++row) {
-        const float y = rise * static_cast<float>(row);
-        crossings.clear();
-        for (const StrandProfile::Loop& loop : profile.boundaries) {
-            for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
-                const Vec2 a = scale * loop[i];
-                const Vec2 b = scale * loop[j];
+    struct Crossing {
+        std::int32_t row;
+        float x;
+        auto operator<=>(const Crossing&) const = default;
+    };
+    std::vector<Crossing> crossings;
+    for (const StrandProfile::Loop& loop : profile.boundaries) {
+        for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+            const Vec2 a = scale * loop[i];
+            const Vec2 b = scale * loop[j];
+            const auto firstRow = static_cast<std::int32_t>(std::floor(std::min(a.y(), b.y()) / rise));
+            const auto lastRow = static_cast<std::int32_t>(std::ceil(std::max(a.y(), b.y()) / rise));
+            for (std::int32_t row = firstRow; row <= lastRow; ++row) {
+                const float y = rise * static_cast<float>(row);
                 if ((a.y() > y) != (b.y() > y))
-                    crossings.push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+                    crossings.push_back({row, a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y())});
             }
         }
-        std::ranges::sort(crossings);
+    }
+    std::ranges::sort(crossings);
+    std::vector<Vec2> inside;
+    // A row has an even number of crossings.
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        const auto& [row, from] = crossings[i];
         const float shift = row % 2 == 0 ? 0.0F : 1.0F;
-        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-            for (float x = 2.0F * std::ceil((crossings[i] - shift) / 2.0F) + shift; x < crossings[i + 1];
-                 x += 2.0F)
-                inside.emplace_back(x, y);
-        }
+        for (float x = 2.0F * std::ceil((from - shift) / 2.0F) + shift; x < crossings[i + 1].x; x += 2.0F)
+            inside.emplace_back(x, rise * static_cast<float>(row));
     }
     return inside;
 }
@@ -88,7 +89,8 @@ ProfileSlots profileSlots(const StrandProfile& profile, std::uint32_t strands)
         result.places = latticeIn(profile, result.scale);
         if (result.places.size() >= strands)
             break;
-        result.scale *= kProfileGrowth;
+        const float lacking = static_cast<float>(strands) / static_cast<float>(result.places.size() + 1);
+        result.scale *= std::clamp(std::sqrt(lacking), kLeastGrowth, kGreatestGrowth);
     }
     if (result.places.size() > strands) {
         std::vector<std::pair<float, std::uint32_t>> order;

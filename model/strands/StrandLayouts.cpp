@@ -35,14 +35,6 @@ constexpr float kFlareRadii = 3.5F;
 /// By how much a bundle's surface lies outside the circle that has as much area as its strands' cells.
 constexpr float kRim = 0.45F;
 
-float extentToward(std::span<const Vec2> places, const Vec2& direction)
-{
-    float extent = 0.0F;
-    for (const Vec2& place : places)
-        extent = std::max(extent, place.dot(direction));
-    return extent;
-}
-
 } // namespace
 
 float bundleRadius(std::uint32_t strands)
@@ -313,8 +305,7 @@ private:
                 own[i] = above.turn * m_layouts.m_places[above.first + i];
             if (!scratch.target.empty()) {
                 const Vec2 side = sideOf(node, child);
-                const float distance =
-                    extentToward(scratch.target, side) + extentToward(own, Vec2(-side)) + 2.0F;
+                const float distance = mergeDistance(scratch.target, own, side);
                 for (Vec2& place : own)
                     place += distance * side;
             }

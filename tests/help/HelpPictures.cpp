@@ -5,11 +5,13 @@
 #include "model/io/FileWriter.h"
 #include "model/mesh/TreeCounts.h"
 #include "panels/GrowPopOut.h"
+#include "panels/ProfilePanel.h"
 #include "panels/Theme.h"
 #include "views/Viewport.h"
 #include "views/render/GlResources.h"
 #include "views/render/OffscreenRenderer.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QBuffer>
 #include <QCoreApplication>
@@ -282,6 +284,19 @@ void shootWidth(Photographer& by)
     by.shoot("width-window", by.left(150));
 }
 
+void shootProfile(Photographer& by)
+{
+    by.begin("profile", 4, ActionId::Profile);
+    by.press(by.at(0.02, 0.3));
+    by.release();
+    by.rest();
+    QTest::mouseClick(
+        by.window().workspace().profilePanel().findChild<QAbstractButton*>(QStringLiteral("shapeFluted")),
+        Qt::LeftButton);
+    by.rest();
+    by.shoot("profile-window", {95, 50, 640, 600});
+}
+
 void shootBud(Photographer& by)
 {
     by.begin("selectBud", 2, ActionId::SelectBud);
@@ -348,8 +363,9 @@ int main(int argc, char** argv)
     theme::apply(application);
     drawTrees();
     Photographer photographer;
-    for (void (*shoot)(Photographer&) : {shootBrush, shootLasso, shootGrow, shootPrune, shootBend, shootWidth,
-                                         shootBud, shootTwist, shootAddBuds, shootHistory, shootView})
+    for (void (*shoot)(Photographer&) :
+         {shootBrush, shootLasso, shootGrow, shootPrune, shootBend, shootWidth, shootProfile, shootBud,
+          shootTwist, shootAddBuds, shootHistory, shootView})
         shoot(photographer);
     return 0;
 }

@@ -9,6 +9,7 @@
 #include "commands/InvigorateGesture.h"
 #include "commands/LassoGesture.h"
 #include "commands/ParameterGesture.h"
+#include "commands/ProfileEdits.h"
 #include "commands/Prune.h"
 #include "commands/ReduceGesture.h"
 #include "commands/SetParameters.h"
@@ -140,6 +141,24 @@ public:
         gesture.finish();
     }
 
+    void operator()(const SetProfileOperation& operation)
+    {
+        std::vector<InternodeId> ids;
+        for (const InternodeReference& internode : operation.internodes)
+            ids.push_back(internode.number());
+        if (operation.to && operation.toProfile) {
+            blendProfiles(m_document, ids.front(), operation.to->number(), *operation.profile,
+                          *operation.toProfile);
+            return;
+        }
+        if (operation.to)
+            ids = branchBetween(m_document.tree(), ids.front(), operation.to->number());
+        if (operation.profile)
+            setProfile(m_document, ids, *operation.profile);
+        else
+            clearProfiles(m_document, ids);
+    }
+
     void operator()(const LassoOperation& operation)
     {
         finish(
@@ -220,8 +239,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
     const bool isDone =
         doesAny<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
-                RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation, ImportOperation,
-                InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation>(
+                SetProfileOperation, RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation,
+                ImportOperation, InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation>(
             Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());

@@ -3,6 +3,7 @@
 
 #include "commands/recipe/RecipeLimits.h"
 #include "model/io/ParametersJson.h"
+#include "model/strands/ProfileShapes.h"
 #include "tests/support/Growing.h"
 
 #include <algorithm>
@@ -285,6 +286,36 @@ SetWidthOperation RandomOperations::make(const TreeDocument& document, int)
     return operation;
 }
 
+template <>
+SetProfileOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const auto profile = [this] {
+        StrandProfile made = profileOf(static_cast<ProfileShape>(below(kProfileShapeCount)));
+        if (onceIn(3)) {
+            const Vec2 from = 2.0F * m_random.inBall().head<2>();
+            made.attractors.push_back({from, 2.0F * m_random.inBall().head<2>()});
+        }
+        return made;
+    };
+    SetProfileOperation operation{{any(document)}};
+    if (!onceIn(4))
+        operation.profile = profile();
+    if (onceIn(3)) {
+        // Another node on the way to the root, if there is one.
+        InternodeId end = living(document);
+        operation.internodes = {end};
+        for (int i = below(30); i > 0 && !document.tree().isRoot(end); --i)
+            end = document.tree().parent(end);
+        operation.to = end;
+        if (operation.profile && onceIn(2))
+            operation.toProfile = profile();
+    } else {
+        for (int i = below(4); i > 0; --i)
+            operation.internodes.push_back(any(document));
+    }
+    return operation;
+}
+
 /// A closed stroke around the plane's origin, or a degenerate one.
 std::vector<Vec2> RandomOperations::loop(float radius)
 {
@@ -405,6 +436,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<FillEnvelopesOperation>(1, 0),  kindOf<ImportOperation>(1, 1),
         kindOf<InvigorateOperation>(8, 0),     kindOf<ReduceOperation>(8, 14),
         kindOf<TwistOperation>(6, 2),          kindOf<AddBudsOperation>(6, 0),
+        kindOf<SetProfileOperation>(6, 2),
     };
     return kKinds;
 }

@@ -16,6 +16,7 @@
 #include "commands/recipe/RegrowOperation.h"
 #include "commands/recipe/RemoveLassoOperation.h"
 #include "commands/recipe/SetParametersOperation.h"
+#include "commands/recipe/SetProfileOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/TwistOperation.h"

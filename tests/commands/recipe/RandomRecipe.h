@@ -3,6 +3,7 @@
 
 #include "model/base/Random.h"
 #include "model/io/ParametersJson.h"
+#include "model/strands/ProfileShapes.h"
 #include "tests/support/AllOperations.h"
 
 namespace espalier::test {
@@ -73,6 +74,11 @@ inline Recipe randomRecipe(std::uint64_t seed)
         result.operations.emplace_back(
             SetWidthOperation{0xffff'fffe - static_cast<InternodeId>(i), random.uniform(0.0, 100.0)});
         result.operations.emplace_back(SetWidthOperation{7U, 0.1F, InternodeReference(InternodeKey(i), {})});
+        const StrandProfile profile = profileOf(static_cast<ProfileShape>(i % kProfileShapeCount));
+        result.operations.emplace_back(SetProfileOperation{{7U, static_cast<InternodeId>(i)}, profile});
+        result.operations.emplace_back(
+            SetProfileOperation{{InternodeReference(InternodeKey(i), {})}, profile, 3U, profile});
+        result.operations.emplace_back(SetProfileOperation{{5U}});
         LassoOperation lasso;
         lasso.only = stroke.only;
         lasso.stroke.origin = 100.0F * random.inBall();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/RecipePlayer.h"
+#include "model/strands/ProfileShapes.h"
 #include "tests/support/AllOperations.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
@@ -121,6 +122,14 @@ std::vector<Case> cases()
         {"setWidth of what is not there", SetWidthOperation{kMissing, 0.04}, missing},
         {"setWidth that takes nothing away", SetWidthOperation{2U, 0.0},
          QStringLiteral("internode 2 has no width to take away")},
+        {"setProfile", SetProfileOperation{{2U, 3U}, profileOf(ProfileShape::Ring)}, {}},
+        {"setProfile along a branch",
+         SetProfileOperation{{2U}, profileOf(ProfileShape::Ring), 4U, profileOf(ProfileShape::Round)},
+         {}},
+        {"setProfile of what is not there", SetProfileOperation{{kMissing}, profileOf(ProfileShape::Ring)},
+         missing},
+        {"setProfile that takes nothing away", SetProfileOperation{{2U}},
+         QStringLiteral("internode 2 has no profile to take away")},
         {"lasso", lassoOf({}), {}},
         {"lasso that encloses nothing",
          LassoOperation{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {0, 1}, {0, 1}}}},

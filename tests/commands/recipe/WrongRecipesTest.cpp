@@ -214,6 +214,27 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "setWidth", "internode": 1})"), "operations[0].diameter: it is missing");
     row(operationsOf(R"({"op": "setWidth", "internode": 1, "diameter": -0.1})"),
         "operations[0].diameter: a number from 0 to 100 is expected");
+    const QByteArray square = R"({"boundaries": [[[0, 0], [1, 0], [1, 1], [0, 1]]]})";
+    const auto profile = [&](const QByteArray& members) {
+        return operationsOf(R"({"op": "setProfile", "internodes": [1], )" + members + "}");
+    };
+    row(operationsOf(R"({"op": "setProfile", "internodes": [], "clear": true})"),
+        "operations[0].internodes: 1 to 10000 internodes are expected");
+    row(operationsOf(R"({"op": "setProfile", "internodes": [1, -1], "clear": true})"),
+        "operations[0].internodes[1]: a whole number from 0 to 4294967294 is");
+    row(operationsOf(R"({"op": "setProfile", "internodes": [1]})"), "operations[0].profile: ");
+    row(profile(R"("clear": false)"), "operations[0].clear: true is expected");
+    row(profile(R"("clear": true, "profile": )" + square), "operations[0]: “profile” is not known");
+    row(profile(R"("profile": {"boundaries": [[[0, 0], [1, 0]]]})"),
+        "operations[0].profile: an outline needs at least three points");
+    row(profile(R"("profile": {"boundaries": [[[0, 0], [1, 1], [1, 0], [0, 1]]]})"),
+        "operations[0].profile: its outline crosses itself");
+    row(profile(R"("profile": {"boundaries": [[[0, 0], [1, 1], 5]]})"),
+        "operations[0].profile.boundaries: lists of points [x, y] are expected");
+    row(profile(R"("toProfile": )" + square + R"(, "profile": )" + square),
+        "operations[0].toProfile: the other end of the branch (“to”) is missing");
+    row(operationsOf(R"({"op": "setProfile", "internodes": [1, 2], "to": 3, "clear": true})"),
+        "operations[0].to: a branch begins at one internode");
     row(operationsOf(R"({"op": "setWidth", "internode": 4294967295, "diameter": 1})"),
         "operations[0].internode: a whole number from 0 to 4294967294 is");
 }

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/RecipePlayer.h"
+#include "model/strands/MedialAxis.h"
+#include "model/strands/ProfileSlots.h"
+#include "tests/support/Strands.h"
+
+#include <QDir>
+
+#include <benchmark/benchmark.h>
+#include <tbb/global_control.h>
+
+#include <map>
+
+namespace {
+
+using namespace espalier;
+
+/// How far strands move from a node to the one below: those of the thickest branch against the section, those
+/// of the others against the middle of their own branch. In strand radii.
+std::vector<float> movesOf(const StrandLayouts& layouts)
+{
+    std::vector<float> moves;
+    const StrandSkeleton& skeleton = layouts.skeleton();
+    for (std::uint32_t i = 0; i < skeleton.nodes.size(); ++i) {
+        std::uint32_t most = 0;
+        for (const std::uint32_t child : skeleton.childrenOf(i))
+            most = std::max(most, skeleton.nodes[child].strands);
+        for (const std::uint32_t c : skeleton.childrenOf(i)) {
+            const StrandNode& child = skeleton.nodes[c];
+            Vec2 shift = Vec2::Zero();
+            for (std::uint32_t s = 0; s < child.strands && child.strands < most; ++s)
+                shift += (layouts.place(i, child.offset + s) - layouts.place(c, s)) /
+                         static_cast<float>(child.strands);
+            for (std::uint32_t s = 0; s < child.strands; ++s)
+                moves.push_back((layouts.place(i, child.offset + s) - layouts.place(c, s) - shift).norm());
+        }
+    }
+    std::ranges::sort(moves);
+    return moves;
+}
+
+void count(benchmark::State& state, const StrandLayouts& layouts)
+{
+    const StrandLayouts::Counts counts = layouts.count();
+    const std::vector<float> moves = movesOf(layouts);
+    const auto move = [&](double share) {
+        return double{moves[static_cast<std::size_t>(share * static_cast<double>(moves.size() - 1))]};
+    };
+    state.counters["nodes"] = static_cast<double>(layouts.skeleton().nodes.size());
+    state.counters["strands"] = static_cast<double>(counts.strands);
+    state.counters["particles"] = static_cast<double>(counts.particles);
+    state.counters["MB"] = static_cast<double>(layouts.bytes()) / 1e6;
+    state.counters["move50"] = move(0.5);
+    state.counters["move90"] = move(0.9);
+    state.counters["move99"] = move(0.99);
+    state.counters["moveMost"] = move(1.0);
+}
+
+void measure(benchmark::State& state, const Tree& tree, const TreeIndex& index, std::size_t threads)
+{
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    const Widths widths(tree, index);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(StrandLayouts(tree, index, widths));
+    count(state, StrandLayouts(tree, index, widths));
+}
+
+/// 42,000 nodes, 14,600 strands, about 650,000 particles.
+void strandLayouts_forkedTree(benchmark::State& state)
+{
+    static const test::TreeBuilder grown = test::forkedTree(14'600);
+    measure(state, grown.tree, grown.index, static_cast<std::size_t>(state.range(0)));
+}
+BENCHMARK(strandLayouts_forkedTree)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void strandLayouts_sample(benchmark::State& state, const QString& fileName, std::size_t threads)
+{
+    static std::map<QString, std::unique_ptr<TreeDocument>> documents;
+    std::unique_ptr<TreeDocument>& document = documents[fileName];
+    if (!document) {
+        const Result<Recipe> recipe = readRecipe(fileName);
+        if (!recipe) {
+            state.SkipWithError(qPrintable(recipe.error().message));
+            return;
+        }
+        document = std::make_unique<TreeDocument>();
+        RecipePlayer(*document, *recipe).playAll();
+    }
+    measure(state, document->tree(), document->index(), threads);
+}
+
+[[maybe_unused]] const bool areSamplesRegistered = [] {
+    const QDir folder(QStringLiteral(SOURCE_DIR "/resources/recipes"));
+    for (const QString& name : folder.entryList({QStringLiteral("*.json")})) {
+        for (const std::size_t threads : {std::size_t{1}, std::size_t{2}}) {
+            benchmark::RegisterBenchmark(
+                qPrintable(QStringLiteral("strandLayouts_sample/%1/%2").arg(name).arg(threads)),
+                [file = folder.filePath(name), threads](benchmark::State& state) {
+                    strandLayouts_sample(state, file, threads);
+                })
+                ->Unit(benchmark::kMillisecond)
+                ->UseRealTime();
+        }
+    }
+    return true;
+}();
+
+void profileSlots_10k(benchmark::State& state)
+{
+    const StrandProfile profile = profileOf(static_cast<ProfileShape>(state.range(0)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(profileSlots(profile, 10'000));
+}
+BENCHMARK(profileSlots_10k)->DenseRange(0, kProfileShapeCount - 1)->Unit(benchmark::kMillisecond);
+
+void medialAxis_shape(benchmark::State& state)
+{
+    const StrandProfile profile = profileOf(static_cast<ProfileShape>(state.range(0)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(medialAxis(profile));
+}
+BENCHMARK(medialAxis_shape)->DenseRange(0, kProfileShapeCount - 1)->Unit(benchmark::kMillisecond);
+
+} // namespace
