@@ -31,7 +31,9 @@ def messages(file):
             if kind in ("vanished", "obsolete"):
                 continue
             key = (context.findtext("name"), message.findtext("source"), message.findtext("comment", ""))
-            result[key] = None if kind == "unfinished" else translation.text
+            # The texts of a plural are in its forms.
+            forms = [form.text or "" for form in translation.iter("numerusform")]
+            result[key] = None if kind == "unfinished" else forms[0] if forms else translation.text
     return result
 
 

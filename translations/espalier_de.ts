@@ -327,6 +327,53 @@
         <source>Write down what was done to the tree, so that it can be done again.</source>
         <translation>Aufschreiben, was mit dem Baum gemacht wurde, damit es sich wiederholen lässt.</translation>
     </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verdrehen</translation>
+    </message>
+    <message>
+        <source>Drag along a branch, or around it, to twist its strands.</source>
+        <translation>An einem Ast entlang oder um ihn herum ziehen, um seine Stränge zu verdrehen.</translation>
+    </message>
+    <message>
+        <source>New Buds</source>
+        <translation>Neutriebe</translation>
+    </message>
+    <message>
+        <source>Tap old wood: buds break through its bark, and grow into branches.</source>
+        <translation>Altes Holz antippen: Knospen brechen durch die Rinde und wachsen zu Ästen heran.</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Tap a branch to see its cross-section, and draw its shape.</source>
+        <translation>Einen Ast antippen, um seinen Querschnitt zu sehen und dessen Form zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Invigorate</source>
+        <translation>Kräftigen</translation>
+    </message>
+    <message>
+        <source>Press a branch and hold: it alone grows until you let go.</source>
+        <translation>Auf einen Ast drücken und halten: Nur er wächst, bis zum Loslassen.</translation>
+    </message>
+    <message>
+        <source>Reduce</source>
+        <translation>Einkürzen</translation>
+    </message>
+    <message>
+        <source>Press a branch and hold: its youngest growth goes, step by step.</source>
+        <translation>Auf einen Ast drücken und halten: Sein jüngster Zuwachs verschwindet, Schritt für Schritt.</translation>
+    </message>
+</context>
+<context>
+    <name>AddBudsTool</name>
+    <message>
+        <source>Tap old wood to let buds break through its bark; they grow into branches</source>
+        <translation>Altes Holz antippen, damit Knospen durch die Rinde brechen; sie wachsen zu Ästen heran</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -417,6 +464,10 @@
         <translation>import verlangt ein Skelett und -o AUSGABE</translation>
     </message>
     <message>
+        <source>there is no room for more parameter sets</source>
+        <translation>für weitere Parametersätze ist kein Platz</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -428,22 +479,27 @@ espalier --demo [RECIPE]
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
+                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
+                [--strict] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
     Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
     says the seed, and each begins by putting its parameters in force.
+    --profiles: the places of the strands in each cross-section, as JSON.
     What operations do not find in the tree is printed; with --strict it is an
     error, and nothing is written.
+    --set gives a parameter a value for the whole replay, whatever recipes say:
+    --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
+espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
+    Writes a project in other formats. --set changes parameters for what is
+    written; the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
     its shadow, as black of some opacity.
@@ -468,23 +524,29 @@ espalier --demo [REZEPT]
 espalier replay REZEPT|PROJEKT... [-o AUSGABE]... [--png DATEI] [--size BxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
-                [--stats DATEI] [--threads N] [--seed N] [--strict]
+                [--stats DATEI] [--profiles DATEI] [--threads N] [--seed N]
+                [--strict] [--set GRUPPE.NAME=WERT]...
     Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
     Bei einem Projekt wird alles noch einmal getan, was mit seinem Baum geschah.
     Von mehreren Rezepten setzt jedes den Baum des vorigen fort: das erste
     bestimmt den Startwert, und jedes setzt zu Beginn seine Parameter in Kraft.
+    --profiles: die Lage der Stränge in jedem Querschnitt, als JSON.
     Was Operationen im Baum nicht finden, wird ausgegeben; mit --strict ist es
     ein Fehler, und nichts wird geschrieben.
+    --set gibt einem Parameter einen Wert für das ganze Abspielen, was Rezepte
+    auch sagen: --set growth.shedding=0.1 --set leaves.visible=false. Winkel
+    sind in Grad.
 
 espalier import SKELETT.csv -o AUSGABE...
     Macht aus einem gemessenen Baum einen eigenen: Zeilen aus id, parent, beiden
     Enden und Radius.
 
-espalier export PROJEKT [-o AUSGABE]...
-    Schreibt ein Projekt in anderen Formaten.
+espalier export PROJEKT [-o AUSGABE]... [--set GRUPPE.NAME=WERT]...
+    Schreibt ein Projekt in anderen Formaten. --set ändert Parameter für das,
+    was geschrieben wird; das Projekt bleibt, wie es ist.
 
 espalier render PROJEKT --png DATEI [--size BxH] [--camera ...]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--set GRUPPE.NAME=WERT]...
     Nimmt ein Bild auf. Das verlangt eine Anzeige; eine virtuelle genügt.
     --transparent: der Baum allein, mit nicht vormultipliziertem Alpha;
     --ground-shadow behält seinen Schatten, als Schwarz mit etwas Deckkraft.
@@ -499,6 +561,14 @@ AUSGABE endet auf .espalier (Projekt) oder auf die Endung eines Formats:
 3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
 geschrieben werden konnte.
 </translation>
+    </message>
+    <message>
+        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <translation>--set verlangt gruppe.name=wert, nicht &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--set knows no parameter &quot;%1&quot;</source>
+        <translation>--set kennt keinen Parameter &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
@@ -542,6 +612,38 @@ geschrieben werden konnte.
     <message>
         <source>Import</source>
         <translation>Einlesen</translation>
+    </message>
+    <message>
+        <source>New Buds</source>
+        <translation>Neutriebe</translation>
+    </message>
+    <message>
+        <source>Invigorate</source>
+        <translation>Kräftigen</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Blend Profiles</source>
+        <translation>Profile überblenden</translation>
+    </message>
+    <message>
+        <source>Clear Profile</source>
+        <translation>Profil entfernen</translation>
+    </message>
+    <message>
+        <source>Reduce</source>
+        <translation>Einkürzen</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verdrehen</translation>
+    </message>
+    <message>
+        <source>Remove Twist</source>
+        <translation>Verdrehung entfernen</translation>
     </message>
 </context>
 <context>
@@ -784,6 +886,13 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>InvigorateTool</name>
+    <message>
+        <source>Press a branch and hold: it grows until you let go</source>
+        <translation>Auf einen Ast drücken und halten: Er wächst bis zum Loslassen</translation>
+    </message>
+</context>
+<context>
     <name>JournalCheck</name>
     <message>
         <source>it changes nothing</source>
@@ -838,10 +947,6 @@ geschrieben werden konnte.
         <translation>Schritt %1 der Geschichte</translation>
     </message>
     <message>
-        <source>it brings strokes that are not there</source>
-        <translation>bringt Striche mit, die es nicht gibt</translation>
-    </message>
-    <message>
         <source>it places a leaf on an internode that is not there</source>
         <translation>setzt ein Blatt auf ein Internodium, das es nicht gibt</translation>
     </message>
@@ -868,6 +973,10 @@ geschrieben werden konnte.
     <message>
         <source>it changes “%1” in a way that is not possible</source>
         <translation>ändert „%1“ auf unmögliche Weise</translation>
+    </message>
+    <message>
+        <source>it brings strokes or profiles that are not there</source>
+        <translation>bringt Striche oder Profile, die es nicht gibt</translation>
     </message>
 </context>
 <context>
@@ -1849,6 +1958,426 @@ geschrieben werden konnte.
         <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
         <translation>Zeigen, in welcher Tiefe des Baums der Pinsel zeichnet: ein blasses Gitter um ihn herum.</translation>
     </message>
+    <message>
+        <source>Hazel</source>
+        <translation>Hasel</translation>
+    </message>
+    <message>
+        <source>Oak</source>
+        <translation>Eiche</translation>
+    </message>
+    <message>
+        <source>Maple</source>
+        <translation>Ahorn</translation>
+    </message>
+    <message>
+        <source>Elm</source>
+        <translation>Ulme</translation>
+    </message>
+    <message>
+        <source>Poplar</source>
+        <translation>Pappel</translation>
+    </message>
+    <message>
+        <source>Spruce</source>
+        <translation>Fichte</translation>
+    </message>
+    <message>
+        <source>Pine</source>
+        <translation>Kiefer</translation>
+    </message>
+    <message>
+        <source>Acacia</source>
+        <translation>Akazie</translation>
+    </message>
+    <message>
+        <source>Apple</source>
+        <translation>Apfelbaum</translation>
+    </message>
+    <message>
+        <source>Joshua tree</source>
+        <translation>Josuabaum</translation>
+    </message>
+    <message>
+        <source>Buds</source>
+        <translation>Knospen</translation>
+    </message>
+    <message>
+        <source>How many buds a tap adds, in a spiral around the branch.</source>
+        <translation>Wie viele Knospen ein Tippen hinzufügt, in einer Spirale um den Ast.</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>How far one bud is from the next along the branch: 0 is a whorl.</source>
+        <translation>Wie weit eine Knospe am Ast entlang von der nächsten entfernt ist: 0 ist ein Quirl.</translation>
+    </message>
+    <message>
+        <source>Growth model</source>
+        <translation>Wuchsmodell</translation>
+    </message>
+    <message>
+        <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
+        <translation>Treesketch: Knospen konkurrieren um Raum und Licht. Wuchskraft: Das Licht entscheidet, wie schnell jeder Trieb wächst, Monat für Monat.</translation>
+    </message>
+    <message>
+        <source>Self-organising competition, or shoot growth by vigour with apical control.</source>
+        <translation>Selbstorganisierende Konkurrenz, oder Triebwachstum nach Wuchskraft mit Apikalkontrolle.</translation>
+    </message>
+    <message>
+        <source>Growth in a year</source>
+        <translation>Jahreszuwachs</translation>
+    </message>
+    <message>
+        <source>How much the strongest shoot grows in full light, in twelve steps.</source>
+        <translation>Wie viel der stärkste Trieb bei vollem Licht in zwölf Schritten wächst.</translation>
+    </message>
+    <message>
+        <source>Annual elongation of a shoot.</source>
+        <translation>Jährliche Streckung eines Triebs.</translation>
+    </message>
+    <message>
+        <source>Length of internodes</source>
+        <translation>Internodienlänge</translation>
+    </message>
+    <message>
+        <source>An internode lengthens over several steps, up to this.</source>
+        <translation>Ein Internodium streckt sich über mehrere Schritte, bis zu dieser Länge.</translation>
+    </message>
+    <message>
+        <source>Length of a mature metamer.</source>
+        <translation>Länge eines ausgewachsenen Metamers.</translation>
+    </message>
+    <message>
+        <source>Angle of laterals</source>
+        <translation>Seitentriebwinkel</translation>
+    </message>
+    <message>
+        <source>Between an axis and a branch that begins on it.</source>
+        <translation>Zwischen einer Achse und einem Ast, der an ihr beginnt.</translation>
+    </message>
+    <message>
+        <source>Angle of insertion of a lateral shoot.</source>
+        <translation>Ansatzwinkel eines Seitentriebs.</translation>
+    </message>
+    <message>
+        <source>Lateral buds</source>
+        <translation>Seitenknospen</translation>
+    </message>
+    <message>
+        <source>At each node: one makes a spiral, two crossed pairs, more a whorl.</source>
+        <translation>An jedem Knoten: eine ergibt eine Spirale, zwei gekreuzte Paare, mehr einen Quirl.</translation>
+    </message>
+    <message>
+        <source>Spread of the roll</source>
+        <translation>Drehstreuung</translation>
+    </message>
+    <message>
+        <source>How irregularly branches stand around their axis.</source>
+        <translation>Wie unregelmäßig Äste um ihre Achse stehen.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the divergence angle.</source>
+        <translation>Standardabweichung des Divergenzwinkels.</translation>
+    </message>
+    <message>
+        <source>Wandering</source>
+        <translation>Schlängeln</translation>
+    </message>
+    <message>
+        <source>How much an axis changes its direction from node to node.</source>
+        <translation>Wie sehr eine Achse von Knoten zu Knoten ihre Richtung ändert.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the apical angle.</source>
+        <translation>Standardabweichung des Apikalwinkels.</translation>
+    </message>
+    <message>
+        <source>Orders of branches</source>
+        <translation>Astordnungen</translation>
+    </message>
+    <message>
+        <source>Branches of branches of branches: this many, and no more.</source>
+        <translation>Äste von Ästen von Ästen: so viele Ordnungen und nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Highest order of an axis.</source>
+        <translation>Höchste Ordnung einer Achse.</translation>
+    </message>
+    <message>
+        <source>Flushing</source>
+        <translation>Austriebsfreude</translation>
+    </message>
+    <message>
+        <source>How readily lateral buds become branches.</source>
+        <translation>Wie leicht Seitenknospen zu Ästen werden.</translation>
+    </message>
+    <message>
+        <source>Chance of lateral bud break for each internode of growth.</source>
+        <translation>Wahrscheinlichkeit des Austriebs von Seitenknospen je Internodium Zuwachs.</translation>
+    </message>
+    <message>
+        <source>Inhibition</source>
+        <translation>Hemmung</translation>
+    </message>
+    <message>
+        <source>How strongly growing tips hold back the buds below them.</source>
+        <translation>Wie stark wachsende Spitzen die Knospen unter ihnen zurückhalten.</translation>
+    </message>
+    <message>
+        <source>Apical dominance: auxin from lit apical buds.</source>
+        <translation>Apikaldominanz: Auxin aus belichteten Endknospen.</translation>
+    </message>
+    <message>
+        <source>Reach of the inhibition</source>
+        <translation>Hemmreichweite</translation>
+    </message>
+    <message>
+        <source>Lost at each internode: more lets buds break nearer to the tip.</source>
+        <translation>Verlust an jedem Internodium: mehr lässt Knospen näher an der Spitze austreiben.</translation>
+    </message>
+    <message>
+        <source>Decay of the inhibitor on its way down.</source>
+        <translation>Abnahme des Hemmstoffs auf dem Weg nach unten.</translation>
+    </message>
+    <message>
+        <source>Apical control</source>
+        <translation>Apikalkontrolle</translation>
+    </message>
+    <message>
+        <source>Above 1 the trunk outgrows its branches, as in a spruce; below 1 they outgrow it.</source>
+        <translation>Über 1 wächst der Stamm seinen Ästen davon, wie bei einer Fichte; unter 1 wachsen sie ihm davon.</translation>
+    </message>
+    <message>
+        <source>Excurrent above 1, decurrent below.</source>
+        <translation>Exkurrent über 1, dekurrent darunter.</translation>
+    </message>
+    <message>
+        <source>Tired with distance</source>
+        <translation>Müde in der Ferne</translation>
+    </message>
+    <message>
+        <source>How much less shoots grow that are far from the root.</source>
+        <translation>Wie viel weniger Triebe wachsen, die weit von der Wurzel entfernt sind.</translation>
+    </message>
+    <message>
+        <source>Decay of the potential with the distance to the root.</source>
+        <translation>Abnahme des Potenzials mit der Entfernung zur Wurzel.</translation>
+    </message>
+    <message>
+        <source>Tired with height</source>
+        <translation>Müde in der Höhe</translation>
+    </message>
+    <message>
+        <source>How much less high shoots grow: more makes flat crowns.</source>
+        <translation>Wie viel weniger Triebe in der Höhe wachsen: mehr ergibt flache Kronen.</translation>
+    </message>
+    <message>
+        <source>Decay of the potential with height.</source>
+        <translation>Abnahme des Potenzials mit der Höhe.</translation>
+    </message>
+    <message>
+        <source>Gravitropism</source>
+        <translation>Gravitropismus</translation>
+    </message>
+    <message>
+        <source>Above 0 shoots turn up at each node, below 0 branches turn down.</source>
+        <translation>Über 0 wenden sich Triebe an jedem Knoten nach oben, unter 0 Äste nach unten.</translation>
+    </message>
+    <message>
+        <source>Orthotropic above 0, positively gravitropic below.</source>
+        <translation>Orthotrop über 0, positiv gravitrop darunter.</translation>
+    </message>
+    <message>
+        <source>Phototropism</source>
+        <translation>Phototropismus</translation>
+    </message>
+    <message>
+        <source>How far shoots turn to the light at each node.</source>
+        <translation>Wie weit sich Triebe an jedem Knoten zum Licht wenden.</translation>
+    </message>
+    <message>
+        <source>Growth toward the brightest direction.</source>
+        <translation>Wachstum in die hellste Richtung.</translation>
+    </message>
+    <message>
+        <source>Level branches</source>
+        <translation>Waagerechte Äste</translation>
+    </message>
+    <message>
+        <source>How far a new branch turns to the level when it begins.</source>
+        <translation>Wie weit sich ein neuer Ast an seinem Anfang zur Waagerechten wendet.</translation>
+    </message>
+    <message>
+        <source>Plagiotropy of lateral shoots.</source>
+        <translation>Plagiotropie der Seitentriebe.</translation>
+    </message>
+    <message>
+        <source>Sagging</source>
+        <translation>Durchhang</translation>
+    </message>
+    <message>
+        <source>How far branches sag under their weight as they grow.</source>
+        <translation>Wie weit sich Äste im Wachsen unter ihrem Gewicht senken.</translation>
+    </message>
+    <message>
+        <source>Gravimorphic bending by branch load.</source>
+        <translation>Gravimorphe Biegung durch die Last der Äste.</translation>
+    </message>
+    <message>
+        <source>Stiff with age</source>
+        <translation>Steif im Alter</translation>
+    </message>
+    <message>
+        <source>How much thick wood resists: more bends only the thin ends.</source>
+        <translation>Wie sehr dickes Holz widersteht: mehr biegt nur die dünnen Enden.</translation>
+    </message>
+    <message>
+        <source>Exponent of thickness in flexural stiffness.</source>
+        <translation>Exponent der Dicke in der Biegesteifigkeit.</translation>
+    </message>
+    <message>
+        <source>Most sagging</source>
+        <translation>Größter Durchhang</translation>
+    </message>
+    <message>
+        <source>At most this part of the angle to straight down, for each internode.</source>
+        <translation>Je Internodium höchstens dieser Teil des Winkels bis senkrecht nach unten.</translation>
+    </message>
+    <message>
+        <source>Limit of the bend of an internode.</source>
+        <translation>Grenze der Biegung eines Internodiums.</translation>
+    </message>
+    <message>
+        <source>Shade pruning</source>
+        <translation>Schattenabwurf</translation>
+    </message>
+    <message>
+        <source>Ends of branches with less light than this fall.</source>
+        <translation>Astenden mit weniger Licht als diesem fallen ab.</translation>
+    </message>
+    <message>
+        <source>Cladoptosis of shaded shoots.</source>
+        <translation>Kladoptose beschatteter Triebe.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Tubes: each branch is a tube that begins inside its parent. Strands: the wood is bundles of strands, which run from every tip to the ground, under one closed bark.</source>
+        <translation>Röhren: Jeder Ast ist eine Röhre, die in dem Ast beginnt, der ihn trägt. Stränge: Das Holz besteht aus Bündeln von Strängen, die von jeder Spitze bis zum Boden laufen, unter einer geschlossenen Rinde.</translation>
+    </message>
+    <message>
+        <source>Strands at a tip</source>
+        <translation>Stränge je Spitze</translation>
+    </message>
+    <message>
+        <source>How many strands begin at each tip. More make a smoother surface, and branches that separate more clearly.</source>
+        <translation>Wie viele Stränge an jeder Spitze beginnen. Mehr ergeben eine glattere Oberfläche und Äste, die sich deutlicher trennen.</translation>
+    </message>
+    <message>
+        <source>Strand radius</source>
+        <translation>Strangradius</translation>
+    </message>
+    <message>
+        <source>How thick each strand is. The trunk then gets as thick as its strands want it; at 0 it keeps the width that it has.</source>
+        <translation>Wie dick jeder Strang ist. Der Stamm wird dann so dick, wie seine Stränge es verlangen; bei 0 behält er seine Dicke.</translation>
+    </message>
+    <message>
+        <source>Cohesion</source>
+        <translation>Zusammenhalt</translation>
+    </message>
+    <message>
+        <source>Branches separate at a fork where their strands are further apart than so many strand radii: low early, high late.</source>
+        <translation>Äste trennen sich an einer Gabel dort, wo ihre Stränge mehr als so viele Strangradien auseinanderliegen: niedrig früh, hoch spät.</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Packung</translation>
+    </message>
+    <message>
+        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops on the way there.</source>
+        <translation>Wie die Stränge eines Querschnitts aneinandergedrückt werden. In Ruhe: bis sich keine mehr überlappen. Wie publiziert: mit der Simulation des Fachartikels, die auf dem Weg dorthin stehen bleibt.</translation>
+    </message>
+    <message>
+        <source>Packing steps</source>
+        <translation>Packungsschritte</translation>
+    </message>
+    <message>
+        <source>How long strands are pressed together at each node. Few steps keep the shape of a fork further down the trunk; many make it round at once.</source>
+        <translation>Wie lange Stränge an jedem Knoten aneinandergedrückt werden. Wenige Schritte erhalten die Form einer Gabel weiter den Stamm hinab; viele machen ihn gleich rund.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>How far the ridges of single strands are smoothed: 0 shows each of them.</source>
+        <translation>Wie weit die Wülste einzelner Stränge geglättet werden: 0 zeigt jeden von ihnen.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Bud break</source>
+        <translation>Austrieb</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Tropisms</source>
+        <translation>Tropismen</translation>
+    </message>
+    <message>
+        <source>Weight and shade</source>
+        <translation>Gewicht und Schatten</translation>
+    </message>
+    <message>
+        <source>Strands</source>
+        <translation>Stränge</translation>
+    </message>
+    <message>
+        <source>treesketch</source>
+        <translation>Treesketch</translation>
+    </message>
+    <message>
+        <source>vigour</source>
+        <translation>Wuchskraft</translation>
+    </message>
+    <message>
+        <source>tubes</source>
+        <translation>Röhren</translation>
+    </message>
+    <message>
+        <source>strands</source>
+        <translation>Stränge</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>as published</source>
+        <translation>wie publiziert</translation>
+    </message>
+    <message>
+        <source>Branches too</source>
+        <translation>Auch die Äste</translation>
+    </message>
+    <message>
+        <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
+        <translation>Ein Ziehen verdreht alles, was der Ast trägt, nicht nur den Ast selbst. Umschalt bewirkt das Gegenteil, solange es gedrückt ist.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -1918,6 +2447,28 @@ geschrieben werden konnte.
     <message>
         <source>internode %1</source>
         <translation>Internodium %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileJson</name>
+    <message>
+        <source>a profile is expected</source>
+        <translation>ein Profil wird erwartet</translation>
+    </message>
+    <message>
+        <source>at most %1 are possible</source>
+        <translation>höchstens %1 sind möglich</translation>
+    </message>
+    <message>
+        <source>lists of points [x, y] are expected</source>
+        <translation>Listen von Punkten [x, y] werden erwartet</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileTool</name>
+    <message>
+        <source>Tap a branch to see its cross-section, and draw another shape for it</source>
+        <translation>Einen Ast antippen, um seinen Querschnitt zu sehen und ihm eine andere Form zu zeichnen</translation>
     </message>
 </context>
 <context>
@@ -2000,6 +2551,14 @@ geschrieben werden konnte.
     <message>
         <source>the record of what was done is not a JSON object</source>
         <translation>die Aufzeichnung dessen, was getan wurde, ist kein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>die Profile</translation>
+    </message>
+    <message>
+        <source>there are too many</source>
+        <translation>es sind zu viele</translation>
     </message>
 </context>
 <context>
@@ -2239,12 +2798,55 @@ geschrieben werden konnte.
         <source>a recipe that was not read from a file cannot name files</source>
         <translation>ein Rezept, das keine Datei ist, kann keine Dateien nennen</translation>
     </message>
+    <message>
+        <source>internode %1 has no room for buds above the ground</source>
+        <translation>Internodium %1 hat über dem Boden keinen Platz für Knospen</translation>
+    </message>
+    <message>
+        <source>nothing was taken away</source>
+        <translation>nichts wurde weggenommen</translation>
+    </message>
+    <message>
+        <source>there is no branch from internode %1 to internode %2</source>
+        <translation>es gibt keinen Ast von Internodium %1 zu Internodium %2</translation>
+    </message>
+    <message>
+        <source>internode %1 has no profile to take away</source>
+        <translation>Internodium %1 hat kein Profil, das sich entfernen lässt</translation>
+    </message>
+    <message>
+        <source>internode %1 has no twist to take away</source>
+        <translation>Internodium %1 hat keine Verdrehung, die sich entfernen lässt</translation>
+    </message>
+    <message>
+        <source>a branch begins at one internode</source>
+        <translation>ein Ast beginnt an genau einem Internodium</translation>
+    </message>
+    <message>
+        <source>true is expected</source>
+        <translation>true wird erwartet</translation>
+    </message>
+    <message>
+        <source>the other end of the branch (“to”) is missing</source>
+        <translation>das andere Ende des Asts („to“) fehlt</translation>
+    </message>
+    <message>
+        <source>one of these is expected: %1</source>
+        <translation>eines von diesen wird erwartet: %1</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
     <message>
         <source>A recipe is playing; Escape hands the brush to you.</source>
         <translation>Ein Rezept läuft; Esc gibt den Pinsel frei.</translation>
+    </message>
+</context>
+<context>
+    <name>ReduceTool</name>
+    <message>
+        <source>Press a branch and hold: it shrinks until you let go</source>
+        <translation>Auf einen Ast drücken und halten: Er schrumpft bis zum Loslassen</translation>
     </message>
 </context>
 <context>
@@ -2323,6 +2925,45 @@ geschrieben werden konnte.
     <message>
         <source>no segment has a length</source>
         <translation>kein Segment hat eine Länge</translation>
+    </message>
+</context>
+<context>
+    <name>StrandProfile</name>
+    <message>
+        <source>an outline needs at least three points</source>
+        <translation>ein Umriss braucht mindestens drei Punkte</translation>
+    </message>
+    <message>
+        <source>an outline reaches too far</source>
+        <translation>ein Umriss reicht zu weit</translation>
+    </message>
+    <message>
+        <source>it has no outline</source>
+        <translation>es hat keinen Umriss</translation>
+    </message>
+    <message>
+        <source>it has more than %1 outlines or %2 points</source>
+        <translation>es hat mehr als %1 Umrisse oder %2 Punkte</translation>
+    </message>
+    <message>
+        <source>it has more than %1 attractors</source>
+        <translation>es hat mehr als %1 Attraktoren</translation>
+    </message>
+    <message>
+        <source>an attractor lies too far away</source>
+        <translation>ein Attraktor liegt zu weit entfernt</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>der Umriss kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>its outlines cross each other</source>
+        <translation>die Umrisse kreuzen einander</translation>
+    </message>
+    <message>
+        <source>its outline has no area</source>
+        <translation>der Umriss hat keine Fläche</translation>
     </message>
 </context>
 <context>
@@ -2450,6 +3091,33 @@ geschrieben werden konnte.
         <source>the lassos in force are out of order</source>
         <translation>die geltenden Lassos sind nicht in der richtigen Reihenfolge</translation>
     </message>
+    <message>
+        <source>profile %1: %2</source>
+        <translation>Profil %1: %2</translation>
+    </message>
+    <message>
+        <source>its profile is missing</source>
+        <translation>das Profil fehlt</translation>
+    </message>
+    <message>
+        <source>its twist is out of range</source>
+        <translation>die Verdrehung liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>its added vigour is out of range</source>
+        <translation>die hinzugefügte Wuchskraft liegt außerhalb des Bereichs</translation>
+    </message>
+</context>
+<context>
+    <name>TwistTool</name>
+    <message>
+        <source>%1° from node to node</source>
+        <translation>%1° von Knoten zu Knoten</translation>
+    </message>
+    <message>
+        <source>Drag along a branch, or around it, to twist its strands; tap twice to untwist them</source>
+        <translation>An einem Ast entlang oder um ihn herum ziehen, um seine Stränge zu verdrehen; zweimal antippen, um sie zu entdrehen</translation>
+    </message>
 </context>
 <context>
     <name>WidthTool</name>
@@ -2506,6 +3174,18 @@ geschrieben werden konnte.
     <message>
         <source>‹ Less</source>
         <translation>‹ Weniger</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Baumart</translation>
+    </message>
+    <message>
+        <source>Sets all that the vigour model goes by, as a species grows</source>
+        <translation>Stellt alles, wonach sich das Wuchskraft-Modell richtet, so ein, wie eine Baumart wächst</translation>
+    </message>
+    <message>
+        <source>No species</source>
+        <translation>Keine Baumart</translation>
     </message>
 </context>
 <context>
@@ -3149,6 +3829,190 @@ geschrieben werden konnte.
     <message>
         <source>Pressure curve</source>
         <translation>Druckkurve</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfileCanvas</name>
+    <message>
+        <source>Cross-section</source>
+        <translation>Querschnitt</translation>
+    </message>
+    <message>
+        <source>Draw an outline first: attractors gather the strands within it.</source>
+        <translation>Zuerst einen Umriss zeichnen: Attraktoren sammeln die Stränge in ihm.</translation>
+    </message>
+    <message>
+        <source>This cannot be the profile: %1.</source>
+        <translation>Dies kann nicht das Profil sein: %1.</translation>
+    </message>
+    <message>
+        <source>Tap a branch of the tree to see its cross-section.</source>
+        <translation>Einen Ast des Baums antippen, um seinen Querschnitt zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfileController</name>
+    <message>
+        <source>The two places are not on one branch.</source>
+        <translation>Die beiden Stellen liegen nicht auf einem Ast.</translation>
+    </message>
+    <message>
+        <source>The other place has no profile to interpolate to.</source>
+        <translation>Die andere Stelle hat kein Profil, zu dem sich interpolieren ließe.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfilePanel</name>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside others splits the wood, one within another is a hollow.</source>
+        <translation>&lt;b&gt;Umriss&lt;/b&gt;&lt;br&gt;Eine geschlossene Linie zeichnen. Eine neben anderen teilt das Holz, eine in einer anderen ist ein Hohlraum.</translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation>Attraktor</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Attractor&lt;/b&gt;&lt;br&gt;Drag a straight line that the strands gather at.</source>
+        <translation>&lt;b&gt;Attraktor&lt;/b&gt;&lt;br&gt;Eine gerade Linie ziehen, an der sich die Stränge sammeln.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Points&lt;/b&gt;&lt;br&gt;Drag the points of an outline, or the ends of an attractor.</source>
+        <translation>&lt;b&gt;Punkte&lt;/b&gt;&lt;br&gt;An den Punkten eines Umrisses oder den Enden eines Attraktors ziehen.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Erase&lt;/b&gt;&lt;br&gt;Tap a line to take it away. A pen&apos;s eraser does the same at any time.</source>
+        <translation>&lt;b&gt;Radieren&lt;/b&gt;&lt;br&gt;Eine Linie antippen, um sie zu entfernen. Der Radierer eines Stifts tut jederzeit dasselbe.</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Rund</translation>
+    </message>
+    <message>
+        <source>Elongated</source>
+        <translation>Länglich</translation>
+    </message>
+    <message>
+        <source>C-shaped</source>
+        <translation>C-förmig</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Hohl</translation>
+    </message>
+    <message>
+        <source>Split in two</source>
+        <translation>Zweigeteilt</translation>
+    </message>
+    <message>
+        <source>Split in three</source>
+        <translation>Dreigeteilt</translation>
+    </message>
+    <message>
+        <source>Fluted</source>
+        <translation>Spannrückig</translation>
+    </message>
+    <message>
+        <source>Copy to branch</source>
+        <translation>Auf Ast kopieren</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
+        <translation>&lt;b&gt;Auf Ast kopieren&lt;/b&gt;&lt;br&gt;Danach eine andere Stelle dieses Asts antippen: Alle dazwischen erhalten dieses Profil.</translation>
+    </message>
+    <message>
+        <source>Interpolate</source>
+        <translation>Interpolieren</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Interpolate&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <translation>&lt;b&gt;Interpolieren&lt;/b&gt;&lt;br&gt;Danach eine andere Stelle dieses Asts antippen, die ein Profil hat: Die Profile dazwischen gehen vom einen ins andere über.</translation>
+    </message>
+    <message>
+        <source>▼</source>
+        <translation>▼</translation>
+    </message>
+    <message>
+        <source>To the next place down the branch</source>
+        <translation>Zur nächsten Stelle den Ast hinab</translation>
+    </message>
+    <message>
+        <source>▲</source>
+        <translation>▲</translation>
+    </message>
+    <message>
+        <source>To the next place up the branch</source>
+        <translation>Zur nächsten Stelle den Ast hinauf</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole section</source>
+        <translation>Den ganzen Querschnitt zeigen</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Clear&lt;/b&gt;&lt;br&gt;Take the profile away: the strands are packed round again.</source>
+        <translation>&lt;b&gt;Entfernen&lt;/b&gt;&lt;br&gt;Das Profil entfernen: Die Stränge werden wieder rund gepackt.</translation>
+    </message>
+    <message>
+        <source>Down the branch</source>
+        <translation>Den Ast hinab</translation>
+    </message>
+    <message>
+        <source>Up the branch</source>
+        <translation>Den Ast hinauf</translation>
+    </message>
+    <message numerus="yes">
+        <source>Radius %1 · %Ln strands</source>
+        <translation>
+            <numerusform>Radius %1 · %Ln Strang</numerusform>
+            <numerusform>Radius %1 · %Ln Stränge</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Draw another closed line: beside the first to split the wood, within it for a hollow.</source>
+        <translation>Eine weitere geschlossene Linie zeichnen: neben der ersten, um das Holz zu teilen, in ihr für einen Hohlraum.</translation>
+    </message>
+    <message>
+        <source>Draw a closed line, or begin with one of these shapes.</source>
+        <translation>Eine geschlossene Linie zeichnen oder mit einer dieser Formen beginnen.</translation>
+    </message>
+    <message>
+        <source>Drag a straight line: the strands gather at it.</source>
+        <translation>Eine gerade Linie ziehen: Die Stränge sammeln sich an ihr.</translation>
+    </message>
+    <message>
+        <source>Drag the points of a line.</source>
+        <translation>An den Punkten einer Linie ziehen.</translation>
+    </message>
+    <message>
+        <source>Tap a line to take it away.</source>
+        <translation>Eine Linie antippen, um sie zu entfernen.</translation>
+    </message>
+    <message>
+        <source>Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.</source>
+        <translation>Das andere Ende auf diesem Ast antippen, oder mit ▲ und ▼ dorthin gehen und den Knopf noch einmal drücken.</translation>
     </message>
 </context>
 <context>

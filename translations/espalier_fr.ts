@@ -327,6 +327,53 @@
         <source>Write down what was done to the tree, so that it can be done again.</source>
         <translation>Noter ce qui a été fait à l’arbre, pour pouvoir le refaire.</translation>
     </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsader</translation>
+    </message>
+    <message>
+        <source>Drag along a branch, or around it, to twist its strands.</source>
+        <translation>Faire glisser le long d’une branche, ou autour d’elle, pour torsader ses brins.</translation>
+    </message>
+    <message>
+        <source>New Buds</source>
+        <translation>Rejets</translation>
+    </message>
+    <message>
+        <source>Tap old wood: buds break through its bark, and grow into branches.</source>
+        <translation>Toucher du vieux bois&#xa0;: des bourgeons percent l’écorce et deviennent des branches.</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Tap a branch to see its cross-section, and draw its shape.</source>
+        <translation>Toucher une branche pour voir sa section, et en dessiner la forme.</translation>
+    </message>
+    <message>
+        <source>Invigorate</source>
+        <translation>Fortifier</translation>
+    </message>
+    <message>
+        <source>Press a branch and hold: it alone grows until you let go.</source>
+        <translation>Appuyer sur une branche et maintenir&#xa0;: elle seule pousse jusqu’au relâchement.</translation>
+    </message>
+    <message>
+        <source>Reduce</source>
+        <translation>Réduire</translation>
+    </message>
+    <message>
+        <source>Press a branch and hold: its youngest growth goes, step by step.</source>
+        <translation>Appuyer sur une branche et maintenir&#xa0;: ce qui a poussé en dernier s’en va, étape par étape.</translation>
+    </message>
+</context>
+<context>
+    <name>AddBudsTool</name>
+    <message>
+        <source>Tap old wood to let buds break through its bark; they grow into branches</source>
+        <translation>Toucher du vieux bois pour que des bourgeons percent l’écorce&#xa0;; ils deviennent des branches</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -417,6 +464,10 @@
         <translation>import veut un squelette et -o SORTIE</translation>
     </message>
     <message>
+        <source>there is no room for more parameter sets</source>
+        <translation>il n’y a plus de place pour d’autres jeux de paramètres</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -428,22 +479,27 @@ espalier --demo [RECIPE]
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
+                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
+                [--strict] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
     Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
     says the seed, and each begins by putting its parameters in force.
+    --profiles: the places of the strands in each cross-section, as JSON.
     What operations do not find in the tree is printed; with --strict it is an
     error, and nothing is written.
+    --set gives a parameter a value for the whole replay, whatever recipes say:
+    --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
+espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
+    Writes a project in other formats. --set changes parameters for what is
+    written; the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
     its shadow, as black of some opacity.
@@ -468,23 +524,29 @@ espalier --demo [RECETTE]
 espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
-                [--stats FICHIER] [--threads N] [--seed N] [--strict]
+                [--stats FICHIER] [--profiles FICHIER] [--threads N] [--seed N]
+                [--strict] [--set GROUPE.NOM=VALEUR]...
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
     D’un projet, tout ce qui a été fait à son arbre est refait.
     De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
+    --profiles&#xa0;: la place des brins dans chaque section, en JSON.
     Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
     --strict, c’est une erreur, et rien n’est écrit.
+    --set donne une valeur à un paramètre pour tout le rejeu, quoi que disent
+    les recettes&#xa0;: --set growth.shedding=0.1 --set leaves.visible=false. Les
+    angles sont en degrés.
 
 espalier import SQUELETTE.csv -o SORTIE...
-    Fait un arbre d’un arbre mesuré : des lignes d’id, parent, deux bouts et
+    Fait un arbre d’un arbre mesuré&#xa0;: des lignes d’id, parent, deux bouts et
     rayon.
 
-espalier export PROJET [-o SORTIE]...
-    Écrit un projet dans d’autres formats.
+espalier export PROJET [-o SORTIE]... [--set GROUPE.NOM=VALEUR]...
+    Écrit un projet dans d’autres formats. --set change des paramètres pour ce
+    qui est écrit&#xa0;; le projet reste tel quel.
 
 espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--set GROUPE.NOM=VALEUR]...
     Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
     --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
     --ground-shadow garde son ombre, en noir plus ou moins opaque.
@@ -498,6 +560,14 @@ SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
 %1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
 une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 </translation>
+    </message>
+    <message>
+        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <translation>--set attend groupe.nom=valeur, pas «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>--set knows no parameter &quot;%1&quot;</source>
+        <translation>--set ne connaît pas le paramètre «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -541,6 +611,38 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Import</source>
         <translation>Importer</translation>
+    </message>
+    <message>
+        <source>New Buds</source>
+        <translation>Rejets</translation>
+    </message>
+    <message>
+        <source>Invigorate</source>
+        <translation>Apport de vigueur</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Blend Profiles</source>
+        <translation>Interpolation de profils</translation>
+    </message>
+    <message>
+        <source>Clear Profile</source>
+        <translation>Retrait de profil</translation>
+    </message>
+    <message>
+        <source>Reduce</source>
+        <translation>Réduction</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsade</translation>
+    </message>
+    <message>
+        <source>Remove Twist</source>
+        <translation>Retrait de torsade</translation>
     </message>
 </context>
 <context>
@@ -783,6 +885,13 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>InvigorateTool</name>
+    <message>
+        <source>Press a branch and hold: it grows until you let go</source>
+        <translation>Appuyer sur une branche et maintenir&#xa0;: elle pousse jusqu’au relâchement</translation>
+    </message>
+</context>
+<context>
     <name>JournalCheck</name>
     <message>
         <source>it changes nothing</source>
@@ -837,10 +946,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>étape %1 de l’historique</translation>
     </message>
     <message>
-        <source>it brings strokes that are not there</source>
-        <translation>elle apporte des tracés qui n’existent pas</translation>
-    </message>
-    <message>
         <source>it places a leaf on an internode that is not there</source>
         <translation>elle place une feuille sur un entre-nœud qui n’existe pas</translation>
     </message>
@@ -867,6 +972,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>it changes “%1” in a way that is not possible</source>
         <translation>elle change «&#xa0;%1&#xa0;» d’une façon impossible</translation>
+    </message>
+    <message>
+        <source>it brings strokes or profiles that are not there</source>
+        <translation>elle apporte des traits ou des profils qui n’existent pas</translation>
     </message>
 </context>
 <context>
@@ -1848,6 +1957,426 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
         <translation>Montrer à quelle profondeur de l’arbre le pinceau dessine&#xa0;: une grille pâle autour de lui.</translation>
     </message>
+    <message>
+        <source>Hazel</source>
+        <translation>Noisetier</translation>
+    </message>
+    <message>
+        <source>Oak</source>
+        <translation>Chêne</translation>
+    </message>
+    <message>
+        <source>Maple</source>
+        <translation>Érable</translation>
+    </message>
+    <message>
+        <source>Elm</source>
+        <translation>Orme</translation>
+    </message>
+    <message>
+        <source>Poplar</source>
+        <translation>Peuplier</translation>
+    </message>
+    <message>
+        <source>Spruce</source>
+        <translation>Épicéa</translation>
+    </message>
+    <message>
+        <source>Pine</source>
+        <translation>Pin</translation>
+    </message>
+    <message>
+        <source>Acacia</source>
+        <translation>Acacia</translation>
+    </message>
+    <message>
+        <source>Apple</source>
+        <translation>Pommier</translation>
+    </message>
+    <message>
+        <source>Joshua tree</source>
+        <translation>Arbre de Josué</translation>
+    </message>
+    <message>
+        <source>Buds</source>
+        <translation>Bourgeons</translation>
+    </message>
+    <message>
+        <source>How many buds a tap adds, in a spiral around the branch.</source>
+        <translation>Nombre de bourgeons qu’un toucher ajoute, en spirale autour de la branche.</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Espacement</translation>
+    </message>
+    <message>
+        <source>How far one bud is from the next along the branch: 0 is a whorl.</source>
+        <translation>La distance d’un bourgeon au suivant le long de la branche&#xa0;: 0 donne un verticille.</translation>
+    </message>
+    <message>
+        <source>Growth model</source>
+        <translation>Croissance</translation>
+    </message>
+    <message>
+        <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
+        <translation>Treesketch&#xa0;: les bourgeons se disputent l’espace et la lumière. Vigueur&#xa0;: la lumière décide de la vitesse de chaque pousse, mois après mois.</translation>
+    </message>
+    <message>
+        <source>Self-organising competition, or shoot growth by vigour with apical control.</source>
+        <translation>Compétition auto-organisée, ou croissance des pousses selon la vigueur, avec contrôle apical.</translation>
+    </message>
+    <message>
+        <source>Growth in a year</source>
+        <translation>Pousse annuelle</translation>
+    </message>
+    <message>
+        <source>How much the strongest shoot grows in full light, in twelve steps.</source>
+        <translation>De combien la pousse la plus forte s’allonge en pleine lumière, en douze étapes.</translation>
+    </message>
+    <message>
+        <source>Annual elongation of a shoot.</source>
+        <translation>Élongation annuelle d’une pousse.</translation>
+    </message>
+    <message>
+        <source>Length of internodes</source>
+        <translation>Long. d’entre-nœud</translation>
+    </message>
+    <message>
+        <source>An internode lengthens over several steps, up to this.</source>
+        <translation>Un entre-nœud s’allonge sur plusieurs étapes, jusqu’à cette longueur.</translation>
+    </message>
+    <message>
+        <source>Length of a mature metamer.</source>
+        <translation>Longueur d’un métamère adulte.</translation>
+    </message>
+    <message>
+        <source>Angle of laterals</source>
+        <translation>Angle des latéraux</translation>
+    </message>
+    <message>
+        <source>Between an axis and a branch that begins on it.</source>
+        <translation>Entre un axe et une branche qui y naît.</translation>
+    </message>
+    <message>
+        <source>Angle of insertion of a lateral shoot.</source>
+        <translation>Angle d’insertion d’une pousse latérale.</translation>
+    </message>
+    <message>
+        <source>Lateral buds</source>
+        <translation>Bourgeons axillaires</translation>
+    </message>
+    <message>
+        <source>At each node: one makes a spiral, two crossed pairs, more a whorl.</source>
+        <translation>À chaque nœud&#xa0;: un donne une spirale, deux des paires croisées, davantage un verticille.</translation>
+    </message>
+    <message>
+        <source>Spread of the roll</source>
+        <translation>Écart de rotation</translation>
+    </message>
+    <message>
+        <source>How irregularly branches stand around their axis.</source>
+        <translation>À quel point les branches sont irrégulièrement réparties autour de leur axe.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the divergence angle.</source>
+        <translation>Écart-type de l’angle de divergence.</translation>
+    </message>
+    <message>
+        <source>Wandering</source>
+        <translation>Sinuosité</translation>
+    </message>
+    <message>
+        <source>How much an axis changes its direction from node to node.</source>
+        <translation>À quel point un axe change de direction d’un nœud à l’autre.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the apical angle.</source>
+        <translation>Écart-type de l’angle apical.</translation>
+    </message>
+    <message>
+        <source>Orders of branches</source>
+        <translation>Ordres de ramification</translation>
+    </message>
+    <message>
+        <source>Branches of branches of branches: this many, and no more.</source>
+        <translation>Des branches sur des branches sur des branches&#xa0;: autant d’ordres, pas plus.</translation>
+    </message>
+    <message>
+        <source>Highest order of an axis.</source>
+        <translation>Ordre le plus élevé d’un axe.</translation>
+    </message>
+    <message>
+        <source>Flushing</source>
+        <translation>Débourrement</translation>
+    </message>
+    <message>
+        <source>How readily lateral buds become branches.</source>
+        <translation>Avec quelle facilité les bourgeons axillaires deviennent des branches.</translation>
+    </message>
+    <message>
+        <source>Chance of lateral bud break for each internode of growth.</source>
+        <translation>Probabilité de débourrement d’un bourgeon axillaire par entre-nœud de croissance.</translation>
+    </message>
+    <message>
+        <source>Inhibition</source>
+        <translation>Inhibition</translation>
+    </message>
+    <message>
+        <source>How strongly growing tips hold back the buds below them.</source>
+        <translation>À quel point les extrémités en croissance retiennent les bourgeons situés sous elles.</translation>
+    </message>
+    <message>
+        <source>Apical dominance: auxin from lit apical buds.</source>
+        <translation>Dominance apicale&#xa0;: auxine des bourgeons terminaux éclairés.</translation>
+    </message>
+    <message>
+        <source>Reach of the inhibition</source>
+        <translation>Portée de l’inhibition</translation>
+    </message>
+    <message>
+        <source>Lost at each internode: more lets buds break nearer to the tip.</source>
+        <translation>Perte à chaque entre-nœud&#xa0;: davantage laisse débourrer plus près de l’extrémité.</translation>
+    </message>
+    <message>
+        <source>Decay of the inhibitor on its way down.</source>
+        <translation>Décroissance de l’inhibiteur en descendant.</translation>
+    </message>
+    <message>
+        <source>Apical control</source>
+        <translation>Contrôle apical</translation>
+    </message>
+    <message>
+        <source>Above 1 the trunk outgrows its branches, as in a spruce; below 1 they outgrow it.</source>
+        <translation>Au-dessus de 1, le tronc dépasse ses branches, comme chez l’épicéa&#xa0;; en dessous de 1, elles le dépassent.</translation>
+    </message>
+    <message>
+        <source>Excurrent above 1, decurrent below.</source>
+        <translation>Excurrent au-dessus de 1, décurrent en dessous.</translation>
+    </message>
+    <message>
+        <source>Tired with distance</source>
+        <translation>Fatigue au loin</translation>
+    </message>
+    <message>
+        <source>How much less shoots grow that are far from the root.</source>
+        <translation>À quel point les pousses éloignées de la racine poussent moins.</translation>
+    </message>
+    <message>
+        <source>Decay of the potential with the distance to the root.</source>
+        <translation>Décroissance du potentiel avec la distance à la racine.</translation>
+    </message>
+    <message>
+        <source>Tired with height</source>
+        <translation>Fatigue en hauteur</translation>
+    </message>
+    <message>
+        <source>How much less high shoots grow: more makes flat crowns.</source>
+        <translation>À quel point les pousses hautes poussent moins&#xa0;: davantage donne des houppiers plats.</translation>
+    </message>
+    <message>
+        <source>Decay of the potential with height.</source>
+        <translation>Décroissance du potentiel avec la hauteur.</translation>
+    </message>
+    <message>
+        <source>Gravitropism</source>
+        <translation>Gravitropisme</translation>
+    </message>
+    <message>
+        <source>Above 0 shoots turn up at each node, below 0 branches turn down.</source>
+        <translation>Au-dessus de 0, les pousses se tournent vers le haut à chaque nœud&#xa0;; en dessous de 0, les branches se tournent vers le bas.</translation>
+    </message>
+    <message>
+        <source>Orthotropic above 0, positively gravitropic below.</source>
+        <translation>Orthotrope au-dessus de 0, à gravitropisme positif en dessous.</translation>
+    </message>
+    <message>
+        <source>Phototropism</source>
+        <translation>Phototropisme</translation>
+    </message>
+    <message>
+        <source>How far shoots turn to the light at each node.</source>
+        <translation>À quel point les pousses se tournent vers la lumière à chaque nœud.</translation>
+    </message>
+    <message>
+        <source>Growth toward the brightest direction.</source>
+        <translation>Croissance vers la direction la plus claire.</translation>
+    </message>
+    <message>
+        <source>Level branches</source>
+        <translation>Branches horizontales</translation>
+    </message>
+    <message>
+        <source>How far a new branch turns to the level when it begins.</source>
+        <translation>À quel point une nouvelle branche se tourne vers l’horizontale à son départ.</translation>
+    </message>
+    <message>
+        <source>Plagiotropy of lateral shoots.</source>
+        <translation>Plagiotropie des pousses latérales.</translation>
+    </message>
+    <message>
+        <source>Sagging</source>
+        <translation>Affaissement</translation>
+    </message>
+    <message>
+        <source>How far branches sag under their weight as they grow.</source>
+        <translation>À quel point les branches s’affaissent sous leur poids en poussant.</translation>
+    </message>
+    <message>
+        <source>Gravimorphic bending by branch load.</source>
+        <translation>Courbure gravimorphique due au poids des branches.</translation>
+    </message>
+    <message>
+        <source>Stiff with age</source>
+        <translation>Raideur avec l’âge</translation>
+    </message>
+    <message>
+        <source>How much thick wood resists: more bends only the thin ends.</source>
+        <translation>À quel point le bois épais résiste&#xa0;: davantage ne courbe que les bouts minces.</translation>
+    </message>
+    <message>
+        <source>Exponent of thickness in flexural stiffness.</source>
+        <translation>Exposant de l’épaisseur dans la rigidité à la flexion.</translation>
+    </message>
+    <message>
+        <source>Most sagging</source>
+        <translation>Affaissement max.</translation>
+    </message>
+    <message>
+        <source>At most this part of the angle to straight down, for each internode.</source>
+        <translation>Au plus cette part de l’angle jusqu’à la verticale vers le bas, par entre-nœud.</translation>
+    </message>
+    <message>
+        <source>Limit of the bend of an internode.</source>
+        <translation>Limite de la courbure d’un entre-nœud.</translation>
+    </message>
+    <message>
+        <source>Shade pruning</source>
+        <translation>Élagage par l’ombre</translation>
+    </message>
+    <message>
+        <source>Ends of branches with less light than this fall.</source>
+        <translation>Les bouts de branches qui reçoivent moins de lumière que cela tombent.</translation>
+    </message>
+    <message>
+        <source>Cladoptosis of shaded shoots.</source>
+        <translation>Cladoptose des pousses ombragées.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Tubes: each branch is a tube that begins inside its parent. Strands: the wood is bundles of strands, which run from every tip to the ground, under one closed bark.</source>
+        <translation>Tubes&#xa0;: chaque branche est un tube qui commence dans celle qui la porte. Brins&#xa0;: le bois est fait de faisceaux de brins, qui vont de chaque extrémité jusqu’au sol, sous une seule écorce fermée.</translation>
+    </message>
+    <message>
+        <source>Strands at a tip</source>
+        <translation>Brins par extrémité</translation>
+    </message>
+    <message>
+        <source>How many strands begin at each tip. More make a smoother surface, and branches that separate more clearly.</source>
+        <translation>Nombre de brins qui partent de chaque extrémité. Davantage donne une surface plus lisse, et des branches qui se séparent plus nettement.</translation>
+    </message>
+    <message>
+        <source>Strand radius</source>
+        <translation>Rayon des brins</translation>
+    </message>
+    <message>
+        <source>How thick each strand is. The trunk then gets as thick as its strands want it; at 0 it keeps the width that it has.</source>
+        <translation>L’épaisseur de chaque brin. Le tronc devient alors aussi épais que ses brins le demandent&#xa0;; à 0, il garde l’épaisseur qu’il a.</translation>
+    </message>
+    <message>
+        <source>Cohesion</source>
+        <translation>Cohésion</translation>
+    </message>
+    <message>
+        <source>Branches separate at a fork where their strands are further apart than so many strand radii: low early, high late.</source>
+        <translation>Les branches se séparent à une fourche là où leurs brins sont plus éloignés que ce nombre de rayons de brin&#xa0;: tôt si la valeur est basse, tard si elle est haute.</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Tassement</translation>
+    </message>
+    <message>
+        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops on the way there.</source>
+        <translation>Comment les brins d’une section sont serrés les uns contre les autres. Au repos&#xa0;: jusqu’à ce qu’aucun n’en recouvre un autre. Publié&#xa0;: par la simulation de l’article, qui s’arrête en chemin.</translation>
+    </message>
+    <message>
+        <source>Packing steps</source>
+        <translation>Étapes de tassement</translation>
+    </message>
+    <message>
+        <source>How long strands are pressed together at each node. Few steps keep the shape of a fork further down the trunk; many make it round at once.</source>
+        <translation>Combien de temps les brins sont serrés à chaque nœud. Peu d’étapes gardent la forme d’une fourche plus bas sur le tronc&#xa0;; beaucoup l’arrondissent aussitôt.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>How far the ridges of single strands are smoothed: 0 shows each of them.</source>
+        <translation>À quel point le relief des brins isolés est lissé&#xa0;: 0 montre chacun d’eux.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Bud break</source>
+        <translation>Départ des bourgeons</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Contrôle</translation>
+    </message>
+    <message>
+        <source>Tropisms</source>
+        <translation>Tropismes</translation>
+    </message>
+    <message>
+        <source>Weight and shade</source>
+        <translation>Poids et ombre</translation>
+    </message>
+    <message>
+        <source>Strands</source>
+        <translation>Brins</translation>
+    </message>
+    <message>
+        <source>treesketch</source>
+        <translation>treesketch</translation>
+    </message>
+    <message>
+        <source>vigour</source>
+        <translation>vigueur</translation>
+    </message>
+    <message>
+        <source>tubes</source>
+        <translation>tubes</translation>
+    </message>
+    <message>
+        <source>strands</source>
+        <translation>brins</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>au repos</translation>
+    </message>
+    <message>
+        <source>as published</source>
+        <translation>publié</translation>
+    </message>
+    <message>
+        <source>Branches too</source>
+        <translation>Branches aussi</translation>
+    </message>
+    <message>
+        <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
+        <translation>Un glissement torsade tout ce que la branche porte, pas seulement la branche elle-même. Maj fait l’inverse tant qu’elle est enfoncée.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -1917,6 +2446,28 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>internode %1</source>
         <translation>entre-nœud %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileJson</name>
+    <message>
+        <source>a profile is expected</source>
+        <translation>un profil est attendu</translation>
+    </message>
+    <message>
+        <source>at most %1 are possible</source>
+        <translation>%1 au plus sont possibles</translation>
+    </message>
+    <message>
+        <source>lists of points [x, y] are expected</source>
+        <translation>des listes de points [x, y] sont attendues</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileTool</name>
+    <message>
+        <source>Tap a branch to see its cross-section, and draw another shape for it</source>
+        <translation>Toucher une branche pour voir sa section, et lui dessiner une autre forme</translation>
     </message>
 </context>
 <context>
@@ -1999,6 +2550,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>the record of what was done is not a JSON object</source>
         <translation>l’enregistrement de ce qui a été fait n’est pas un objet JSON</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>les profils</translation>
+    </message>
+    <message>
+        <source>there are too many</source>
+        <translation>il y en a trop</translation>
     </message>
 </context>
 <context>
@@ -2238,12 +2797,55 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>a recipe that was not read from a file cannot name files</source>
         <translation>une recette qui n’est pas un fichier ne peut pas nommer de fichiers</translation>
     </message>
+    <message>
+        <source>internode %1 has no room for buds above the ground</source>
+        <translation>l’entre-nœud %1 n’a pas de place pour des bourgeons au-dessus du sol</translation>
+    </message>
+    <message>
+        <source>nothing was taken away</source>
+        <translation>rien n’a été retiré</translation>
+    </message>
+    <message>
+        <source>there is no branch from internode %1 to internode %2</source>
+        <translation>il n’y a pas de branche de l’entre-nœud %1 à l’entre-nœud %2</translation>
+    </message>
+    <message>
+        <source>internode %1 has no profile to take away</source>
+        <translation>l’entre-nœud %1 n’a pas de profil à retirer</translation>
+    </message>
+    <message>
+        <source>internode %1 has no twist to take away</source>
+        <translation>l’entre-nœud %1 n’a pas de torsade à retirer</translation>
+    </message>
+    <message>
+        <source>a branch begins at one internode</source>
+        <translation>une branche commence à un seul entre-nœud</translation>
+    </message>
+    <message>
+        <source>true is expected</source>
+        <translation>true est attendu</translation>
+    </message>
+    <message>
+        <source>the other end of the branch (“to”) is missing</source>
+        <translation>l’autre bout de la branche («&#xa0;to&#xa0;») manque</translation>
+    </message>
+    <message>
+        <source>one of these is expected: %1</source>
+        <translation>l’un de ceux-ci est attendu&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
     <message>
         <source>A recipe is playing; Escape hands the brush to you.</source>
         <translation>Une recette se joue&#xa0;; Échap rend le pinceau.</translation>
+    </message>
+</context>
+<context>
+    <name>ReduceTool</name>
+    <message>
+        <source>Press a branch and hold: it shrinks until you let go</source>
+        <translation>Appuyer sur une branche et maintenir&#xa0;: elle rétrécit jusqu’au relâchement</translation>
     </message>
 </context>
 <context>
@@ -2322,6 +2924,45 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>no segment has a length</source>
         <translation>aucun segment n’a de longueur</translation>
+    </message>
+</context>
+<context>
+    <name>StrandProfile</name>
+    <message>
+        <source>an outline needs at least three points</source>
+        <translation>un contour a besoin d’au moins trois points</translation>
+    </message>
+    <message>
+        <source>an outline reaches too far</source>
+        <translation>un contour va trop loin</translation>
+    </message>
+    <message>
+        <source>it has no outline</source>
+        <translation>il n’a pas de contour</translation>
+    </message>
+    <message>
+        <source>it has more than %1 outlines or %2 points</source>
+        <translation>il a plus de %1 contours ou de %2 points</translation>
+    </message>
+    <message>
+        <source>it has more than %1 attractors</source>
+        <translation>il a plus de %1 attracteurs</translation>
+    </message>
+    <message>
+        <source>an attractor lies too far away</source>
+        <translation>un attracteur est trop éloigné</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>son contour se croise lui-même</translation>
+    </message>
+    <message>
+        <source>its outlines cross each other</source>
+        <translation>ses contours se croisent</translation>
+    </message>
+    <message>
+        <source>its outline has no area</source>
+        <translation>son contour n’a pas de surface</translation>
     </message>
 </context>
 <context>
@@ -2449,6 +3090,33 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>the lassos in force are out of order</source>
         <translation>les lassos en vigueur sont dans le désordre</translation>
     </message>
+    <message>
+        <source>profile %1: %2</source>
+        <translation>profil %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>its profile is missing</source>
+        <translation>son profil manque</translation>
+    </message>
+    <message>
+        <source>its twist is out of range</source>
+        <translation>sa torsade est hors limites</translation>
+    </message>
+    <message>
+        <source>its added vigour is out of range</source>
+        <translation>sa vigueur ajoutée est hors limites</translation>
+    </message>
+</context>
+<context>
+    <name>TwistTool</name>
+    <message>
+        <source>%1° from node to node</source>
+        <translation>%1° d’un nœud à l’autre</translation>
+    </message>
+    <message>
+        <source>Drag along a branch, or around it, to twist its strands; tap twice to untwist them</source>
+        <translation>Faire glisser le long d’une branche, ou autour d’elle, pour torsader ses brins&#xa0;; toucher deux fois pour les détordre</translation>
+    </message>
 </context>
 <context>
     <name>WidthTool</name>
@@ -2505,6 +3173,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>‹ Less</source>
         <translation>‹ Moins</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Espèce</translation>
+    </message>
+    <message>
+        <source>Sets all that the vigour model goes by, as a species grows</source>
+        <translation>Règle tout ce que suit le modèle de vigueur, comme pousse une espèce</translation>
+    </message>
+    <message>
+        <source>No species</source>
+        <translation>Aucune espèce</translation>
     </message>
 </context>
 <context>
@@ -3148,6 +3828,190 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Pressure curve</source>
         <translation>Courbe de pression</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfileCanvas</name>
+    <message>
+        <source>Cross-section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Draw an outline first: attractors gather the strands within it.</source>
+        <translation>Dessiner d’abord un contour&#xa0;: les attracteurs rassemblent les brins à l’intérieur.</translation>
+    </message>
+    <message>
+        <source>This cannot be the profile: %1.</source>
+        <translation>Ceci ne peut pas être le profil&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Tap a branch of the tree to see its cross-section.</source>
+        <translation>Toucher une branche de l’arbre pour voir sa section.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfileController</name>
+    <message>
+        <source>The two places are not on one branch.</source>
+        <translation>Les deux endroits ne sont pas sur une même branche.</translation>
+    </message>
+    <message>
+        <source>The other place has no profile to interpolate to.</source>
+        <translation>L’autre endroit n’a pas de profil vers lequel interpoler.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfilePanel</name>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside others splits the wood, one within another is a hollow.</source>
+        <translation>&lt;b&gt;Contour&lt;/b&gt;&lt;br&gt;Dessiner une ligne fermée. Une ligne à côté d’autres divise le bois, une ligne dans une autre est un creux.</translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation>Attracteur</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Attractor&lt;/b&gt;&lt;br&gt;Drag a straight line that the strands gather at.</source>
+        <translation>&lt;b&gt;Attracteur&lt;/b&gt;&lt;br&gt;Tirer une ligne droite autour de laquelle les brins se rassemblent.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Points&lt;/b&gt;&lt;br&gt;Drag the points of an outline, or the ends of an attractor.</source>
+        <translation>&lt;b&gt;Points&lt;/b&gt;&lt;br&gt;Tirer les points d’un contour, ou les bouts d’un attracteur.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Gommer</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Erase&lt;/b&gt;&lt;br&gt;Tap a line to take it away. A pen&apos;s eraser does the same at any time.</source>
+        <translation>&lt;b&gt;Gommer&lt;/b&gt;&lt;br&gt;Toucher une ligne pour l’ôter. La gomme d’un stylet fait de même à tout moment.</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Ronde</translation>
+    </message>
+    <message>
+        <source>Elongated</source>
+        <translation>Allongée</translation>
+    </message>
+    <message>
+        <source>C-shaped</source>
+        <translation>En C</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Creuse</translation>
+    </message>
+    <message>
+        <source>Split in two</source>
+        <translation>Fendue en deux</translation>
+    </message>
+    <message>
+        <source>Split in three</source>
+        <translation>Fendue en trois</translation>
+    </message>
+    <message>
+        <source>Fluted</source>
+        <translation>Cannelée</translation>
+    </message>
+    <message>
+        <source>Copy to branch</source>
+        <translation>Copier sur la branche</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
+        <translation>&lt;b&gt;Copier sur la branche&lt;/b&gt;&lt;br&gt;Toucher ensuite un autre endroit de cette branche&#xa0;: tout ce qui est entre les deux reçoit ce profil.</translation>
+    </message>
+    <message>
+        <source>Interpolate</source>
+        <translation>Interpoler</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Interpolate&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <translation>&lt;b&gt;Interpoler&lt;/b&gt;&lt;br&gt;Toucher ensuite un autre endroit de cette branche qui a un profil&#xa0;: entre les deux, on passe de l’un à l’autre.</translation>
+    </message>
+    <message>
+        <source>▼</source>
+        <translation>▼</translation>
+    </message>
+    <message>
+        <source>To the next place down the branch</source>
+        <translation>Vers l’endroit suivant en descendant la branche</translation>
+    </message>
+    <message>
+        <source>▲</source>
+        <translation>▲</translation>
+    </message>
+    <message>
+        <source>To the next place up the branch</source>
+        <translation>Vers l’endroit suivant en remontant la branche</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Cadrer</translation>
+    </message>
+    <message>
+        <source>Show the whole section</source>
+        <translation>Afficher toute la section</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Clear&lt;/b&gt;&lt;br&gt;Take the profile away: the strands are packed round again.</source>
+        <translation>&lt;b&gt;Retirer&lt;/b&gt;&lt;br&gt;Ôter le profil&#xa0;: les brins se tassent de nouveau en rond.</translation>
+    </message>
+    <message>
+        <source>Down the branch</source>
+        <translation>Vers le bas de la branche</translation>
+    </message>
+    <message>
+        <source>Up the branch</source>
+        <translation>Vers le haut de la branche</translation>
+    </message>
+    <message numerus="yes">
+        <source>Radius %1 · %Ln strands</source>
+        <translation>
+            <numerusform>Rayon %1 · %Ln brin</numerusform>
+            <numerusform>Rayon %1 · %Ln brins</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Draw another closed line: beside the first to split the wood, within it for a hollow.</source>
+        <translation>Dessiner une autre ligne fermée&#xa0;: à côté de la première pour diviser le bois, à l’intérieur pour un creux.</translation>
+    </message>
+    <message>
+        <source>Draw a closed line, or begin with one of these shapes.</source>
+        <translation>Dessiner une ligne fermée, ou partir de l’une de ces formes.</translation>
+    </message>
+    <message>
+        <source>Drag a straight line: the strands gather at it.</source>
+        <translation>Tirer une ligne droite&#xa0;: les brins se rassemblent autour d’elle.</translation>
+    </message>
+    <message>
+        <source>Drag the points of a line.</source>
+        <translation>Tirer les points d’une ligne.</translation>
+    </message>
+    <message>
+        <source>Tap a line to take it away.</source>
+        <translation>Toucher une ligne pour l’ôter.</translation>
+    </message>
+    <message>
+        <source>Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.</source>
+        <translation>Toucher l’autre bout sur cette branche, ou y aller avec ▲ et ▼ et appuyer de nouveau sur le bouton.</translation>
     </message>
 </context>
 <context>

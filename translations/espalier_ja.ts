@@ -327,6 +327,53 @@
         <source>Write down what was done to the tree, so that it can be done again.</source>
         <translation>木に対して行ったことを書き留めて、もう一度行えるようにします。</translation>
     </message>
+    <message>
+        <source>Twist</source>
+        <translation>ねじり</translation>
+    </message>
+    <message>
+        <source>Drag along a branch, or around it, to twist its strands.</source>
+        <translation>枝に沿って、または枝を回すようにドラッグすると、ストランドがねじれます。</translation>
+    </message>
+    <message>
+        <source>New Buds</source>
+        <translation>新しい芽</translation>
+    </message>
+    <message>
+        <source>Tap old wood: buds break through its bark, and grow into branches.</source>
+        <translation>古い枝や幹をタップすると、樹皮を破って芽が出て、枝に育ちます。</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>断面形</translation>
+    </message>
+    <message>
+        <source>Tap a branch to see its cross-section, and draw its shape.</source>
+        <translation>枝をタップすると断面が表示され、その形を描けます。</translation>
+    </message>
+    <message>
+        <source>Invigorate</source>
+        <translation>勢いづけ</translation>
+    </message>
+    <message>
+        <source>Press a branch and hold: it alone grows until you let go.</source>
+        <translation>枝を押し続けると、離すまでその枝だけが成長します。</translation>
+    </message>
+    <message>
+        <source>Reduce</source>
+        <translation>縮小</translation>
+    </message>
+    <message>
+        <source>Press a branch and hold: its youngest growth goes, step by step.</source>
+        <translation>枝を押し続けると、新しく伸びた部分から 1 ステップずつ消えていきます。</translation>
+    </message>
+</context>
+<context>
+    <name>AddBudsTool</name>
+    <message>
+        <source>Tap old wood to let buds break through its bark; they grow into branches</source>
+        <translation>古い枝や幹をタップすると、樹皮を破って芽が出ます。芽は枝に育ちます</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -417,6 +464,10 @@
         <translation>import にはスケルトン 1 つと -o OUT が必要です</translation>
     </message>
     <message>
+        <source>there is no room for more parameter sets</source>
+        <translation>これ以上パラメーターの組を加える余地がありません</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -428,22 +479,27 @@ espalier --demo [RECIPE]
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
+                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
+                [--strict] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
     Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
     says the seed, and each begins by putting its parameters in force.
+    --profiles: the places of the strands in each cross-section, as JSON.
     What operations do not find in the tree is printed; with --strict it is an
     error, and nothing is written.
+    --set gives a parameter a value for the whole replay, whatever recipes say:
+    --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
+espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
+    Writes a project in other formats. --set changes parameters for what is
+    written; the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
     its shadow, as black of some opacity.
@@ -468,22 +524,28 @@ espalier --demo [RECIPE]
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
+                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
+                [--strict] [--set GROUP.NAME=VALUE]...
     ウィンドウなしでレシピを実行し、結果を書き出します。
     プロジェクトのときは、その木に対して行ったことをすべてもう一度行います。
     レシピが複数あるときは、それぞれが前の木の続きになります。シードは
     最初のレシピのものを使い、パラメーターは各レシピの最初に切り替わります。
+    --profiles: 各断面でのストランドの位置を JSON で書き出します。
     操作の対象が木に見つからないときは、それを表示します。--strict を付けると
     エラーになり、何も書き出しません。
+    --set は、レシピの内容にかかわらず、再生全体を通してパラメーターの値を
+    決めます: --set growth.shedding=0.1 --set leaves.visible=false
+    角度の単位は度です。
 
 espalier import SKELETON.csv -o OUT...
     計測した木から木を作ります。各行は id、parent、両端、半径です。
 
-espalier export PROJECT [-o OUT]...
-    プロジェクトをほかの形式で書き出します。
+espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
+    プロジェクトをほかの形式で書き出します。--set は書き出す内容の
+    パラメーターだけを変え、プロジェクトはそのまま残ります。
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
     画像を保存します。ディスプレイが必要ですが、仮想のものでかまいません。
     --transparent: 木だけを、ストレートアルファで保存します。
     --ground-shadow を付けると、影が半透明の黒で残ります。
@@ -497,6 +559,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 %1終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
 正しくないときは 3、出力を書き込めないときは 4 です。
 </translation>
+    </message>
+    <message>
+        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <translation>--set には group.name=value の形で指定します (&quot;%1&quot; は使えません)</translation>
+    </message>
+    <message>
+        <source>--set knows no parameter &quot;%1&quot;</source>
+        <translation>--set に &quot;%1&quot; というパラメーターはありません</translation>
     </message>
 </context>
 <context>
@@ -540,6 +610,38 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Import</source>
         <translation>読み込み</translation>
+    </message>
+    <message>
+        <source>New Buds</source>
+        <translation>新しい芽</translation>
+    </message>
+    <message>
+        <source>Invigorate</source>
+        <translation>勢いづけ</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>断面形</translation>
+    </message>
+    <message>
+        <source>Blend Profiles</source>
+        <translation>断面形の補間</translation>
+    </message>
+    <message>
+        <source>Clear Profile</source>
+        <translation>断面形の解除</translation>
+    </message>
+    <message>
+        <source>Reduce</source>
+        <translation>縮小</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>ねじり</translation>
+    </message>
+    <message>
+        <source>Remove Twist</source>
+        <translation>ねじりの解除</translation>
     </message>
 </context>
 <context>
@@ -782,6 +884,13 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>InvigorateTool</name>
+    <message>
+        <source>Press a branch and hold: it grows until you let go</source>
+        <translation>枝を押し続けると、離すまで成長します</translation>
+    </message>
+</context>
+<context>
     <name>JournalCheck</name>
     <message>
         <source>it changes nothing</source>
@@ -836,10 +945,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>履歴のステップ %1</translation>
     </message>
     <message>
-        <source>it brings strokes that are not there</source>
-        <translation>存在しないストロークが加えられています</translation>
-    </message>
-    <message>
         <source>it places a leaf on an internode that is not there</source>
         <translation>存在しない節間に葉が配置されています</translation>
     </message>
@@ -866,6 +971,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>it changes “%1” in a way that is not possible</source>
         <translation>「%1」がありえない値に変えられています</translation>
+    </message>
+    <message>
+        <source>it brings strokes or profiles that are not there</source>
+        <translation>存在しないストロークか断面形を加えています</translation>
     </message>
 </context>
 <context>
@@ -1847,6 +1956,426 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
         <translation>ブラシが木のどの奥行きに描くかを、まわりの薄いグリッドで示します。</translation>
     </message>
+    <message>
+        <source>Hazel</source>
+        <translation>ハシバミ</translation>
+    </message>
+    <message>
+        <source>Oak</source>
+        <translation>ナラ</translation>
+    </message>
+    <message>
+        <source>Maple</source>
+        <translation>カエデ</translation>
+    </message>
+    <message>
+        <source>Elm</source>
+        <translation>ニレ</translation>
+    </message>
+    <message>
+        <source>Poplar</source>
+        <translation>ポプラ</translation>
+    </message>
+    <message>
+        <source>Spruce</source>
+        <translation>トウヒ</translation>
+    </message>
+    <message>
+        <source>Pine</source>
+        <translation>マツ</translation>
+    </message>
+    <message>
+        <source>Acacia</source>
+        <translation>アカシア</translation>
+    </message>
+    <message>
+        <source>Apple</source>
+        <translation>リンゴ</translation>
+    </message>
+    <message>
+        <source>Joshua tree</source>
+        <translation>ジョシュアツリー</translation>
+    </message>
+    <message>
+        <source>Buds</source>
+        <translation>芽の数</translation>
+    </message>
+    <message>
+        <source>How many buds a tap adds, in a spiral around the branch.</source>
+        <translation>1 回のタップで、枝のまわりにらせん状に加わる芽の数です。</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>間隔</translation>
+    </message>
+    <message>
+        <source>How far one bud is from the next along the branch: 0 is a whorl.</source>
+        <translation>枝に沿った、芽から次の芽までの距離です。0 では輪生になります。</translation>
+    </message>
+    <message>
+        <source>Growth model</source>
+        <translation>成長モデル</translation>
+    </message>
+    <message>
+        <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
+        <translation>Treesketch: 芽が空間と光を競い合います。樹勢: 各シュートの伸びる速さが、月ごとに光で決まります。</translation>
+    </message>
+    <message>
+        <source>Self-organising competition, or shoot growth by vigour with apical control.</source>
+        <translation>自己組織的な競争か、頂端制御を伴う樹勢によるシュートの成長。</translation>
+    </message>
+    <message>
+        <source>Growth in a year</source>
+        <translation>1 年の伸び</translation>
+    </message>
+    <message>
+        <source>How much the strongest shoot grows in full light, in twelve steps.</source>
+        <translation>最も強いシュートが、十分な光のもとで 12 ステップに伸びる長さです。</translation>
+    </message>
+    <message>
+        <source>Annual elongation of a shoot.</source>
+        <translation>シュートの年間伸長量。</translation>
+    </message>
+    <message>
+        <source>Length of internodes</source>
+        <translation>節間の長さ</translation>
+    </message>
+    <message>
+        <source>An internode lengthens over several steps, up to this.</source>
+        <translation>節間は、何ステップかかけてこの長さまで伸びます。</translation>
+    </message>
+    <message>
+        <source>Length of a mature metamer.</source>
+        <translation>成熟したメタマーの長さ。</translation>
+    </message>
+    <message>
+        <source>Angle of laterals</source>
+        <translation>側枝の角度</translation>
+    </message>
+    <message>
+        <source>Between an axis and a branch that begins on it.</source>
+        <translation>軸と、そこから出る枝との間の角度です。</translation>
+    </message>
+    <message>
+        <source>Angle of insertion of a lateral shoot.</source>
+        <translation>側生シュートの着生角度。</translation>
+    </message>
+    <message>
+        <source>Lateral buds</source>
+        <translation>側芽</translation>
+    </message>
+    <message>
+        <source>At each node: one makes a spiral, two crossed pairs, more a whorl.</source>
+        <translation>節ごとの数です。1 はらせん、2 は十字対生、それ以上は輪生になります。</translation>
+    </message>
+    <message>
+        <source>Spread of the roll</source>
+        <translation>回転のばらつき</translation>
+    </message>
+    <message>
+        <source>How irregularly branches stand around their axis.</source>
+        <translation>枝が軸のまわりにどれだけ不規則につくかです。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the divergence angle.</source>
+        <translation>開度の標準偏差。</translation>
+    </message>
+    <message>
+        <source>Wandering</source>
+        <translation>くねり</translation>
+    </message>
+    <message>
+        <source>How much an axis changes its direction from node to node.</source>
+        <translation>軸が節ごとにどれだけ向きを変えるかです。</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the apical angle.</source>
+        <translation>頂端角の標準偏差。</translation>
+    </message>
+    <message>
+        <source>Orders of branches</source>
+        <translation>枝の次数</translation>
+    </message>
+    <message>
+        <source>Branches of branches of branches: this many, and no more.</source>
+        <translation>枝の枝、そのまた枝と、何段まで分かれるかです。</translation>
+    </message>
+    <message>
+        <source>Highest order of an axis.</source>
+        <translation>軸の最大次数。</translation>
+    </message>
+    <message>
+        <source>Flushing</source>
+        <translation>芽吹き</translation>
+    </message>
+    <message>
+        <source>How readily lateral buds become branches.</source>
+        <translation>側芽がどれだけ枝になりやすいかです。</translation>
+    </message>
+    <message>
+        <source>Chance of lateral bud break for each internode of growth.</source>
+        <translation>節間 1 つの成長ごとに側芽が開く確率。</translation>
+    </message>
+    <message>
+        <source>Inhibition</source>
+        <translation>抑制</translation>
+    </message>
+    <message>
+        <source>How strongly growing tips hold back the buds below them.</source>
+        <translation>伸びている先端が、下の芽をどれだけ強く抑えるかです。</translation>
+    </message>
+    <message>
+        <source>Apical dominance: auxin from lit apical buds.</source>
+        <translation>頂芽優勢。光の当たる頂芽からのオーキシン。</translation>
+    </message>
+    <message>
+        <source>Reach of the inhibition</source>
+        <translation>抑制の減衰</translation>
+    </message>
+    <message>
+        <source>Lost at each internode: more lets buds break nearer to the tip.</source>
+        <translation>節間ごとに抑制が失われる割合です。大きいほど、先端に近い芽から開きます。</translation>
+    </message>
+    <message>
+        <source>Decay of the inhibitor on its way down.</source>
+        <translation>下へ向かう抑制物質の減衰。</translation>
+    </message>
+    <message>
+        <source>Apical control</source>
+        <translation>頂端制御</translation>
+    </message>
+    <message>
+        <source>Above 1 the trunk outgrows its branches, as in a spruce; below 1 they outgrow it.</source>
+        <translation>1 より上ではトウヒのように幹が枝に勝ち、下では枝が幹に勝ちます。</translation>
+    </message>
+    <message>
+        <source>Excurrent above 1, decurrent below.</source>
+        <translation>1 より上で主幹型、下で分散型の樹形。</translation>
+    </message>
+    <message>
+        <source>Tired with distance</source>
+        <translation>距離による衰え</translation>
+    </message>
+    <message>
+        <source>How much less shoots grow that are far from the root.</source>
+        <translation>根から遠いシュートの伸びがどれだけ弱まるかです。</translation>
+    </message>
+    <message>
+        <source>Decay of the potential with the distance to the root.</source>
+        <translation>根からの距離に伴う成長力の減衰。</translation>
+    </message>
+    <message>
+        <source>Tired with height</source>
+        <translation>高さによる衰え</translation>
+    </message>
+    <message>
+        <source>How much less high shoots grow: more makes flat crowns.</source>
+        <translation>高いところのシュートの伸びがどれだけ弱まるかです。大きいほど樹冠が平らになります。</translation>
+    </message>
+    <message>
+        <source>Decay of the potential with height.</source>
+        <translation>高さに伴う成長力の減衰。</translation>
+    </message>
+    <message>
+        <source>Gravitropism</source>
+        <translation>重力屈性</translation>
+    </message>
+    <message>
+        <source>Above 0 shoots turn up at each node, below 0 branches turn down.</source>
+        <translation>0 より上では節ごとにシュートが上へ、下では枝が下へ向きを変えます。</translation>
+    </message>
+    <message>
+        <source>Orthotropic above 0, positively gravitropic below.</source>
+        <translation>0 より上で直立性、下で正の重力屈性。</translation>
+    </message>
+    <message>
+        <source>Phototropism</source>
+        <translation>光屈性</translation>
+    </message>
+    <message>
+        <source>How far shoots turn to the light at each node.</source>
+        <translation>シュートが節ごとにどれだけ光の方へ向きを変えるかです。</translation>
+    </message>
+    <message>
+        <source>Growth toward the brightest direction.</source>
+        <translation>最も明るい方向への成長。</translation>
+    </message>
+    <message>
+        <source>Level branches</source>
+        <translation>枝の水平さ</translation>
+    </message>
+    <message>
+        <source>How far a new branch turns to the level when it begins.</source>
+        <translation>新しい枝が、出るときにどれだけ水平に近づくかです。</translation>
+    </message>
+    <message>
+        <source>Plagiotropy of lateral shoots.</source>
+        <translation>側生シュートの斜生性。</translation>
+    </message>
+    <message>
+        <source>Sagging</source>
+        <translation>たわみ</translation>
+    </message>
+    <message>
+        <source>How far branches sag under their weight as they grow.</source>
+        <translation>育つにつれて、枝が自分の重さでどれだけたわむかです。</translation>
+    </message>
+    <message>
+        <source>Gravimorphic bending by branch load.</source>
+        <translation>枝の荷重による重力形態形成的な曲がり。</translation>
+    </message>
+    <message>
+        <source>Stiff with age</source>
+        <translation>太い枝の硬さ</translation>
+    </message>
+    <message>
+        <source>How much thick wood resists: more bends only the thin ends.</source>
+        <translation>太い部分がどれだけたわみに逆らうかです。大きいほど、細い先だけがたわみます。</translation>
+    </message>
+    <message>
+        <source>Exponent of thickness in flexural stiffness.</source>
+        <translation>曲げ剛性における太さの指数。</translation>
+    </message>
+    <message>
+        <source>Most sagging</source>
+        <translation>たわみの上限</translation>
+    </message>
+    <message>
+        <source>At most this part of the angle to straight down, for each internode.</source>
+        <translation>節間ごとに、真下までの角度のうち、最大でこの割合までたわみます。</translation>
+    </message>
+    <message>
+        <source>Limit of the bend of an internode.</source>
+        <translation>節間の曲がりの限度。</translation>
+    </message>
+    <message>
+        <source>Shade pruning</source>
+        <translation>日陰の落枝</translation>
+    </message>
+    <message>
+        <source>Ends of branches with less light than this fall.</source>
+        <translation>光がこれより少ない枝先が落ちます。</translation>
+    </message>
+    <message>
+        <source>Cladoptosis of shaded shoots.</source>
+        <translation>日陰のシュートの落枝。</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>Tubes: each branch is a tube that begins inside its parent. Strands: the wood is bundles of strands, which run from every tip to the ground, under one closed bark.</source>
+        <translation>チューブ: 枝の 1 本 1 本が、親の枝の中から始まる管です。ストランド: 木部はストランドの束で、どの枝先からも地面まで通り、ひと続きの樹皮に包まれます。</translation>
+    </message>
+    <message>
+        <source>Strands at a tip</source>
+        <translation>枝先のストランド</translation>
+    </message>
+    <message>
+        <source>How many strands begin at each tip. More make a smoother surface, and branches that separate more clearly.</source>
+        <translation>枝先ごとに始まるストランドの数です。多いほど表面がなめらかになり、枝がはっきり分かれます。</translation>
+    </message>
+    <message>
+        <source>Strand radius</source>
+        <translation>ストランドの半径</translation>
+    </message>
+    <message>
+        <source>How thick each strand is. The trunk then gets as thick as its strands want it; at 0 it keeps the width that it has.</source>
+        <translation>ストランド 1 本の太さです。幹の太さはストランドの量で決まります。0 では今の太さを保ちます。</translation>
+    </message>
+    <message>
+        <source>Cohesion</source>
+        <translation>結びつき</translation>
+    </message>
+    <message>
+        <source>Branches separate at a fork where their strands are further apart than so many strand radii: low early, high late.</source>
+        <translation>ストランドどうしがストランド半径のこの倍数より離れたところで、枝が分かれます。小さいと早く、大きいと遅く分かれます。</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>詰め方</translation>
+    </message>
+    <message>
+        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops on the way there.</source>
+        <translation>断面のストランドをどう押し詰めるかです。静止まで: 重なりがなくなるまで。論文どおり: 論文のシミュレーションで、その途中で止まります。</translation>
+    </message>
+    <message>
+        <source>Packing steps</source>
+        <translation>詰めるステップ数</translation>
+    </message>
+    <message>
+        <source>How long strands are pressed together at each node. Few steps keep the shape of a fork further down the trunk; many make it round at once.</source>
+        <translation>節ごとにストランドをどれだけ長く押し詰めるかです。少ないと分かれ目の形が幹の下の方まで残り、多いとすぐに丸くなります。</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>なめらかさ</translation>
+    </message>
+    <message>
+        <source>How far the ridges of single strands are smoothed: 0 shows each of them.</source>
+        <translation>ストランド 1 本 1 本の筋をどれだけならすかです。0 ではすべての筋が見えます。</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>モデル</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>軸</translation>
+    </message>
+    <message>
+        <source>Bud break</source>
+        <translation>開芽</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>制御</translation>
+    </message>
+    <message>
+        <source>Tropisms</source>
+        <translation>屈性</translation>
+    </message>
+    <message>
+        <source>Weight and shade</source>
+        <translation>重さと日陰</translation>
+    </message>
+    <message>
+        <source>Strands</source>
+        <translation>ストランド</translation>
+    </message>
+    <message>
+        <source>treesketch</source>
+        <translation>Treesketch</translation>
+    </message>
+    <message>
+        <source>vigour</source>
+        <translation>樹勢</translation>
+    </message>
+    <message>
+        <source>tubes</source>
+        <translation>チューブ</translation>
+    </message>
+    <message>
+        <source>strands</source>
+        <translation>ストランド</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>静止まで</translation>
+    </message>
+    <message>
+        <source>as published</source>
+        <translation>論文どおり</translation>
+    </message>
+    <message>
+        <source>Branches too</source>
+        <translation>枝もねじる</translation>
+    </message>
+    <message>
+        <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
+        <translation>ドラッグすると、その枝だけでなく、枝についているものもすべてねじれます。Shift を押している間は逆になります。</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -1916,6 +2445,28 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>internode %1</source>
         <translation>節間 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileJson</name>
+    <message>
+        <source>a profile is expected</source>
+        <translation>断面形が必要です</translation>
+    </message>
+    <message>
+        <source>at most %1 are possible</source>
+        <translation>%1 個までです</translation>
+    </message>
+    <message>
+        <source>lists of points [x, y] are expected</source>
+        <translation>点 [x, y] の並びが必要です</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileTool</name>
+    <message>
+        <source>Tap a branch to see its cross-section, and draw another shape for it</source>
+        <translation>枝をタップすると断面が表示され、別の形を描けます</translation>
     </message>
 </context>
 <context>
@@ -1998,6 +2549,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>the record of what was done is not a JSON object</source>
         <translation>行ったことの記録が JSON オブジェクトではありません</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>断面形</translation>
+    </message>
+    <message>
+        <source>there are too many</source>
+        <translation>多すぎます</translation>
     </message>
 </context>
 <context>
@@ -2237,12 +2796,55 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>a recipe that was not read from a file cannot name files</source>
         <translation>ファイルでないレシピではファイルを指定できません</translation>
     </message>
+    <message>
+        <source>internode %1 has no room for buds above the ground</source>
+        <translation>節間 %1 には、地面より上に芽をつける余地がありません</translation>
+    </message>
+    <message>
+        <source>nothing was taken away</source>
+        <translation>何も取り除かれませんでした</translation>
+    </message>
+    <message>
+        <source>there is no branch from internode %1 to internode %2</source>
+        <translation>節間 %1 から節間 %2 までの枝はありません</translation>
+    </message>
+    <message>
+        <source>internode %1 has no profile to take away</source>
+        <translation>節間 %1 に解除する断面形はありません</translation>
+    </message>
+    <message>
+        <source>internode %1 has no twist to take away</source>
+        <translation>節間 %1 に解除するねじりはありません</translation>
+    </message>
+    <message>
+        <source>a branch begins at one internode</source>
+        <translation>枝の始まりになる節間は 1 つだけです</translation>
+    </message>
+    <message>
+        <source>true is expected</source>
+        <translation>true が必要です</translation>
+    </message>
+    <message>
+        <source>the other end of the branch (“to”) is missing</source>
+        <translation>枝のもう一方の端 (「to」) がありません</translation>
+    </message>
+    <message>
+        <source>one of these is expected: %1</source>
+        <translation>次のいずれかが必要です: %1</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
     <message>
         <source>A recipe is playing; Escape hands the brush to you.</source>
         <translation>レシピを再生中です。Esc を押すとブラシを受け取れます。</translation>
+    </message>
+</context>
+<context>
+    <name>ReduceTool</name>
+    <message>
+        <source>Press a branch and hold: it shrinks until you let go</source>
+        <translation>枝を押し続けると、離すまで縮みます</translation>
     </message>
 </context>
 <context>
@@ -2321,6 +2923,45 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>no segment has a length</source>
         <translation>長さのあるセグメントがありません</translation>
+    </message>
+</context>
+<context>
+    <name>StrandProfile</name>
+    <message>
+        <source>an outline needs at least three points</source>
+        <translation>輪郭には少なくとも 3 つの点が必要です</translation>
+    </message>
+    <message>
+        <source>an outline reaches too far</source>
+        <translation>輪郭が遠くまで延びすぎています</translation>
+    </message>
+    <message>
+        <source>it has no outline</source>
+        <translation>輪郭がありません</translation>
+    </message>
+    <message>
+        <source>it has more than %1 outlines or %2 points</source>
+        <translation>輪郭が %1 個、または点が %2 個を超えています</translation>
+    </message>
+    <message>
+        <source>it has more than %1 attractors</source>
+        <translation>アトラクターが %1 個を超えています</translation>
+    </message>
+    <message>
+        <source>an attractor lies too far away</source>
+        <translation>アトラクターが遠すぎます</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>輪郭が自分自身と交差しています</translation>
+    </message>
+    <message>
+        <source>its outlines cross each other</source>
+        <translation>輪郭どうしが交差しています</translation>
+    </message>
+    <message>
+        <source>its outline has no area</source>
+        <translation>輪郭が何も囲んでいません</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +3089,33 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>the lassos in force are out of order</source>
         <translation>有効な投げ縄の順序が正しくありません</translation>
     </message>
+    <message>
+        <source>profile %1: %2</source>
+        <translation>断面形 %1: %2</translation>
+    </message>
+    <message>
+        <source>its profile is missing</source>
+        <translation>断面形がありません</translation>
+    </message>
+    <message>
+        <source>its twist is out of range</source>
+        <translation>ねじりが範囲外です</translation>
+    </message>
+    <message>
+        <source>its added vigour is out of range</source>
+        <translation>加えた勢いが範囲外です</translation>
+    </message>
+</context>
+<context>
+    <name>TwistTool</name>
+    <message>
+        <source>%1° from node to node</source>
+        <translation>節ごとに %1°</translation>
+    </message>
+    <message>
+        <source>Drag along a branch, or around it, to twist its strands; tap twice to untwist them</source>
+        <translation>枝に沿って、または枝を回すようにドラッグするとねじれます。2 回タップでねじりが戻ります</translation>
+    </message>
 </context>
 <context>
     <name>WidthTool</name>
@@ -2504,6 +3172,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>‹ Less</source>
         <translation>‹ 簡易</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>樹種</translation>
+    </message>
+    <message>
+        <source>Sets all that the vigour model goes by, as a species grows</source>
+        <translation>樹勢モデルの値をすべて、その樹種の育ち方に合わせます</translation>
+    </message>
+    <message>
+        <source>No species</source>
+        <translation>樹種なし</translation>
     </message>
 </context>
 <context>
@@ -3147,6 +3827,189 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Pressure curve</source>
         <translation>筆圧カーブ</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfileCanvas</name>
+    <message>
+        <source>Cross-section</source>
+        <translation>断面</translation>
+    </message>
+    <message>
+        <source>Draw an outline first: attractors gather the strands within it.</source>
+        <translation>先に輪郭を描いてください。アトラクターは、その中のストランドを集めます。</translation>
+    </message>
+    <message>
+        <source>This cannot be the profile: %1.</source>
+        <translation>この断面形は使えません: %1。</translation>
+    </message>
+    <message>
+        <source>Tap a branch of the tree to see its cross-section.</source>
+        <translation>木の枝をタップすると、断面が表示されます。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfileController</name>
+    <message>
+        <source>The two places are not on one branch.</source>
+        <translation>2 つの場所は同じ枝にありません。</translation>
+    </message>
+    <message>
+        <source>The other place has no profile to interpolate to.</source>
+        <translation>もう一方の場所に、補間する断面形がありません。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfilePanel</name>
+    <message>
+        <source>Outline</source>
+        <translation>輪郭</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside others splits the wood, one within another is a hollow.</source>
+        <translation>&lt;b&gt;輪郭&lt;/b&gt;&lt;br&gt;閉じた線を描きます。ほかの線の隣に描くと木部が分かれ、線の内側に描くと空洞になります。</translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation>アトラクター</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Attractor&lt;/b&gt;&lt;br&gt;Drag a straight line that the strands gather at.</source>
+        <translation>&lt;b&gt;アトラクター&lt;/b&gt;&lt;br&gt;ドラッグして、ストランドが集まる直線を引きます。</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Points&lt;/b&gt;&lt;br&gt;Drag the points of an outline, or the ends of an attractor.</source>
+        <translation>&lt;b&gt;点&lt;/b&gt;&lt;br&gt;輪郭の点か、アトラクターの端をドラッグします。</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>消去</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Erase&lt;/b&gt;&lt;br&gt;Tap a line to take it away. A pen&apos;s eraser does the same at any time.</source>
+        <translation>&lt;b&gt;消去&lt;/b&gt;&lt;br&gt;線をタップして消します。ペンの消しゴムなら、いつでも消せます。</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>円形</translation>
+    </message>
+    <message>
+        <source>Elongated</source>
+        <translation>細長</translation>
+    </message>
+    <message>
+        <source>C-shaped</source>
+        <translation>C 字形</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>空洞</translation>
+    </message>
+    <message>
+        <source>Split in two</source>
+        <translation>2 つに分割</translation>
+    </message>
+    <message>
+        <source>Split in three</source>
+        <translation>3 つに分割</translation>
+    </message>
+    <message>
+        <source>Fluted</source>
+        <translation>溝つき</translation>
+    </message>
+    <message>
+        <source>Copy to branch</source>
+        <translation>枝にコピー</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
+        <translation>&lt;b&gt;枝にコピー&lt;/b&gt;&lt;br&gt;続けて、この枝の別の場所をタップします。その間がすべてこの断面形になります。</translation>
+    </message>
+    <message>
+        <source>Interpolate</source>
+        <translation>補間</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Interpolate&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <translation>&lt;b&gt;補間&lt;/b&gt;&lt;br&gt;続けて、この枝の、断面形のある別の場所をタップします。その間が、一方の形から他方の形へ移り変わります。</translation>
+    </message>
+    <message>
+        <source>▼</source>
+        <translation>▼</translation>
+    </message>
+    <message>
+        <source>To the next place down the branch</source>
+        <translation>根元側の次の場所へ</translation>
+    </message>
+    <message>
+        <source>▲</source>
+        <translation>▲</translation>
+    </message>
+    <message>
+        <source>To the next place up the branch</source>
+        <translation>枝先側の次の場所へ</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>全体</translation>
+    </message>
+    <message>
+        <source>Show the whole section</source>
+        <translation>断面全体を表示します</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>クリア</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Clear&lt;/b&gt;&lt;br&gt;Take the profile away: the strands are packed round again.</source>
+        <translation>&lt;b&gt;クリア&lt;/b&gt;&lt;br&gt;断面形を取り除きます。ストランドは再び丸く詰まります。</translation>
+    </message>
+    <message>
+        <source>Down the branch</source>
+        <translation>根元のほうへ</translation>
+    </message>
+    <message>
+        <source>Up the branch</source>
+        <translation>枝先のほうへ</translation>
+    </message>
+    <message numerus="yes">
+        <source>Radius %1 · %Ln strands</source>
+        <translation>
+            <numerusform>半径 %1 · ストランド %Ln 本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>断面形</translation>
+    </message>
+    <message>
+        <source>Draw another closed line: beside the first to split the wood, within it for a hollow.</source>
+        <translation>閉じた線をもう 1 本描きます。隣なら木部が分かれ、内側なら空洞になります。</translation>
+    </message>
+    <message>
+        <source>Draw a closed line, or begin with one of these shapes.</source>
+        <translation>閉じた線を描くか、これらの形のどれかから始めます。</translation>
+    </message>
+    <message>
+        <source>Drag a straight line: the strands gather at it.</source>
+        <translation>ドラッグして直線を引くと、ストランドがそこに集まります。</translation>
+    </message>
+    <message>
+        <source>Drag the points of a line.</source>
+        <translation>線の点をドラッグします。</translation>
+    </message>
+    <message>
+        <source>Tap a line to take it away.</source>
+        <translation>線をタップすると消えます。</translation>
+    </message>
+    <message>
+        <source>Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.</source>
+        <translation>この枝のもう一方の端をタップするか、▲ と ▼ でそこへ移ってボタンをもう一度押します。</translation>
     </message>
 </context>
 <context>

@@ -327,6 +327,53 @@
         <source>Write down what was done to the tree, so that it can be done again.</source>
         <translation>Zapisz, co zrobiono z drzewem, aby można było to powtórzyć.</translation>
     </message>
+    <message>
+        <source>Twist</source>
+        <translation>Skręcanie</translation>
+    </message>
+    <message>
+        <source>Drag along a branch, or around it, to twist its strands.</source>
+        <translation>Przeciągnąć wzdłuż gałęzi albo wokół niej, aby skręcić jej pasma.</translation>
+    </message>
+    <message>
+        <source>New Buds</source>
+        <translation>Nowe pąki</translation>
+    </message>
+    <message>
+        <source>Tap old wood: buds break through its bark, and grow into branches.</source>
+        <translation>Stuknąć stare drewno: przez korę przebijają się pąki i wyrastają z nich gałęzie.</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Tap a branch to see its cross-section, and draw its shape.</source>
+        <translation>Stuknąć gałąź, aby zobaczyć jej przekrój i narysować jego kształt.</translation>
+    </message>
+    <message>
+        <source>Invigorate</source>
+        <translation>Pobudzanie</translation>
+    </message>
+    <message>
+        <source>Press a branch and hold: it alone grows until you let go.</source>
+        <translation>Nacisnąć gałąź i przytrzymać: aż do puszczenia rośnie tylko ona.</translation>
+    </message>
+    <message>
+        <source>Reduce</source>
+        <translation>Redukcja</translation>
+    </message>
+    <message>
+        <source>Press a branch and hold: its youngest growth goes, step by step.</source>
+        <translation>Nacisnąć gałąź i przytrzymać: krok po kroku znikają jej najmłodsze przyrosty.</translation>
+    </message>
+</context>
+<context>
+    <name>AddBudsTool</name>
+    <message>
+        <source>Tap old wood to let buds break through its bark; they grow into branches</source>
+        <translation>Stuknąć stare drewno, aby przez korę przebiły się pąki; wyrosną z nich gałęzie</translation>
+    </message>
 </context>
 <context>
     <name>BendTool</name>
@@ -417,6 +464,10 @@
         <translation>import wymaga jednego szkieletu i -o WYNIK</translation>
     </message>
     <message>
+        <source>there is no room for more parameter sets</source>
+        <translation>nie ma miejsca na więcej zestawów parametrów</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -428,22 +479,27 @@ espalier --demo [RECIPE]
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
-                [--stats FILE] [--threads N] [--seed N] [--strict]
+                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
+                [--strict] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
     Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
     says the seed, and each begins by putting its parameters in force.
+    --profiles: the places of the strands in each cross-section, as JSON.
     What operations do not find in the tree is printed; with --strict it is an
     error, and nothing is written.
+    --set gives a parameter a value for the whole replay, whatever recipes say:
+    --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
-espalier export PROJECT [-o OUT]...
-    Writes a project in other formats.
+espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
+    Writes a project in other formats. --set changes parameters for what is
+    written; the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
     its shadow, as black of some opacity.
@@ -468,23 +524,30 @@ espalier --demo [PRZEPIS]
 espalier replay PRZEPIS|PROJEKT... [-o WYNIK]... [--png PLIK] [--size SxW]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]]
-                [--stats PLIK] [--threads N] [--seed N] [--strict]
+                [--stats PLIK] [--profiles PLIK] [--threads N] [--seed N]
+                [--strict] [--set GRUPA.NAZWA=WARTOŚĆ]...
     Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
     Z projektu powtarza wszystko, co zrobiono z jego drzewem.
     Przy kilku przepisach każdy prowadzi dalej drzewo poprzedniego: pierwszy
     podaje ziarno, a każdy na początku wprowadza swoje parametry.
+    --profiles: położenie pasm w każdym przekroju, jako JSON.
     To, czego operacje nie znajdują w drzewie, jest wypisywane; z --strict jest
     to błąd i nic nie zostaje zapisane.
+    --set nadaje parametrowi wartość na całe odtwarzanie, cokolwiek mówią
+    przepisy: --set growth.shedding=0.1 --set leaves.visible=false. Kąty
+    podaje się w stopniach.
 
 espalier import SZKIELET.csv -o WYNIK...
     Tworzy drzewo ze zmierzonego: wiersze z id, parent, oboma końcami i
     promieniem.
 
-espalier export PROJEKT [-o WYNIK]...
-    Zapisuje projekt w innych formatach.
+espalier export PROJEKT [-o WYNIK]... [--set GRUPA.NAZWA=WARTOŚĆ]...
+    Zapisuje projekt w innych formatach. --set zmienia parametry tylko w tym,
+    co zostaje zapisane; projekt pozostaje bez zmian.
 
 espalier render PROJEKT --png PLIK [--size SxW] [--camera ...]
                 [--transparent [--ground-shadow]]
+                [--set GRUPA.NAZWA=WARTOŚĆ]...
     Tworzy obraz. Wymaga ekranu; wystarczy wirtualny.
     --transparent: samo drzewo, z prostym kanałem alfa; --ground-shadow
     zachowuje jego cień jako czerń o pewnym kryciu.
@@ -498,6 +561,14 @@ WYNIK kończy się na .espalier (projekt) lub na rozszerzenie formatu:
 %1Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
 da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 </translation>
+    </message>
+    <message>
+        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <translation>--set wymaga grupa.nazwa=wartość, a nie „%1”</translation>
+    </message>
+    <message>
+        <source>--set knows no parameter &quot;%1&quot;</source>
+        <translation>--set nie zna parametru „%1”</translation>
     </message>
 </context>
 <context>
@@ -541,6 +612,38 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Import</source>
         <translation>Wczytanie</translation>
+    </message>
+    <message>
+        <source>New Buds</source>
+        <translation>Nowe pąki</translation>
+    </message>
+    <message>
+        <source>Invigorate</source>
+        <translation>Pobudzanie</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Blend Profiles</source>
+        <translation>Interpolacja profili</translation>
+    </message>
+    <message>
+        <source>Clear Profile</source>
+        <translation>Usunięcie profilu</translation>
+    </message>
+    <message>
+        <source>Reduce</source>
+        <translation>Redukcja</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Skręcanie</translation>
+    </message>
+    <message>
+        <source>Remove Twist</source>
+        <translation>Usunięcie skręcenia</translation>
     </message>
 </context>
 <context>
@@ -783,6 +886,13 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>InvigorateTool</name>
+    <message>
+        <source>Press a branch and hold: it grows until you let go</source>
+        <translation>Nacisnąć gałąź i przytrzymać: rośnie aż do puszczenia</translation>
+    </message>
+</context>
+<context>
     <name>JournalCheck</name>
     <message>
         <source>it changes nothing</source>
@@ -837,10 +947,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>krok %1 historii</translation>
     </message>
     <message>
-        <source>it brings strokes that are not there</source>
-        <translation>wnosi obrysy, których nie ma</translation>
-    </message>
-    <message>
         <source>it places a leaf on an internode that is not there</source>
         <translation>umieszcza liść na międzywęźlu, którego nie ma</translation>
     </message>
@@ -867,6 +973,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>it changes “%1” in a way that is not possible</source>
         <translation>zmienia „%1” w niemożliwy sposób</translation>
+    </message>
+    <message>
+        <source>it brings strokes or profiles that are not there</source>
+        <translation>wnosi obrysy lub profile, których nie ma</translation>
     </message>
 </context>
 <context>
@@ -1848,6 +1958,426 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
         <translation>Pokazuje, na jakiej głębokości drzewa rysuje pędzel: blada siatka wokół niego.</translation>
     </message>
+    <message>
+        <source>Hazel</source>
+        <translation>Leszczyna</translation>
+    </message>
+    <message>
+        <source>Oak</source>
+        <translation>Dąb</translation>
+    </message>
+    <message>
+        <source>Maple</source>
+        <translation>Klon</translation>
+    </message>
+    <message>
+        <source>Elm</source>
+        <translation>Wiąz</translation>
+    </message>
+    <message>
+        <source>Poplar</source>
+        <translation>Topola</translation>
+    </message>
+    <message>
+        <source>Spruce</source>
+        <translation>Świerk</translation>
+    </message>
+    <message>
+        <source>Pine</source>
+        <translation>Sosna</translation>
+    </message>
+    <message>
+        <source>Acacia</source>
+        <translation>Akacja</translation>
+    </message>
+    <message>
+        <source>Apple</source>
+        <translation>Jabłoń</translation>
+    </message>
+    <message>
+        <source>Joshua tree</source>
+        <translation>Jukka krótkolistna</translation>
+    </message>
+    <message>
+        <source>Buds</source>
+        <translation>Pąki</translation>
+    </message>
+    <message>
+        <source>How many buds a tap adds, in a spiral around the branch.</source>
+        <translation>Ile pąków dodaje stuknięcie, spiralnie wokół gałęzi.</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Odstęp</translation>
+    </message>
+    <message>
+        <source>How far one bud is from the next along the branch: 0 is a whorl.</source>
+        <translation>Jak daleko wzdłuż gałęzi jest od pąka do pąka: 0 to okółek.</translation>
+    </message>
+    <message>
+        <source>Growth model</source>
+        <translation>Model wzrostu</translation>
+    </message>
+    <message>
+        <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
+        <translation>Treesketch: pąki walczą o miejsce i światło. Wigor: światło decyduje, jak szybko rośnie każdy pęd, miesiąc po miesiącu.</translation>
+    </message>
+    <message>
+        <source>Self-organising competition, or shoot growth by vigour with apical control.</source>
+        <translation>Samoorganizująca się konkurencja albo wzrost pędów według wigoru z kontrolą apikalną.</translation>
+    </message>
+    <message>
+        <source>Growth in a year</source>
+        <translation>Roczny przyrost</translation>
+    </message>
+    <message>
+        <source>How much the strongest shoot grows in full light, in twelve steps.</source>
+        <translation>O ile w pełnym świetle wydłuża się najsilniejszy pęd w dwunastu krokach.</translation>
+    </message>
+    <message>
+        <source>Annual elongation of a shoot.</source>
+        <translation>Roczne wydłużenie pędu.</translation>
+    </message>
+    <message>
+        <source>Length of internodes</source>
+        <translation>Długość międzywęźli</translation>
+    </message>
+    <message>
+        <source>An internode lengthens over several steps, up to this.</source>
+        <translation>Międzywęźle wydłuża się przez kilka kroków, do tej długości.</translation>
+    </message>
+    <message>
+        <source>Length of a mature metamer.</source>
+        <translation>Długość dojrzałego metameru.</translation>
+    </message>
+    <message>
+        <source>Angle of laterals</source>
+        <translation>Kąt odgałęzień</translation>
+    </message>
+    <message>
+        <source>Between an axis and a branch that begins on it.</source>
+        <translation>Między osią a gałęzią, która się na niej zaczyna.</translation>
+    </message>
+    <message>
+        <source>Angle of insertion of a lateral shoot.</source>
+        <translation>Kąt osadzenia pędu bocznego.</translation>
+    </message>
+    <message>
+        <source>Lateral buds</source>
+        <translation>Pąki pachwinowe</translation>
+    </message>
+    <message>
+        <source>At each node: one makes a spiral, two crossed pairs, more a whorl.</source>
+        <translation>W każdym węźle: jeden daje spiralę, dwa pary na krzyż, więcej okółek.</translation>
+    </message>
+    <message>
+        <source>Spread of the roll</source>
+        <translation>Rozrzut obrotu</translation>
+    </message>
+    <message>
+        <source>How irregularly branches stand around their axis.</source>
+        <translation>Jak nieregularnie gałęzie stoją wokół swojej osi.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the divergence angle.</source>
+        <translation>Odchylenie standardowe kąta dywergencji.</translation>
+    </message>
+    <message>
+        <source>Wandering</source>
+        <translation>Krętość</translation>
+    </message>
+    <message>
+        <source>How much an axis changes its direction from node to node.</source>
+        <translation>Jak mocno oś zmienia kierunek od węzła do węzła.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the apical angle.</source>
+        <translation>Odchylenie standardowe kąta apikalnego.</translation>
+    </message>
+    <message>
+        <source>Orders of branches</source>
+        <translation>Rzędy gałęzi</translation>
+    </message>
+    <message>
+        <source>Branches of branches of branches: this many, and no more.</source>
+        <translation>Gałęzie na gałęziach, a na nich kolejne: tyle rzędów i nie więcej.</translation>
+    </message>
+    <message>
+        <source>Highest order of an axis.</source>
+        <translation>Najwyższy rząd osi.</translation>
+    </message>
+    <message>
+        <source>Flushing</source>
+        <translation>Rozwijanie pąków</translation>
+    </message>
+    <message>
+        <source>How readily lateral buds become branches.</source>
+        <translation>Jak łatwo z pąków pachwinowych rozwijają się gałęzie.</translation>
+    </message>
+    <message>
+        <source>Chance of lateral bud break for each internode of growth.</source>
+        <translation>Prawdopodobieństwo pęknięcia pąka pachwinowego na każde międzywęźle przyrostu.</translation>
+    </message>
+    <message>
+        <source>Inhibition</source>
+        <translation>Hamowanie</translation>
+    </message>
+    <message>
+        <source>How strongly growing tips hold back the buds below them.</source>
+        <translation>Jak mocno rosnące wierzchołki powstrzymują pąki pod sobą.</translation>
+    </message>
+    <message>
+        <source>Apical dominance: auxin from lit apical buds.</source>
+        <translation>Dominacja apikalna: auksyna z oświetlonych pąków szczytowych.</translation>
+    </message>
+    <message>
+        <source>Reach of the inhibition</source>
+        <translation>Zanik hamowania</translation>
+    </message>
+    <message>
+        <source>Lost at each internode: more lets buds break nearer to the tip.</source>
+        <translation>Tyle ubywa na każdym międzywęźlu: więcej pozwala pąkom pękać bliżej wierzchołka.</translation>
+    </message>
+    <message>
+        <source>Decay of the inhibitor on its way down.</source>
+        <translation>Zanik inhibitora w drodze ku dołowi.</translation>
+    </message>
+    <message>
+        <source>Apical control</source>
+        <translation>Kontrola apikalna</translation>
+    </message>
+    <message>
+        <source>Above 1 the trunk outgrows its branches, as in a spruce; below 1 they outgrow it.</source>
+        <translation>Powyżej 1 pień przerasta swoje gałęzie, jak u świerka; poniżej 1 one przerastają jego.</translation>
+    </message>
+    <message>
+        <source>Excurrent above 1, decurrent below.</source>
+        <translation>Powyżej 1 forma z przewodnikiem, poniżej bez niego.</translation>
+    </message>
+    <message>
+        <source>Tired with distance</source>
+        <translation>Spadek z odległością</translation>
+    </message>
+    <message>
+        <source>How much less shoots grow that are far from the root.</source>
+        <translation>O ile słabiej rosną pędy daleko od korzenia.</translation>
+    </message>
+    <message>
+        <source>Decay of the potential with the distance to the root.</source>
+        <translation>Zanik potencjału z odległością od korzenia.</translation>
+    </message>
+    <message>
+        <source>Tired with height</source>
+        <translation>Spadek z wysokością</translation>
+    </message>
+    <message>
+        <source>How much less high shoots grow: more makes flat crowns.</source>
+        <translation>O ile słabiej rosną wysoko położone pędy: więcej daje płaskie korony.</translation>
+    </message>
+    <message>
+        <source>Decay of the potential with height.</source>
+        <translation>Zanik potencjału z wysokością.</translation>
+    </message>
+    <message>
+        <source>Gravitropism</source>
+        <translation>Grawitropizm</translation>
+    </message>
+    <message>
+        <source>Above 0 shoots turn up at each node, below 0 branches turn down.</source>
+        <translation>Powyżej 0 pędy w każdym węźle zwracają się w górę, poniżej 0 gałęzie zwracają się w dół.</translation>
+    </message>
+    <message>
+        <source>Orthotropic above 0, positively gravitropic below.</source>
+        <translation>Powyżej 0 ortotropowo, poniżej dodatnio grawitropicznie.</translation>
+    </message>
+    <message>
+        <source>Phototropism</source>
+        <translation>Fototropizm</translation>
+    </message>
+    <message>
+        <source>How far shoots turn to the light at each node.</source>
+        <translation>O ile pędy w każdym węźle zwracają się ku światłu.</translation>
+    </message>
+    <message>
+        <source>Growth toward the brightest direction.</source>
+        <translation>Wzrost w najjaśniejszym kierunku.</translation>
+    </message>
+    <message>
+        <source>Level branches</source>
+        <translation>Poziome gałęzie</translation>
+    </message>
+    <message>
+        <source>How far a new branch turns to the level when it begins.</source>
+        <translation>Jak bardzo nowa gałąź na początku zwraca się ku poziomowi.</translation>
+    </message>
+    <message>
+        <source>Plagiotropy of lateral shoots.</source>
+        <translation>Plagiotropizm pędów bocznych.</translation>
+    </message>
+    <message>
+        <source>Sagging</source>
+        <translation>Uginanie</translation>
+    </message>
+    <message>
+        <source>How far branches sag under their weight as they grow.</source>
+        <translation>Jak mocno rosnące gałęzie uginają się pod własnym ciężarem.</translation>
+    </message>
+    <message>
+        <source>Gravimorphic bending by branch load.</source>
+        <translation>Grawimorficzne wyginanie pod ciężarem gałęzi.</translation>
+    </message>
+    <message>
+        <source>Stiff with age</source>
+        <translation>Sztywność z wiekiem</translation>
+    </message>
+    <message>
+        <source>How much thick wood resists: more bends only the thin ends.</source>
+        <translation>Jak mocno opiera się grube drewno: przy większej wartości uginają się tylko cienkie końce.</translation>
+    </message>
+    <message>
+        <source>Exponent of thickness in flexural stiffness.</source>
+        <translation>Wykładnik grubości w sztywności zginania.</translation>
+    </message>
+    <message>
+        <source>Most sagging</source>
+        <translation>Największe ugięcie</translation>
+    </message>
+    <message>
+        <source>At most this part of the angle to straight down, for each internode.</source>
+        <translation>Na każdym międzywęźlu najwyżej taka część kąta do pionu w dół.</translation>
+    </message>
+    <message>
+        <source>Limit of the bend of an internode.</source>
+        <translation>Granica wygięcia międzywęźla.</translation>
+    </message>
+    <message>
+        <source>Shade pruning</source>
+        <translation>Zrzucanie w cieniu</translation>
+    </message>
+    <message>
+        <source>Ends of branches with less light than this fall.</source>
+        <translation>Końce gałęzi, które mają mniej światła, odpadają.</translation>
+    </message>
+    <message>
+        <source>Cladoptosis of shaded shoots.</source>
+        <translation>Kladoptoza zacienionych pędów.</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Powierzchnia</translation>
+    </message>
+    <message>
+        <source>Tubes: each branch is a tube that begins inside its parent. Strands: the wood is bundles of strands, which run from every tip to the ground, under one closed bark.</source>
+        <translation>Rury: każda gałąź to rura, która zaczyna się wewnątrz gałęzi macierzystej. Pasma: drewno to wiązki pasm, które biegną od każdego wierzchołka do ziemi pod jedną zamkniętą korą.</translation>
+    </message>
+    <message>
+        <source>Strands at a tip</source>
+        <translation>Pasma na końcu</translation>
+    </message>
+    <message>
+        <source>How many strands begin at each tip. More make a smoother surface, and branches that separate more clearly.</source>
+        <translation>Ile pasm zaczyna się na każdym końcu. Więcej daje gładszą powierzchnię i wyraźniej rozdzielone gałęzie.</translation>
+    </message>
+    <message>
+        <source>Strand radius</source>
+        <translation>Promień pasma</translation>
+    </message>
+    <message>
+        <source>How thick each strand is. The trunk then gets as thick as its strands want it; at 0 it keeps the width that it has.</source>
+        <translation>Jak grube jest każde pasmo. Pień jest wtedy tak gruby, jak wynika z jego pasm; przy 0 zachowuje grubość, którą ma.</translation>
+    </message>
+    <message>
+        <source>Cohesion</source>
+        <translation>Spójność</translation>
+    </message>
+    <message>
+        <source>Branches separate at a fork where their strands are further apart than so many strand radii: low early, high late.</source>
+        <translation>Gałęzie rozdzielają się w rozwidleniu tam, gdzie ich pasma dzieli więcej niż tyle promieni pasma: mała wartość rozdziela wcześnie, duża późno.</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Upakowanie</translation>
+    </message>
+    <message>
+        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops on the way there.</source>
+        <translation>Jak pasma w przekroju są do siebie dociskane. Do spoczynku: aż żadne nie zachodzi na inne. Z publikacji: symulacją z artykułu, która zatrzymuje się po drodze.</translation>
+    </message>
+    <message>
+        <source>Packing steps</source>
+        <translation>Kroki upakowania</translation>
+    </message>
+    <message>
+        <source>How long strands are pressed together at each node. Few steps keep the shape of a fork further down the trunk; many make it round at once.</source>
+        <translation>Jak długo pasma są dociskane w każdym węźle. Przy niewielu krokach kształt rozwidlenia zostaje niżej na pniu; przy wielu pień od razu robi się okrągły.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Wygładzanie</translation>
+    </message>
+    <message>
+        <source>How far the ridges of single strands are smoothed: 0 shows each of them.</source>
+        <translation>Jak mocno wygładzane są grzbiety pojedynczych pasm: 0 pokazuje każdy z nich.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Oś</translation>
+    </message>
+    <message>
+        <source>Bud break</source>
+        <translation>Pękanie pąków</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Kontrola</translation>
+    </message>
+    <message>
+        <source>Tropisms</source>
+        <translation>Tropizmy</translation>
+    </message>
+    <message>
+        <source>Weight and shade</source>
+        <translation>Ciężar i cień</translation>
+    </message>
+    <message>
+        <source>Strands</source>
+        <translation>Pasma</translation>
+    </message>
+    <message>
+        <source>treesketch</source>
+        <translation>treesketch</translation>
+    </message>
+    <message>
+        <source>vigour</source>
+        <translation>wigor</translation>
+    </message>
+    <message>
+        <source>tubes</source>
+        <translation>rury</translation>
+    </message>
+    <message>
+        <source>strands</source>
+        <translation>pasma</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>do spoczynku</translation>
+    </message>
+    <message>
+        <source>as published</source>
+        <translation>z publikacji</translation>
+    </message>
+    <message>
+        <source>Branches too</source>
+        <translation>Także gałęzie</translation>
+    </message>
+    <message>
+        <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
+        <translation>Przeciągnięcie skręca wszystko, co gałąź niesie, a nie tylko ją samą. Przytrzymany Shift działa odwrotnie.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -1917,6 +2447,28 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>internode %1</source>
         <translation>międzywęźle %1</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileJson</name>
+    <message>
+        <source>a profile is expected</source>
+        <translation>oczekiwano profilu</translation>
+    </message>
+    <message>
+        <source>at most %1 are possible</source>
+        <translation>możliwe jest najwyżej %1</translation>
+    </message>
+    <message>
+        <source>lists of points [x, y] are expected</source>
+        <translation>oczekiwano list punktów [x, y]</translation>
+    </message>
+</context>
+<context>
+    <name>ProfileTool</name>
+    <message>
+        <source>Tap a branch to see its cross-section, and draw another shape for it</source>
+        <translation>Stuknąć gałąź, aby zobaczyć jej przekrój i narysować dla niego inny kształt</translation>
     </message>
 </context>
 <context>
@@ -1999,6 +2551,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>the record of what was done is not a JSON object</source>
         <translation>zapis wykonanych czynności nie jest obiektem JSON</translation>
+    </message>
+    <message>
+        <source>the profiles</source>
+        <translation>profile</translation>
+    </message>
+    <message>
+        <source>there are too many</source>
+        <translation>jest ich za dużo</translation>
     </message>
 </context>
 <context>
@@ -2238,12 +2798,55 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>a recipe that was not read from a file cannot name files</source>
         <translation>przepis, który nie jest plikiem, nie może wskazywać plików</translation>
     </message>
+    <message>
+        <source>internode %1 has no room for buds above the ground</source>
+        <translation>międzywęźle %1 nie ma nad ziemią miejsca na pąki</translation>
+    </message>
+    <message>
+        <source>nothing was taken away</source>
+        <translation>niczego nie usunięto</translation>
+    </message>
+    <message>
+        <source>there is no branch from internode %1 to internode %2</source>
+        <translation>nie ma gałęzi od międzywęźla %1 do międzywęźla %2</translation>
+    </message>
+    <message>
+        <source>internode %1 has no profile to take away</source>
+        <translation>międzywęźle %1 nie ma profilu do usunięcia</translation>
+    </message>
+    <message>
+        <source>internode %1 has no twist to take away</source>
+        <translation>międzywęźle %1 nie ma skręcenia do usunięcia</translation>
+    </message>
+    <message>
+        <source>a branch begins at one internode</source>
+        <translation>gałąź zaczyna się na jednym międzywęźlu</translation>
+    </message>
+    <message>
+        <source>true is expected</source>
+        <translation>oczekiwano wartości true</translation>
+    </message>
+    <message>
+        <source>the other end of the branch (“to”) is missing</source>
+        <translation>brakuje drugiego końca gałęzi („to”)</translation>
+    </message>
+    <message>
+        <source>one of these is expected: %1</source>
+        <translation>oczekiwano jednej z wartości: %1</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
     <message>
         <source>A recipe is playing; Escape hands the brush to you.</source>
         <translation>Przepis jest odtwarzany; Esc oddaje pędzel.</translation>
+    </message>
+</context>
+<context>
+    <name>ReduceTool</name>
+    <message>
+        <source>Press a branch and hold: it shrinks until you let go</source>
+        <translation>Nacisnąć gałąź i przytrzymać: kurczy się aż do puszczenia</translation>
     </message>
 </context>
 <context>
@@ -2322,6 +2925,45 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>no segment has a length</source>
         <translation>żaden segment nie ma długości</translation>
+    </message>
+</context>
+<context>
+    <name>StrandProfile</name>
+    <message>
+        <source>an outline needs at least three points</source>
+        <translation>kontur wymaga co najmniej trzech punktów</translation>
+    </message>
+    <message>
+        <source>an outline reaches too far</source>
+        <translation>kontur sięga za daleko</translation>
+    </message>
+    <message>
+        <source>it has no outline</source>
+        <translation>nie ma konturu</translation>
+    </message>
+    <message>
+        <source>it has more than %1 outlines or %2 points</source>
+        <translation>ma więcej niż %1 konturów lub %2 punktów</translation>
+    </message>
+    <message>
+        <source>it has more than %1 attractors</source>
+        <translation>ma więcej niż %1 atraktorów</translation>
+    </message>
+    <message>
+        <source>an attractor lies too far away</source>
+        <translation>atraktor leży za daleko</translation>
+    </message>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>jego kontur przecina sam siebie</translation>
+    </message>
+    <message>
+        <source>its outlines cross each other</source>
+        <translation>jego kontury przecinają się nawzajem</translation>
+    </message>
+    <message>
+        <source>its outline has no area</source>
+        <translation>jego kontur nie obejmuje żadnego pola</translation>
     </message>
 </context>
 <context>
@@ -2449,6 +3091,33 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>the lassos in force are out of order</source>
         <translation>obowiązujące obrysy lassa są w złej kolejności</translation>
     </message>
+    <message>
+        <source>profile %1: %2</source>
+        <translation>profil %1: %2</translation>
+    </message>
+    <message>
+        <source>its profile is missing</source>
+        <translation>brak jego profilu</translation>
+    </message>
+    <message>
+        <source>its twist is out of range</source>
+        <translation>jego skręcenie jest poza zakresem</translation>
+    </message>
+    <message>
+        <source>its added vigour is out of range</source>
+        <translation>jego dodany wigor jest poza zakresem</translation>
+    </message>
+</context>
+<context>
+    <name>TwistTool</name>
+    <message>
+        <source>%1° from node to node</source>
+        <translation>%1° od węzła do węzła</translation>
+    </message>
+    <message>
+        <source>Drag along a branch, or around it, to twist its strands; tap twice to untwist them</source>
+        <translation>Przeciągnąć wzdłuż gałęzi albo wokół niej, aby skręcić jej pasma; stuknąć dwa razy, aby je rozkręcić</translation>
+    </message>
 </context>
 <context>
     <name>WidthTool</name>
@@ -2505,6 +3174,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>‹ Less</source>
         <translation>‹ Mniej</translation>
+    </message>
+    <message>
+        <source>Species</source>
+        <translation>Gatunek</translation>
+    </message>
+    <message>
+        <source>Sets all that the vigour model goes by, as a species grows</source>
+        <translation>Ustawia wszystkie wartości modelu wigoru tak, jak rośnie dany gatunek</translation>
+    </message>
+    <message>
+        <source>No species</source>
+        <translation>Bez gatunku</translation>
     </message>
 </context>
 <context>
@@ -3148,6 +3829,191 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Pressure curve</source>
         <translation>Krzywa nacisku</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfileCanvas</name>
+    <message>
+        <source>Cross-section</source>
+        <translation>Przekrój</translation>
+    </message>
+    <message>
+        <source>Draw an outline first: attractors gather the strands within it.</source>
+        <translation>Najpierw narysować kontur: atraktory skupiają pasma w jego wnętrzu.</translation>
+    </message>
+    <message>
+        <source>This cannot be the profile: %1.</source>
+        <translation>To nie może być profil: %1.</translation>
+    </message>
+    <message>
+        <source>Tap a branch of the tree to see its cross-section.</source>
+        <translation>Stuknąć gałąź drzewa, aby zobaczyć jej przekrój.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfileController</name>
+    <message>
+        <source>The two places are not on one branch.</source>
+        <translation>Te dwa miejsca nie leżą na jednej gałęzi.</translation>
+    </message>
+    <message>
+        <source>The other place has no profile to interpolate to.</source>
+        <translation>W drugim miejscu nie ma profilu, do którego można by interpolować.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ProfilePanel</name>
+    <message>
+        <source>Outline</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside others splits the wood, one within another is a hollow.</source>
+        <translation>&lt;b&gt;Kontur&lt;/b&gt;&lt;br&gt;Narysować zamkniętą linię. Linia obok innych dzieli drewno, linia wewnątrz innej daje pustkę.</translation>
+    </message>
+    <message>
+        <source>Attractor</source>
+        <translation>Atraktor</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Attractor&lt;/b&gt;&lt;br&gt;Drag a straight line that the strands gather at.</source>
+        <translation>&lt;b&gt;Atraktor&lt;/b&gt;&lt;br&gt;Przeciągnąć prostą linię, przy której skupiają się pasma.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Points&lt;/b&gt;&lt;br&gt;Drag the points of an outline, or the ends of an attractor.</source>
+        <translation>&lt;b&gt;Punkty&lt;/b&gt;&lt;br&gt;Przeciągnąć punkty konturu albo końce atraktora.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Wymaż</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Erase&lt;/b&gt;&lt;br&gt;Tap a line to take it away. A pen&apos;s eraser does the same at any time.</source>
+        <translation>&lt;b&gt;Wymaż&lt;/b&gt;&lt;br&gt;Stuknąć linię, aby ją usunąć. Gumka pióra robi to samo w każdej chwili.</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Okrągły</translation>
+    </message>
+    <message>
+        <source>Elongated</source>
+        <translation>Wydłużony</translation>
+    </message>
+    <message>
+        <source>C-shaped</source>
+        <translation>W kształcie C</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Wydrążony</translation>
+    </message>
+    <message>
+        <source>Split in two</source>
+        <translation>Na dwie części</translation>
+    </message>
+    <message>
+        <source>Split in three</source>
+        <translation>Na trzy części</translation>
+    </message>
+    <message>
+        <source>Fluted</source>
+        <translation>Żłobiony</translation>
+    </message>
+    <message>
+        <source>Copy to branch</source>
+        <translation>Kopiuj na gałąź</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
+        <translation>&lt;b&gt;Kopiuj na gałąź&lt;/b&gt;&lt;br&gt;Następnie stuknąć inne miejsce tej gałęzi: wszystkie pomiędzy dostają ten profil.</translation>
+    </message>
+    <message>
+        <source>Interpolate</source>
+        <translation>Interpoluj</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Interpolate&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <translation>&lt;b&gt;Interpoluj&lt;/b&gt;&lt;br&gt;Następnie stuknąć inne miejsce tej gałęzi, które ma profil: miejsca pomiędzy przechodzą od jednego do drugiego.</translation>
+    </message>
+    <message>
+        <source>▼</source>
+        <translation>▼</translation>
+    </message>
+    <message>
+        <source>To the next place down the branch</source>
+        <translation>Do następnego miejsca w dół gałęzi</translation>
+    </message>
+    <message>
+        <source>▲</source>
+        <translation>▲</translation>
+    </message>
+    <message>
+        <source>To the next place up the branch</source>
+        <translation>Do następnego miejsca w górę gałęzi</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Całość</translation>
+    </message>
+    <message>
+        <source>Show the whole section</source>
+        <translation>Pokazuje cały przekrój</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Wyczyść</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Clear&lt;/b&gt;&lt;br&gt;Take the profile away: the strands are packed round again.</source>
+        <translation>&lt;b&gt;Wyczyść&lt;/b&gt;&lt;br&gt;Usuwa profil: pasma znów układają się w okrągły przekrój.</translation>
+    </message>
+    <message>
+        <source>Down the branch</source>
+        <translation>W dół gałęzi</translation>
+    </message>
+    <message>
+        <source>Up the branch</source>
+        <translation>W górę gałęzi</translation>
+    </message>
+    <message numerus="yes">
+        <source>Radius %1 · %Ln strands</source>
+        <translation>
+            <numerusform>Promień %1 · %Ln pasmo</numerusform>
+            <numerusform>Promień %1 · %Ln pasma</numerusform>
+            <numerusform>Promień %1 · %Ln pasm</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Draw another closed line: beside the first to split the wood, within it for a hollow.</source>
+        <translation>Narysować kolejną zamkniętą linię: obok pierwszej, aby podzielić drewno, wewnątrz niej, aby powstała pustka.</translation>
+    </message>
+    <message>
+        <source>Draw a closed line, or begin with one of these shapes.</source>
+        <translation>Narysować zamkniętą linię albo zacząć od jednego z tych kształtów.</translation>
+    </message>
+    <message>
+        <source>Drag a straight line: the strands gather at it.</source>
+        <translation>Przeciągnąć prostą linię: pasma skupią się przy niej.</translation>
+    </message>
+    <message>
+        <source>Drag the points of a line.</source>
+        <translation>Przeciągnąć punkty linii.</translation>
+    </message>
+    <message>
+        <source>Tap a line to take it away.</source>
+        <translation>Stuknąć linię, aby ją usunąć.</translation>
+    </message>
+    <message>
+        <source>Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.</source>
+        <translation>Stuknąć drugi koniec na tej gałęzi albo przejść tam przyciskami ▲ i ▼ i nacisnąć przycisk ponownie.</translation>
     </message>
 </context>
 <context>

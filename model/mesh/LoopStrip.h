@@ -55,10 +55,20 @@ private:
     template <class Position>
     static Anchor nearestPair(const VertexLoop& lower, const VertexLoop& upper, Position&& position)
     {
+        // Against the middles: between distant lines that bend, the nearest vertex says nothing about the
+        // angle.
+        const auto middleOf = [&](const VertexLoop& loop) {
+            Vec3 sum = Vec3::Zero();
+            for (std::uint32_t i = 0; i < loop.count; ++i)
+                sum += position(loop.first + i);
+            return Vec3(sum / static_cast<float>(loop.count));
+        };
+        const Vec3 offset = middleOf(upper) - middleOf(lower);
         Anchor best{0, 0};
         float least = std::numeric_limits<float>::max();
         for (std::uint32_t up = 0; up < upper.count; ++up) {
-            const float distance = (position(lower.first) - position(upper.first + up)).squaredNorm();
+            const float distance =
+                (position(lower.first) + offset - position(upper.first + up)).squaredNorm();
             if (distance < least) {
                 least = distance;
                 best.up = up;

@@ -65,6 +65,10 @@ private:
         forget();
         for (const Slice& slice : m_sections.block(node).whole)
             assignSlice(slice, nullptr, 0.0F, m_repeats[node]);
+        if (const StrandSections::Block& block = m_sections.block(node); block.hasApex) {
+            u(block.apex) = 0.5F * m_repeats[node];
+            v(block.apex) = 0.0F;
+        }
     }
 
     void assignNode(std::uint32_t node)
@@ -131,7 +135,7 @@ private:
         for (const Loop& loop : slice.loops) {
             for (std::uint32_t i = 0; i < loop.count; ++i)
                 v(loop.first + i) = height;
-            assignLoop(loop, below, repeats);
+            assignLoop(loop, slice.centre, below, repeats);
         }
     }
 
@@ -151,7 +155,7 @@ private:
         return result;
     }
 
-    void assignLoop(const Loop& loop, const Slice* below, float repeats)
+    void assignLoop(const Loop& loop, const Vec3& centre, const Slice* below, float repeats)
     {
         // Length along the loop up to each vertex, in shares of the whole.
         m_arc.assign(loop.count + 1, 0.0F);
@@ -167,7 +171,12 @@ private:
                 m_fixed.push_back(i);
         }
         if (m_fixed.empty()) {
-            const float phase = below == nullptr ? 0.0F : nearestU(*below, at(loop.first));
+            // Rings follow rings with the same angles; at a fork the nearest place of the outline below
+            // counts.
+            Vec3 place = at(loop.first);
+            if (below != nullptr && !below->loops.front().hasStrands)
+                place += below->centre - centre;
+            const float phase = below == nullptr ? 0.0F : nearestU(*below, place);
             for (std::uint32_t i = 0; i < loop.count; ++i)
                 u(loop.first + i) = phase + repeats * m_arc[i];
             return;
@@ -258,7 +267,7 @@ void addTangents(const StrandTubes& tubes, const StrandSections& sections, Branc
             const StrandSections::Block& block = sections.block(static_cast<std::uint32_t>(i));
             setLoops(block.slices);
             setLoops(block.whole);
-            if (block.apex >= block.first + 1 && block.apex == block.first + block.count - 1) {
+            if (block.hasApex) {
                 const Loop& loop = block.top().loops.front();
                 set(block.apex, sections.position(loop.first + 1) - sections.position(loop.first));
             }

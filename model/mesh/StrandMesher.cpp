@@ -272,6 +272,12 @@ private:
 
     void closeBase(std::uint32_t node, Scratch& scratch, std::vector<Triangle>& triangles)
     {
+        if (const StrandSections::Block& block = m_sections.block(node); block.hasApex) {
+            const StrandSections::Loop& loop = block.whole.front().loops.front();
+            for (std::uint32_t i = 0; i < loop.count; ++i)
+                triangles.push_back({loop.first + i, loop.first + (i + 1) % loop.count, block.apex});
+            return;
+        }
         scratch.whole.clear();
         scratch.parts.clear();
         scratch.numbers.clear();

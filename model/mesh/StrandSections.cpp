@@ -42,7 +42,7 @@ public:
         }
         for (Slice& slice : m_block.whole)
             writeSlice(slice, nullptr);
-        if (m_skeleton.nodes[m_node].childCount == 0)
+        if (m_block.hasApex)
             writeApex();
     }
 
@@ -179,6 +179,11 @@ private:
 
     void writeApex()
     {
+        if (m_skeleton.isBase(m_node)) {
+            set(m_block.apex, m_block.whole.front().centre);
+            m_sections.m_origins[m_block.apex] = {m_skeleton.nodes[m_node].internode, 0.0F};
+            return;
+        }
         const Slice& top = m_block.top();
         set(m_block.apex, top.centre + 0.5F * top.radius * (m_skeleton.nodes[m_node].frame * up()));
         m_sections.m_origins[m_block.apex] = {m_skeleton.nodes[m_node].internode, 1.0F};
@@ -298,7 +303,8 @@ void StrandSections::plan(std::uint32_t node)
             addSlice(block.whole, n.whole, n.ringSides,
                      (isBase ? 0.0F : 1.0F) + static_cast<float>(step) / steps);
     }
-    if (skeleton.nodes[node].childCount == 0)
+    block.hasApex = skeleton.nodes[node].childCount == 0 || (isBase && m_layouts.isDisc(node));
+    if (block.hasApex)
         block.apex = block.count++;
 }
 

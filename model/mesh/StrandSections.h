@@ -36,7 +36,8 @@ public:
         std::vector<std::uint32_t> strands; ///< Of the loops
         VertexIndex first = 0;
         std::uint32_t count = 0;
-        VertexIndex apex = 0; ///< Of a tip
+        VertexIndex apex = 0; ///< Of a tip, or the middle of a base whose outline is round
+        bool hasApex = false;
 
         std::span<const Slice> slicesOf(std::size_t tube) const
         {

@@ -253,7 +253,7 @@ void ExporterTest::obj_hasEveryVertexAndRefersToFilesThatExist()
             corners.push_back(vertices.size() + index + 1);
         vertices.insert(vertices.end(), mesh.mesh.vertices.begin(), mesh.mesh.vertices.end());
     }
-    std::size_t positions = 0;
+    std::vector<Vec3> positions;
     std::size_t coordinates = 0;
     std::size_t normals = 0;
     std::size_t corner = 0;
@@ -261,8 +261,7 @@ void ExporterTest::obj_hasEveryVertexAndRefersToFilesThatExist()
     for (const QByteArray& line : contentOf(folder.filePath(QStringLiteral("my oak.obj"))).split('\n')) {
         const QByteArrayList words = line.split(' ');
         if (words[0] == "v") {
-            const auto& p = vertices[positions++].position;
-            QVERIFY(words[1].toFloat() == p[0] && words[2].toFloat() == p[1] && words[3].toFloat() == p[2]);
+            positions.emplace_back(words[1].toFloat(), words[2].toFloat(), words[3].toFloat());
         } else if (words[0] == "vt") {
             const auto& uv = vertices[coordinates++].uv;
             QVERIFY(words[1].toFloat() == uv[0] && words[2].toFloat() == uv[1]);
@@ -272,14 +271,18 @@ void ExporterTest::obj_hasEveryVertexAndRefersToFilesThatExist()
         } else if (words[0] == "f") {
             QCOMPARE(words.size(), 4);
             for (int i = 1; i <= 3; ++i) {
-                const QByteArray index = QByteArray::number(static_cast<qulonglong>(corners[corner++]));
-                QCOMPARE(words[i], index + '/' + index + '/' + index);
+                const std::size_t vertex = corners[corner++];
+                const QByteArray index = QByteArray::number(static_cast<qulonglong>(vertex));
+                const QByteArrayList numbers = words[i].split('/');
+                QCOMPARE(numbers.mid(1), (QByteArrayList{index, index}));
+                QVERIFY(positions.at(numbers[0].toULongLong() - 1) == toVec3(vertices[vertex - 1].position));
             }
         } else if (words[0] == "o" || words[0] == "usemtl" || words[0] == "mtllib") {
             objects.append(line);
         }
     }
-    QCOMPARE(positions, vertices.size());
+    // The wood's surface is closed: what texture coordinates double has one position.
+    QVERIFY(positions.size() < vertices.size());
     QCOMPARE(coordinates, vertices.size());
     QCOMPARE(normals, vertices.size());
     QCOMPARE(corner, corners.size());
