@@ -15,7 +15,7 @@ namespace {
 using enum ParameterText::Scale;
 
 constexpr ParameterText kModel[] = {
-    {"growth.model", QT_TRANSLATE_NOOP("Parameters", "Growth model"), "",
+    {"growth.model", QT_TRANSLATE_NOOP("Parameters", "Model"), "",
      QT_TRANSLATE_NOOP("Parameters",
                        "Treesketch: buds compete for space and light. Vigour: light decides how "
                        "fast each shoot grows, month by month."),

@@ -2015,8 +2015,8 @@ geschrieben werden konnte.
         <translation>Wie weit eine Knospe am Ast entlang von der nächsten entfernt ist: 0 ist ein Quirl.</translation>
     </message>
     <message>
-        <source>Growth model</source>
-        <translation>Wuchsmodell</translation>
+        <source>Model</source>
+        <translation>Modell</translation>
     </message>
     <message>
         <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>

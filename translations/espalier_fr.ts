@@ -2014,8 +2014,8 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>La distance d’un bourgeon au suivant le long de la branche&#xa0;: 0 donne un verticille.</translation>
     </message>
     <message>
-        <source>Growth model</source>
-        <translation>Croissance</translation>
+        <source>Model</source>
+        <translation>Modèle</translation>
     </message>
     <message>
         <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>

@@ -2013,7 +2013,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝に沿った、芽から次の芽までの距離です。0 では輪生になります。</translation>
     </message>
     <message>
-        <source>Growth model</source>
+        <source>Model</source>
         <translation>成長モデル</translation>
     </message>
     <message>

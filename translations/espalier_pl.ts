@@ -2015,8 +2015,8 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Jak daleko wzdłuż gałęzi jest od pąka do pąka: 0 to okółek.</translation>
     </message>
     <message>
-        <source>Growth model</source>
-        <translation>Model wzrostu</translation>
+        <source>Model</source>
+        <translation>Model</translation>
     </message>
     <message>
         <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>

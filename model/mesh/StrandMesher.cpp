@@ -300,7 +300,8 @@ private:
     tbb::enumerable_thread_specific<Scratch> m_scratch;
 };
 
-/// Removes the surfaces of cavities that are closed on all sides: nobody sees them.
+/// Removes surfaces that enclose no wood: those of cavities that are closed on all sides, which are not seen,
+/// and scraps of strands that stray between parts.
 void removeVoids(MeshBuffer<VertexIndex>& indices, const MeshBuffer<MeshVertex>& vertices)
 {
     std::vector<VertexIndex> root(vertices.size());
@@ -333,10 +334,16 @@ void removeVoids(MeshBuffer<VertexIndex>& indices, const MeshBuffer<MeshVertex>&
     indices.resize(kept);
 }
 
-bool haveCavities(const StrandTubes& tubes)
+bool mayHaveVoids(const StrandTubes& tubes)
 {
-    return std::ranges::any_of(tubes.nodes, [](const StrandTubes::Node& node) {
-        return std::ranges::any_of(node.whole.loops, &SectionLoop::isCavity);
+    const auto hasCavity = [](const BundleOutline& outline) {
+        return std::ranges::any_of(outline.loops, &SectionLoop::isCavity);
+    };
+    return std::ranges::any_of(tubes.nodes, [&](const StrandTubes::Node& node) {
+        return !node.continuesBelow || hasCavity(node.whole) ||
+               std::ranges::any_of(node.tubes, [&](const StrandTube& tube) {
+                   return hasCavity(tube.below) || hasCavity(tube.above);
+               });
     });
 }
 
@@ -349,7 +356,7 @@ BranchMesh meshStrands(const StrandLayouts& layouts, const TreeParameters& param
     const StrandSections sections(layouts, tubes, parameters);
     BranchMesh mesh;
     mesh.indices = StrandTriangulation(layouts, tubes, sections).make();
-    if (haveCavities(tubes))
+    if (mayHaveVoids(tubes))
         removeVoids(mesh.indices, sections.vertices());
     mesh.vertices = sections.vertices();
     mesh.origins = sections.origins();

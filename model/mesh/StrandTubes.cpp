@@ -92,6 +92,9 @@ private:
             m_sections[node]->set(m_layouts, node, m_alpha);
         }
         n.whole.loops = section(node).outline();
+        // Cavities end at the ground.
+        if (m_skeleton.isBase(node))
+            std::erase_if(n.whole.loops, &SectionLoop::isCavity);
     }
 
     std::uint32_t partOf(std::uint32_t node, std::uint32_t strand) const

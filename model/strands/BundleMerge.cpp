@@ -8,6 +8,11 @@
 namespace espalier {
 
 namespace {
+/// Of the strands that are left, so many are compared, so that a fork of thousands costs no square of them.
+constexpr std::size_t kMostLookedAt = 2000;
+} // namespace
+
+namespace {
 
 float extentToward(std::span<const Vec2> places, const Vec2& direction)
 {
@@ -112,9 +117,19 @@ void BundleMerge::fill(std::uint32_t hole, std::uint32_t total, const Vec2& targ
             return;
         hole = cursor;
     }
+    // No line leads to the strands that are left beside it: the nearest of them moves.
     while (m_occupant[m_nearest[m_nextNearest]] == HexLattice::kNone)
         ++m_nextNearest;
-    m_occupant[hole] = std::exchange(m_occupant[m_nearest[m_nextNearest]], HexLattice::kNone);
+    std::uint32_t chosen = m_nearest[m_nextNearest];
+    const std::size_t end = std::min(m_nearest.size(), m_nextNearest + kMostLookedAt);
+    for (std::size_t i = m_nextNearest; i < end; ++i) {
+        const std::uint32_t slot = m_nearest[i];
+        if (m_occupant[slot] != HexLattice::kNone &&
+            (m_lattice.position(slot) - m_lattice.position(hole)).squaredNorm() <
+                (m_lattice.position(chosen) - m_lattice.position(hole)).squaredNorm())
+            chosen = slot;
+    }
+    m_occupant[hole] = std::exchange(m_occupant[chosen], HexLattice::kNone);
 }
 
 void BundleMerge::finish(std::span<std::uint32_t> slots) const

@@ -344,13 +344,25 @@ void ProgramTest::stats_haveTheirForm()
 {
     runWell({"replay", "r.json", "-o", "t.glb", "--stats", "s.json"});
     const QJsonObject stats = QJsonDocument::fromJson(read("s.json")).object();
-    const QStringList keys{"axes",    "buds",  "internodes", "leaves",  "peakRssMb",
-                           "seconds", "steps", "triangles",  "vertices"};
+    const QStringList keys{"axes",      "buds",      "contacts", "internodes", "leaves",
+                           "particles", "peakRssMb", "seconds",  "steps",      "strands",
+                           "surface",   "triangles", "vertices"};
     QCOMPARE(stats.keys(), keys);
+    // Tubes have no strands.
+    const QStringList others{"seconds", "contacts", "surface", "strands", "particles"};
     for (const QString& key : keys)
-        QVERIFY2(key == QStringLiteral("seconds") || stats[key].toDouble() > 0.0, qPrintable(key));
+        QVERIFY2(others.contains(key) || stats[key].toDouble() > 0.0, qPrintable(key));
+    QCOMPARE(stats[QStringLiteral("surface")].toObject()[QStringLiteral("openEdges")].toInt(-1), 0);
+    runWell({"replay", "r.json", "--set", "wood.mesher=strands", "-o", "t.glb", "--stats", "strands.json"});
+    const QJsonObject ofStrands = QJsonDocument::fromJson(read("strands.json")).object();
+    for (const char* key : {"strands", "particles"})
+        QVERIFY2(ofStrands[QLatin1String(key)].toDouble() > 0.0, key);
+    const QJsonObject surface = ofStrands[QStringLiteral("surface")].toObject();
+    for (const char* key : {"openEdges", "nonManifoldEdges", "nonManifoldVertices", "degenerate", "inverted"})
+        QVERIFY2(surface[QLatin1String(key)].toInt(-1) == 0, key);
+    QCOMPARE(surface[QStringLiteral("components")].toInt(), 1);
     const QJsonObject seconds = stats[QStringLiteral("seconds")].toObject();
-    QCOMPARE(seconds.keys(), (QStringList{"export", "growth", "mesh", "total"}));
+    QCOMPARE(seconds.keys(), (QStringList{"export", "growth", "mesh", "profiles", "total", "wood"}));
     double sum = 0.0;
     for (const char* key : {"export", "growth", "mesh"})
         sum += seconds[QLatin1String(key)].toDouble();

@@ -2,6 +2,7 @@
 #include "commands/SetParameters.h"
 #include "commands/recipe/RecipePlayer.h"
 #include "model/io/export/Exporter.h"
+#include "model/mesh/Weld.h"
 #include "model/texture/OwnTextures.h"
 #include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"
@@ -37,8 +38,17 @@ QJsonObject describe(const ExportScene& scene)
         Box3 box;
         for (const MeshVertex& vertex : mesh.mesh.vertices)
             box.extend(toVec3(vertex.position));
+        // OBJ writes each place of the wood once.
+        std::size_t places = mesh.mesh.vertices.size();
+        if (!scene.materials[mesh.material].isLeaf) {
+            const std::vector<VertexIndex> first = firstAtSamePlace(mesh.mesh.vertices);
+            places = 0;
+            for (std::size_t i = 0; i < first.size(); ++i)
+                places += first[i] == i ? 1 : 0;
+        }
         meshes[mesh.name] = QJsonObject{{QStringLiteral("triangles"), qint64(mesh.mesh.indices.size() / 3)},
                                         {QStringLiteral("vertices"), qint64(mesh.mesh.vertices.size())},
+                                        {QStringLiteral("places"), qint64(places)},
                                         {QStringLiteral("lower"), toJson(box.min())},
                                         {QStringLiteral("upper"), toJson(box.max())}};
     }
