@@ -38,7 +38,8 @@ public:
     ParameterRow* row(std::string_view key) const;
     ValueField* field(std::string_view key) const;
 
-    /// The choice of the species whose parameters of vigour are in force; its first item is none of them.
+    /// Shows the species whose vigour parameters are in force; the first item means that they are no
+    /// species'.
     QComboBox& species() const { return *m_species; }
     bool isMoreShown() const;
     void showMore(bool shown);

@@ -17,7 +17,6 @@ namespace espalier {
 /// WoodTracker records which pieces have to be meshed, and how exact they are; settle() makes all pieces
 /// exact, when there is time. After that, the contents are a function of the tree and the options alone; the
 /// places of the runs are not.
-/// about; where they lie is not.
 class MeshPool {
 public:
     /// Meshes a whole tree again.
