@@ -15,6 +15,8 @@ using Slice = StrandSections::Slice;
 using Loop = StrandSections::Loop;
 
 constexpr std::size_t kVerticesPerTask = 1 << 14;
+/// Of what is uneven in u, 1/e is left after so many perimeters along the branch.
+constexpr float kEvenAfter = 0.5F;
 
 /// Assigns u and v, bases first.
 class BarkCoordinates {
@@ -181,27 +183,68 @@ private:
                 u(loop.first + i) = phase + repeats * m_arc[i];
             return;
         }
+        spanFixed(loop, strands, repeats);
+        relax(loop, repeats, below == nullptr ? 0.0F : (centre - below->centre).norm() / length);
+    }
+
+    /// Between vertices whose u is known, u rises with the length of the loop; around the whole loop by @p
+    /// repeats.
+    void spanFixed(const Loop& loop, std::span<const std::uint32_t> strands, float repeats)
+    {
+        const auto shareTo = [&](std::uint32_t from, std::uint32_t to) {
+            const float share = m_arc[to] - m_arc[from];
+            return share > 0.0F || m_fixed.size() > 1 ? share + (share < 0.0F ? 1.0F : 0.0F) : 1.0F;
+        };
+        m_rises.clear();
+        float sum = 0.0F;
+        std::size_t widest = 0;
+        float most = -1.0F;
         for (std::size_t f = 0; f < m_fixed.size(); ++f) {
             const std::uint32_t from = m_fixed[f];
             const std::uint32_t to = m_fixed[(f + 1) % m_fixed.size()];
-            const float start = m_known[strands[from]];
-            u(loop.first + from) = start;
-            const std::uint32_t between = (to + loop.count - from - 1) % loop.count + 1;
-            if (between == 1)
-                continue;
-            float share = m_arc[to] - m_arc[from];
-            if (share <= 0.0F)
-                share += 1.0F;
-            float rise = m_known[strands[to]] - start;
+            const float share = shareTo(from, to);
+            float rise = m_known[strands[to]] - m_known[strands[from]];
             rise += std::round(repeats * share - rise);
-            for (std::uint32_t j = 1; j < between; ++j) {
-                const std::uint32_t i = (from + j) % loop.count;
-                float part = m_arc[i] - m_arc[from];
-                if (part < 0.0F)
-                    part += 1.0F;
-                u(loop.first + i) = start + rise * part / share;
+            m_rises.push_back(rise);
+            sum += rise;
+            if (share > most) {
+                most = share;
+                widest = f;
             }
         }
+        // Strands come and go between known ones: what is amiss lies where there is most room.
+        m_rises[widest] += std::round(repeats - sum);
+        float start = m_known[strands[m_fixed.front()]];
+        for (std::size_t f = 0; f < m_fixed.size(); ++f) {
+            const std::uint32_t from = m_fixed[f];
+            const std::uint32_t to = m_fixed[(f + 1) % m_fixed.size()];
+            const float share = std::max(shareTo(from, to), 1e-9F);
+            const std::uint32_t between = (to + loop.count - from - 1) % loop.count + 1;
+            for (std::uint32_t j = 0; j < between; ++j) {
+                const std::uint32_t i = (from + j) % loop.count;
+                const float part = j == 0 ? 0.0F : shareTo(from, i);
+                u(loop.first + i) = start + m_rises[f] * part / share;
+            }
+            start += m_rises[f];
+        }
+    }
+
+    /// Draws u toward even spacing, so that bark which strands have squeezed together or pulled apart widens
+    /// or narrows again further up; the mean turn around the branch stays that of the strands. @p rise: from
+    /// the slice below, in lengths of the loop.
+    void relax(const Loop& loop, float repeats, float rise)
+    {
+        const std::uint32_t first = m_fixed.front();
+        const auto evenAt = [&](std::uint32_t i) {
+            return repeats * (m_arc[i] - m_arc[first] + (i < first ? 1.0F : 0.0F));
+        };
+        double sum = 0.0;
+        for (std::uint32_t i = 0; i < loop.count; ++i)
+            sum += u(loop.first + i) - evenAt(i);
+        const auto turn = static_cast<float>(sum / loop.count);
+        const float weight = 1.0F - std::exp(-rise / kEvenAfter);
+        for (std::uint32_t i = 0; i < loop.count; ++i)
+            u(loop.first + i) += weight * (turn + evenAt(i) - u(loop.first + i));
     }
 
     const StrandLayouts& m_layouts;
@@ -215,7 +258,8 @@ private:
     std::vector<std::uint32_t> m_stamp;
     std::uint32_t m_round = 0;
     std::vector<float> m_arc;
-    std::vector<std::uint32_t> m_fixed;
+    std::vector<std::uint32_t> m_fixed; ///< Vertices of the loop whose u is known
+    std::vector<float> m_rises;         ///< Of u, from each of them to the next
 };
 
 /// Normals by the areas of the triangles around a vertex.
