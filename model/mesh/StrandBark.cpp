@@ -16,7 +16,7 @@ using Loop = StrandSections::Loop;
 
 constexpr std::size_t kVerticesPerTask = 1 << 14;
 /// Of what is uneven in u, 1/e is left after so many perimeters along the branch.
-constexpr float kEvenAfter = 0.5F;
+constexpr float kEvenAfter = 0.3F;
 
 /// Assigns u and v, bases first.
 class BarkCoordinates {
@@ -35,6 +35,7 @@ public:
         for (const StrandNode& node : m_skeleton.nodes)
             most = std::max(most, node.strands);
         m_known.resize(most);
+        m_last.resize(most);
         m_stamp.assign(most, 0);
     }
 
@@ -105,7 +106,8 @@ private:
         }
         if (n.childCount == 0) {
             u(block.apex) = u(last->loops.front().first);
-            v(block.apex) = top + heightOf(at(block.apex) - last->centre, last->radius, m_repeats[node]);
+            v(block.apex) =
+                top + heightOf((at(block.apex) - last->centre).norm(), last->radius, m_repeats[node]);
         }
     }
 
@@ -118,46 +120,80 @@ private:
                 if (strands[i] < offset)
                     continue;
                 m_known[strands[i] - offset] = u(loop.first + i);
+                m_last[strands[i] - offset] = loop.first + i;
                 m_stamp[strands[i] - offset] = m_round;
             }
         }
     }
 
-    static float heightOf(const Vec3& rise, float radius, float repeats)
+    static float heightOf(float rise, float radius, float repeats)
     {
-        return rise.norm() * repeats / (2.0F * std::numbers::pi_v<float> * std::max(radius, 1e-6F));
+        return rise * repeats / (2.0F * std::numbers::pi_v<float> * std::max(radius, 1e-6F));
+    }
+
+    /// How far strands run from the slice below to @p slice, m: on average, or from middle to middle if none
+    /// is known. Where bundles part, their middles move to the sides.
+    float riseOf(const Slice& slice, const Slice& below) const
+    {
+        float sum = 0.0F;
+        int count = 0;
+        for (const Loop& loop : slice.loops) {
+            const auto strands = m_sections.strands(loop);
+            for (std::uint32_t i = 0; i < strands.size(); ++i) {
+                if (m_stamp[strands[i]] == m_round) {
+                    sum += (at(loop.first + i) - at(m_last[strands[i]])).norm();
+                    ++count;
+                }
+            }
+        }
+        return count > 0 ? sum / static_cast<float>(count) : (slice.centre - below.centre).norm();
     }
 
     void assignSlice(const Slice& slice, const Slice* below, float vBelow, float repeats)
     {
-        const float height = below == nullptr
-                                 ? 0.0F
-                                 : vBelow + heightOf(slice.centre - below->centre,
-                                                     0.5F * (slice.radius + below->radius), repeats);
+        if (below != nullptr && !slice.loops.front().hasStrands && below->loops.front().hasStrands) {
+            takeNearest(slice, *below);
+            return;
+        }
+        const float rise = below == nullptr ? 0.0F : riseOf(slice, *below);
+        const float height =
+            below == nullptr ? 0.0F : vBelow + heightOf(rise, 0.5F * (slice.radius + below->radius), repeats);
         for (const Loop& loop : slice.loops) {
             for (std::uint32_t i = 0; i < loop.count; ++i)
                 v(loop.first + i) = height;
-            assignLoop(loop, slice.centre, below, repeats);
+            assignLoop(loop, slice.centre, below, rise, repeats);
         }
     }
 
-    /// u of the vertex of @p slice that is nearest to @p place.
-    float nearestU(const Slice& slice, const Vec3& place)
+    /// The ring of a twig where it leaves thick wood has the coordinates of the bark there, so that this
+    /// reaches up to the twig; the twig's own begin above.
+    void takeNearest(const Slice& ring, const Slice& below)
+    {
+        const Loop& loop = ring.loops.front();
+        for (std::uint32_t i = 0; i < loop.count; ++i) {
+            const VertexIndex nearest = nearestOf(below, at(loop.first + i));
+            u(loop.first + i) = u(nearest);
+            v(loop.first + i) = v(nearest);
+        }
+    }
+
+    /// The vertex of @p slice that is nearest to @p place.
+    VertexIndex nearestOf(const Slice& slice, const Vec3& place) const
     {
         float least = std::numeric_limits<float>::max();
-        float result = 0.0F;
+        VertexIndex result = slice.loops.front().first;
         for (const Loop& loop : slice.loops) {
             for (std::uint32_t i = 0; i < loop.count; ++i) {
                 if (const float distance = (at(loop.first + i) - place).squaredNorm(); distance < least) {
                     least = distance;
-                    result = u(loop.first + i);
+                    result = loop.first + i;
                 }
             }
         }
         return result;
     }
 
-    void assignLoop(const Loop& loop, const Vec3& centre, const Slice* below, float repeats)
+    void assignLoop(const Loop& loop, const Vec3& centre, const Slice* below, float rise, float repeats)
     {
         // Length along the loop up to each vertex, in shares of the whole.
         m_arc.assign(loop.count + 1, 0.0F);
@@ -178,13 +214,13 @@ private:
             Vec3 place = at(loop.first);
             if (below != nullptr && !below->loops.front().hasStrands)
                 place += below->centre - centre;
-            const float phase = below == nullptr ? 0.0F : nearestU(*below, place);
+            const float phase = below == nullptr ? 0.0F : u(nearestOf(*below, place));
             for (std::uint32_t i = 0; i < loop.count; ++i)
                 u(loop.first + i) = phase + repeats * m_arc[i];
             return;
         }
         spanFixed(loop, strands, repeats);
-        relax(loop, repeats, below == nullptr ? 0.0F : (centre - below->centre).norm() / length);
+        relax(loop, repeats, rise / length);
     }
 
     /// Between vertices whose u is known, u rises with the length of the loop; around the whole loop by @p
@@ -253,8 +289,9 @@ private:
     const StrandSections& m_sections;
     float m_scale;
     BranchMesh& m_mesh;
-    std::vector<float> m_repeats; ///< By node: of the texture around it
-    std::vector<float> m_known;   ///< u by strand, where m_stamp is the present round
+    std::vector<float> m_repeats;    ///< By node: of the texture around it
+    std::vector<float> m_known;      ///< u by strand, where m_stamp is the present round
+    std::vector<VertexIndex> m_last; ///< Vertex of the strand that was learned last, likewise
     std::vector<std::uint32_t> m_stamp;
     std::uint32_t m_round = 0;
     std::vector<float> m_arc;
