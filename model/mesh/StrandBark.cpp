@@ -50,10 +50,9 @@ public:
     }
 
 private:
-    float repeatsOf(float radius) const
-    {
-        return std::max(1.0F, std::round(2.0F * std::numbers::pi_v<float> * radius / m_scale));
-    }
+    /// How often the texture repeats along @p length, m.
+    float repeatsOf(float length) const { return std::max(1.0F, std::round(length / m_scale)); }
+    static float perimeterOf(float radius) { return 2.0F * std::numbers::pi_v<float> * radius; }
 
     Vec3 at(VertexIndex vertex) const { return toVec3(m_mesh.vertices[vertex].position); }
     float& u(VertexIndex vertex) { return m_mesh.vertices[vertex].uv[0]; }
@@ -63,11 +62,12 @@ private:
     {
         const StrandNode& n = m_skeleton.nodes[node];
         const auto above = m_skeleton.childrenOf(node);
-        // The radius without the flare.
-        m_repeats[node] = repeatsOf(above.empty() ? n.radius : m_skeleton.nodes[above.front()].radius);
+        // Without the flare.
+        const float share = above.empty() ? 1.0F : m_skeleton.nodes[above.front()].radius / n.radius;
+        m_repeats[node] = repeatsOf(share * lengthOf(m_sections.block(node).whole.front().loops.front()));
         forget();
         for (const Slice& slice : m_sections.block(node).whole)
-            assignSlice(slice, nullptr, 0.0F, m_repeats[node]);
+            assignSlice(slice, nullptr, 0.0F, node, true);
         if (const StrandSections::Block& block = m_sections.block(node); block.hasApex) {
             u(block.apex) = 0.5F * m_repeats[node];
             v(block.apex) = 0.0F;
@@ -80,7 +80,9 @@ private:
         const StrandNode& below = m_skeleton.nodes[n.parent];
         const StrandSections::Block& block = m_sections.block(node);
         const Slice& support = m_sections.block(n.parent).top();
-        m_repeats[node] = 2 * n.strands >= below.strands ? m_repeats[n.parent] : repeatsOf(n.radius);
+        m_repeats[node] =
+            2 * n.strands >= below.strands ? m_repeats[n.parent] : repeatsOf(perimeterOf(n.radius));
+        const bool isWhole = m_tubes.nodes[node].tubes.size() == 1 && m_tubes.nodes[node].continuesBelow;
         float top = 0.0F;
         const Slice* last = &support;
         for (std::size_t tube = 0; tube < m_tubes.nodes[node].tubes.size(); ++tube) {
@@ -88,7 +90,7 @@ private:
             forget();
             learn(support, n.offset);
             for (const Slice& slice : block.slicesOf(tube)) {
-                assignSlice(slice, last, v(last->loops.front().first), m_repeats[node]);
+                assignSlice(slice, last, v(last->loops.front().first), node, isWhole);
                 learn(slice, 0);
                 last = &slice;
             }
@@ -98,16 +100,20 @@ private:
             for (std::size_t tube = 0; tube < m_tubes.nodes[node].tubes.size(); ++tube)
                 learn(block.slicesOf(tube).back(), 0);
         }
+        const std::vector<SectionLoop>& outline = m_tubes.nodes[node].whole.loops;
+        const bool isOne = outline.size() < 2 || std::ranges::count_if(outline, [](const SectionLoop& loop) {
+                                                     return !loop.isCavity();
+                                                 }) == 1;
         for (const Slice& slice : block.whole) {
-            assignSlice(slice, last, top, m_repeats[node]);
+            assignSlice(slice, last, top, node, isOne);
             learn(slice, 0);
             last = &slice;
             top = v(slice.loops.front().first);
         }
         if (n.childCount == 0) {
             u(block.apex) = u(last->loops.front().first);
-            v(block.apex) =
-                top + heightOf((at(block.apex) - last->centre).norm(), last->radius, m_repeats[node]);
+            v(block.apex) = top + heightOf((at(block.apex) - last->centre).norm(), perimeterOf(last->radius),
+                                           m_repeats[node]);
         }
     }
 
@@ -126,9 +132,18 @@ private:
         }
     }
 
-    static float heightOf(float rise, float radius, float repeats)
+    /// The rise of v over @p rise, m, where the texture repeats @p repeats times along @p length, m.
+    static float heightOf(float rise, float length, float repeats)
     {
-        return rise * repeats / (2.0F * std::numbers::pi_v<float> * std::max(radius, 1e-6F));
+        return rise * repeats / std::max(length, 1e-6F);
+    }
+
+    float lengthOf(const Loop& loop) const
+    {
+        float length = 0.0F;
+        for (std::uint32_t i = 0; i < loop.count; ++i)
+            length += (at(loop.first + (i + 1) % loop.count) - at(loop.first + i)).norm();
+        return length;
     }
 
     /// How far strands run from the slice below to @p slice, m: on average, or from middle to middle if none
@@ -149,19 +164,26 @@ private:
         return count > 0 ? sum / static_cast<float>(count) : (slice.centre - below.centre).norm();
     }
 
-    void assignSlice(const Slice& slice, const Slice* below, float vBelow, float repeats)
+    /// @p node: to which the slice belongs; @p isWhole: whether its first loop goes around all strands.
+    void assignSlice(const Slice& slice, const Slice* below, float vBelow, std::uint32_t node, bool isWhole)
     {
         if (below != nullptr && !slice.loops.front().hasStrands && below->loops.front().hasStrands) {
             takeNearest(slice, *below);
             return;
         }
         const float rise = below == nullptr ? 0.0F : riseOf(slice, *below);
-        const float height =
-            below == nullptr ? 0.0F : vBelow + heightOf(rise, 0.5F * (slice.radius + below->radius), repeats);
+        // Parts of a divided trunk and cavities have as many repeats as suit their length.
+        const float repeats = m_repeats[node];
+        const float round = perimeterOf(m_skeleton.nodes[node].radius);
+        const float length = lengthOf(slice.loops.front());
+        const float own = isWhole ? repeats : std::max(1.0F, std::round(repeats * length / round));
+        const float height = below == nullptr ? 0.0F : vBelow + heightOf(rise, length, own);
         for (const Loop& loop : slice.loops) {
             for (std::uint32_t i = 0; i < loop.count; ++i)
                 v(loop.first + i) = height;
-            assignLoop(loop, slice.centre, below, rise, repeats);
+            const bool isFirst = &loop == &slice.loops.front();
+            assignLoop(loop, slice.centre, below, rise,
+                       isFirst ? own : std::max(1.0F, std::round(repeats * lengthOf(loop) / round)));
         }
     }
 
