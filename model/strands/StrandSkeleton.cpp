@@ -2,6 +2,7 @@
 #include "model/strands/StrandSkeleton.h"
 
 #include "model/base/Parallel.h"
+#include "model/strands/JoinedForks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -270,6 +271,7 @@ StrandSkeleton strandSkeleton(const Tree& tree, const TreeIndex& index, const Wi
 {
     StrandSkeleton skeleton;
     NodeBuilder(tree, index, widths, skeleton).build();
+    joinForks(skeleton, tree.parameters().wood);
     linkChildren(skeleton);
     countStrands(skeleton, static_cast<std::uint32_t>(tree.parameters().wood.strandsPerTip));
     roundKinks(skeleton);
