@@ -8,6 +8,9 @@ namespace espalier {
 
 namespace {
 
+/// By how much a bundle's surface lies outside the circle that has as much area as its strands' cells.
+constexpr float kRim = 0.45F;
+
 /// The origin against a point of the lattice. Around it, points come one by one and not in shells, so each
 /// number of them lies in a small circle. This one gives the densest of the loosest bundles of 50 and more.
 constexpr double kOriginX = 0.8667;
@@ -23,6 +26,13 @@ struct Axial {
 constexpr std::array<Axial, 6> kAround{{{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}}};
 
 } // namespace
+
+float bundleRadius(std::uint32_t strands)
+{
+    if (strands <= 1)
+        return 1.0F;
+    return static_cast<float>(std::sqrt(strands / HexLattice::kFill)) + kRim;
+}
 
 HexLattice::HexLattice(std::uint32_t slots)
 {

@@ -10,6 +10,9 @@
 
 namespace espalier {
 
+/// Radius of a round bundle of @p strands strands, in strand radii.
+float bundleRadius(std::uint32_t strands);
+
 /// The places of discs of radius 1 in their densest arrangement, from the centre outward: the first N slots
 /// are a round bundle of N strands, of which 50 and more fill 70 % of the circle around them. No two slots
 /// are nearer than 2. Slots are ordered by their distance from the origin, which lies between points of the

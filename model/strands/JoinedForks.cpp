@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/strands/JoinedForks.h"
 
-#include "model/strands/StrandLayouts.h"
+#include "model/strands/HexLattice.h"
 
 #include <algorithm>
 

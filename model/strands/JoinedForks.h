@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/strands/StrandSkeleton.h"
+#include "model/strands/StrandNode.h"
 #include "model/tree/Parameters.h"
 
 namespace espalier {

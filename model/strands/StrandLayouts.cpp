@@ -33,18 +33,7 @@ constexpr float kShiftRadii = 2.5F;
 constexpr float kReachRadii = 1.5F;
 /// The trunk's flare ends at this height, in radii.
 constexpr float kFlareRadii = 3.5F;
-
-/// By how much a bundle's surface lies outside the circle that has as much area as its strands' cells.
-constexpr float kRim = 0.45F;
-
 } // namespace
-
-float bundleRadius(std::uint32_t strands)
-{
-    if (strands <= 1)
-        return 1.0F;
-    return static_cast<float>(std::sqrt(strands / HexLattice::kFill)) + kRim;
-}
 
 /// Makes the layouts, tips first.
 class StrandLayouts::Builder {

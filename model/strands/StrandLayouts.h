@@ -11,9 +11,6 @@
 
 namespace espalier {
 
-/// Radius of a round bundle of @p strands strands, in strand radii.
-float bundleRadius(std::uint32_t strands);
-
 /// The arrangement of the strands in the cross-section of each node of a tree (Strands 2024 §5.2).
 /// Coordinates are in strand radii, along X and Z of the node's frame, with the node's place at the origin.
 ///
