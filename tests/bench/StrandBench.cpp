@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/RecipePlayer.h"
+#include "model/mesh/StrandMesher.h"
 #include "model/strands/MedialAxis.h"
 #include "model/strands/ProfileSlots.h"
 #include "tests/support/Strands.h"
@@ -9,7 +10,9 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
+#include <fstream>
 #include <map>
+#include <string>
 
 namespace {
 
@@ -104,6 +107,61 @@ void strandLayouts_sample(benchmark::State& state, const QString& fileName, std:
     }
     return true;
 }();
+
+/// Begins a new measurement of the largest resident size of the program.
+void forgetPeak()
+{
+    std::ofstream("/proc/self/clear_refs") << "5";
+}
+/// A line of /proc/self/status, in bytes.
+double statusBytes(const std::string& name)
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with(name + ":"))
+            return 1024.0 * std::stod(line.substr(name.size() + 1));
+    }
+    return 0.0;
+}
+
+std::uint64_t particlesOf(const StrandLayouts& layouts)
+{
+    std::uint64_t particles = 0;
+    for (std::uint32_t i = 0; i < layouts.skeleton().nodes.size(); ++i)
+        particles += layouts.skeleton().isBase(i) ? 0 : layouts.strandCount(i);
+    return particles;
+}
+
+/// The mesh of a tree of so many tips, on so many threads: 2,600 tips have about 100,000 particles, 14,600
+/// have 650,000, and 60,000 have 3 million. The peak is that of the layouts and the mesh together.
+void strandMesh_forkedTree(benchmark::State& state)
+{
+    static std::map<std::int64_t, test::TreeBuilder> trees;
+    const std::int64_t tips = state.range(0);
+    if (!trees.contains(tips))
+        trees.emplace(tips, test::forkedTree(static_cast<std::uint32_t>(tips)));
+    const test::TreeBuilder& grown = trees.at(tips);
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(state.range(1)));
+    const Widths widths(grown.tree, grown.index);
+    const double before = statusBytes("VmRSS");
+    forgetPeak();
+    const StrandLayouts layouts(grown.tree, grown.index, widths);
+    std::size_t vertices = 0;
+    for (auto _ : state)
+        vertices = meshStrands(layouts, grown.tree.parameters()).vertices.size();
+    const auto particles = static_cast<double>(particlesOf(layouts));
+    state.counters["nodes"] = static_cast<double>(layouts.skeleton().nodes.size());
+    state.counters["particles"] = particles;
+    state.counters["vertices"] = static_cast<double>(vertices);
+    state.counters["nsPerParticle"] = benchmark::Counter(
+        particles * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["peakBytesPerParticle"] = (statusBytes("VmHWM") - before) / particles;
+}
+BENCHMARK(strandMesh_forkedTree)
+    ->ArgsProduct({{2'600, 14'600, 30'000, 60'000}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void profileSlots_10k(benchmark::State& state)
 {
