@@ -106,28 +106,15 @@ StrandReuse::StrandReuse(const StrandLayouts& layouts, const WoodParameters& woo
                          const StrandSkeleton* lastSkeleton)
     : m_lastSkeleton(lastSkeleton),
       m_keys(strandKeys(layouts, wood, options)),
-      m_before(layouts.skeleton().nodes.size(), kNone),
+      m_before(layouts.skeleton().nodes.size(), kNoNode),
       m_reach(layouts.skeleton().nodes.size(), 0)
 {
     if (last == nullptr)
         return;
-    // Both skeletons have their nodes by ascending internode and along.
-    const std::vector<StrandNode>& nodes = layouts.skeleton().nodes;
-    const std::vector<StrandNode>& old = lastSkeleton->nodes;
-    const auto isBelow = [](const StrandNode& a, const StrandNode& b) {
-        return a.internode != b.internode ? a.internode < b.internode : a.along < b.along;
-    };
-    std::uint32_t j = 0;
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        while (j < old.size() && isBelow(old[j], nodes[i]))
-            ++j;
-        if (j == old.size())
-            break;
-        if (isBelow(nodes[i], old[j]))
-            continue;
-        m_before[i] = j;
-        while (m_reach[i] < kStrandReachCount &&
-               m_keys.ofNodes[m_reach[i]][i] == last->ofNodes[m_reach[i]][j])
+    m_before = matchingNodes(layouts.skeleton(), *lastSkeleton);
+    for (std::uint32_t i = 0; i < m_before.size(); ++i) {
+        while (m_before[i] != kNoNode && m_reach[i] < kStrandReachCount &&
+               m_keys.ofNodes[m_reach[i]][i] == last->ofNodes[m_reach[i]][m_before[i]])
             ++m_reach[i];
     }
 }

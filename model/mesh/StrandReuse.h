@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace espalier {
@@ -33,8 +32,6 @@ StrandKeys strandKeys(const StrandLayouts& layouts, const WoodParameters& wood,
 /// without.
 class StrandReuse {
 public:
-    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
     /// @p last: the keys of the last mesh, or null, and @p lastSkeleton: its skeleton, which must outlive
     /// this object.
     StrandReuse(const StrandLayouts& layouts, const WoodParameters& wood, const WoodMeshOptions& options,
@@ -43,7 +40,7 @@ public:
     /// Whether a part of the mesh at @p node can be taken over.
     bool has(std::uint32_t node, StrandReach reach) const
     {
-        return m_before[node] != kNone && m_reach[node] > static_cast<std::uint8_t>(reach);
+        return m_before[node] != kNoNode && m_reach[node] > static_cast<std::uint8_t>(reach);
     }
     /// The number of @p node in the last mesh. Precondition: has(node, ...).
     std::uint32_t before(std::uint32_t node) const { return m_before[node]; }

@@ -163,6 +163,9 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
 {
     std::vector<StrandNode>& nodes = skeleton.nodes;
     std::vector<Tilt> tilts(nodes.size());
+    // Frames without the tilt: how the wood below turns a branch's first sections says nothing about those
+    // beyond them.
+    std::vector<Rotation> upright(nodes.size());
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         StrandNode& node = nodes[i];
         const bool isBase = node.parent == i;
@@ -176,6 +179,9 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
         if (isBase)
             normal = heading.y() > 0.0F ? up() : heading;
         normal.normalize();
+        const Rotation below = isBase ? index.rotation(node.internode) : upright[node.parent];
+        upright[i] = (Rotation::FromTwoVectors(below * up(), normal) * below).normalized();
+        node.frame = upright[i];
         if (!isBase) {
             const StrandNode& support = nodes[node.parent];
             const float length = (node.position - support.position).norm();
@@ -190,15 +196,32 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
                 const float share = tilt.path / tilt.reach;
                 const Vec3 between = (1.0F - share) * tilt.from + share * normal;
                 if (between.squaredNorm() > 1e-2F)
-                    normal = between.normalized();
+                    node.frame = (Rotation::FromTwoVectors(normal, between) * upright[i]).normalized();
             }
         }
-        const Rotation below = isBase ? index.rotation(node.internode) : nodes[node.parent].frame;
-        node.frame = (Rotation::FromTwoVectors(below * up(), normal) * below).normalized();
     }
 }
 
 } // namespace
+
+std::vector<std::uint32_t> matchingNodes(const StrandSkeleton& skeleton, const StrandSkeleton& other)
+{
+    std::vector<std::uint32_t> result(skeleton.nodes.size(), kNoNode);
+    // Both have their nodes by ascending internode, and by their place along it.
+    const auto isBelow = [](const StrandNode& a, const StrandNode& b) {
+        return a.internode != b.internode ? a.internode < b.internode : a.along < b.along;
+    };
+    auto match = other.nodes.begin();
+    for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
+        while (match != other.nodes.end() && isBelow(*match, skeleton.nodes[i]))
+            ++match;
+        if (match == other.nodes.end())
+            break;
+        if (!isBelow(skeleton.nodes[i], *match))
+            result[i] = static_cast<std::uint32_t>(match - other.nodes.begin());
+    }
+    return result;
+}
 
 StrandSkeleton strandSkeleton(const Tree& tree, const TreeIndex& index, const Widths& widths)
 {

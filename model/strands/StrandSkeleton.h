@@ -5,6 +5,7 @@
 #include "model/tree/TreeIndex.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -43,6 +44,10 @@ struct StrandSkeleton {
     }
     bool isBase(std::uint32_t node) const { return nodes[node].parent == node; }
 };
+
+/// For each node of @p skeleton the one of @p other at the same place of the same internode, or kNoNode.
+inline constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
+std::vector<std::uint32_t> matchingNodes(const StrandSkeleton& skeleton, const StrandSkeleton& other);
 
 StrandSkeleton strandSkeleton(const Tree& tree, const TreeIndex& index, const Widths& widths);
 
