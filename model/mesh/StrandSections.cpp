@@ -224,9 +224,9 @@ StrandSections::StrandSections(const StrandLayouts& layouts, const StrandTubes& 
         block.first = total;
         total += block.count;
     }
-    // The vertices that are doubled come to the end later.
-    m_vertices.reserve(total + total / 4);
-    m_origins.reserve(total + total / 4);
+    // The vertices that are doubled come to the end later. Unused room costs no memory.
+    m_vertices.reserve(total + total / 2);
+    m_origins.reserve(total + total / 2);
     m_vertices.resize(total);
     m_origins.resize(total);
     parallelFor(m_blocks.size(), kSectionsPerTask, [&](std::size_t begin, std::size_t end) {
