@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/base/Memory.h"
 #include "model/base/Vector.h"
 
 #include <array>
@@ -34,19 +33,6 @@ struct UninitialisedAllocator : std::allocator<T> {
     struct rebind {
         using other = UninitialisedAllocator<U>;
     };
-    T* allocate(std::size_t count)
-    {
-        if (count * sizeof(T) >= kLargeBlock)
-            return static_cast<T*>(allocateLarge(count * sizeof(T)));
-        return std::allocator<T>::allocate(count);
-    }
-    void deallocate(T* block, std::size_t count) noexcept
-    {
-        if (count * sizeof(T) >= kLargeBlock)
-            freeLarge(block);
-        else
-            std::allocator<T>::deallocate(block, count);
-    }
     template <class U>
     void construct(U* place) noexcept
     {

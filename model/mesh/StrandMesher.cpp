@@ -26,7 +26,7 @@ bool makeMesh(const StrandLayouts& layouts, const TreeParameters& parameters, co
         return false;
     StrandSections::Last lastSections;
     if (last != nullptr)
-        lastSections = {&last->blocks, last->mesh.get()};
+        lastSections = {&last->blocks, last->mesh.get(), last->raised};
     StrandSections sections(layouts, wood.tubes, parameters, reuse, lastSections, progress, mesh);
     if (!goesOn(0.5F))
         return false;
@@ -34,7 +34,15 @@ bool makeMesh(const StrandLayouts& layouts, const TreeParameters& parameters, co
                                         last != nullptr ? &last->triangles : nullptr, progress, mesh);
     if (!goesOn(0.7F))
         return false;
-    orientStrands(layouts, sections, wood.triangles, reuse, progress, mesh);
+    wood.raised = raiseFlatTriangles(mesh.indices, mesh.vertices);
+    wood.isNearRaised = nodesNear(wood.raised, layouts, sections);
+    // Normals of the last mesh are of no use where vertices were raised then, or are now.
+    std::vector<std::uint8_t> isChanged = wood.isNearRaised;
+    for (std::uint32_t node = 0; node < isChanged.size(); ++node) {
+        if (reuse.has(node, StrandReach::Normals) && last->isNearRaised[reuse.before(node)] != 0)
+            isChanged[node] = 1;
+    }
+    orientStrands(layouts, sections, wood.triangles, reuse, isChanged, progress, mesh);
     if (!goesOn(0.8F))
         return false;
     removeVoids(layouts, wood.tubes, sections, wood.triangles, mesh);

@@ -16,6 +16,8 @@ struct StrandWood {
     StrandTubes tubes;
     std::vector<StrandSections::Block> blocks;
     StrandTriangles triangles;
+    std::vector<RaisedVertex> raised;
+    std::vector<std::uint8_t> isNearRaised; ///< By node: see nodesNear
     std::size_t taken = 0; ///< Number of nodes whose vertices and triangles came from the mesh before
 };
 

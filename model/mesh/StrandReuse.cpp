@@ -3,6 +3,7 @@
 
 #include "model/base/ContentHash.h"
 #include "model/base/Parallel.h"
+#include "model/strands/StrandCurves.h"
 
 namespace espalier {
 
@@ -37,7 +38,44 @@ std::uint64_t ownKey(const StrandLayouts& layouts, std::uint32_t node, std::uint
     hash.add(layouts.isDisc(node));
     hash.add(layouts.turn(node).angle());
     hash.add(layouts.scale(node));
+    hash.add(layouts.reach(node));
     addVector(hash, layouts.centre(node));
+    return hash.value();
+}
+
+/// Adds the nodes above @p node that the lines of its strands can pass within @p reach, m.
+void addLinesAbove(ContentHash& hash, const StrandLayouts& layouts, const std::vector<std::uint64_t>& keys,
+                   std::uint32_t node, float reach, std::size_t nodesLeft)
+{
+    const StrandSkeleton& skeleton = layouts.skeleton();
+    for (const std::uint32_t child : skeleton.childrenOf(node)) {
+        hash.add(keys[child]);
+        const float length = (layouts.centre(child) - layouts.centre(node)).norm();
+        if (length < reach && nodesLeft > 0)
+            addLinesAbove(hash, layouts, keys, child, reach - length, nodesLeft - 1);
+    }
+}
+
+/// The keys of what StrandCurves::place depends on: those of a node, and where its strands are rounded, of
+/// all nodes that their lines can pass.
+std::uint64_t placeKey(const StrandLayouts& layouts, const std::vector<std::uint64_t>& keys,
+                       std::uint32_t node)
+{
+    const StrandSkeleton& skeleton = layouts.skeleton();
+    // Rounding of sums must not leave out a node that a line passes.
+    const float reach = 1.01F * layouts.reach(node);
+    if (reach <= 0.0F)
+        return keys[node];
+    ContentHash hash;
+    hash.add(keys[node]);
+    addLinesAbove(hash, layouts, keys, node, reach, StrandCurves::kMostNodes);
+    float left = reach;
+    for (std::size_t i = 0; i < StrandCurves::kMostNodes && left > 0.0F && !skeleton.isBase(node); ++i) {
+        const std::uint32_t below = skeleton.nodes[node].parent;
+        left -= (layouts.centre(node) - layouts.centre(below)).norm();
+        node = below;
+        hash.add(keys[node]);
+    }
     return hash.value();
 }
 
@@ -92,6 +130,12 @@ StrandKeys strandKeys(const StrandLayouts& layouts, const WoodParameters& wood,
             keys[i] = ownKey(layouts, node, contents[layouts.owner(node)]);
         }
     });
+    std::vector<std::uint64_t> places(count);
+    parallelFor(count, kHashesPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            places[i] = placeKey(layouts, keys, static_cast<std::uint32_t>(i));
+    });
+    keys = std::move(places);
     for (int step = 0; step < kNearestReach; ++step)
         keys = spread(skeleton, keys);
     StrandKeys result;
@@ -109,7 +153,8 @@ StrandReuse::StrandReuse(const StrandLayouts& layouts, const WoodParameters& woo
       m_before(layouts.skeleton().nodes.size(), kNoNode),
       m_reach(layouts.skeleton().nodes.size(), 0)
 {
-    if (last == nullptr)
+    // The tubes of a mesh whose outlines were thinned are no longer those that were found.
+    if (last == nullptr || options.tolerance > WoodMeshOptions{}.tolerance)
         return;
     m_before = matchingNodes(layouts.skeleton(), *lastSkeleton);
     for (std::uint32_t i = 0; i < m_before.size(); ++i) {

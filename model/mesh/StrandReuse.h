@@ -13,7 +13,9 @@ namespace espalier {
 /// What a mesh of strands has at a node is a function of the nodes around it. The distance up to which they
 /// matter, in steps from a node to its parent or to a child:
 enum class StrandReach {
-    Positions, ///< 3: tubes, sections and the positions of their vertices
+    /// 3: tubes, sections and the positions of their vertices. Counted from places that are rounded already
+    /// (StrandCurves::place).
+    Positions,
     Triangles, ///< 4: triangles, which also read positions at the node below
     Normals,   ///< 5: normals, which also read triangles at the nodes below and above
 };
@@ -32,7 +34,8 @@ StrandKeys strandKeys(const StrandLayouts& layouts, const WoodParameters& wood,
 /// without.
 class StrandReuse {
 public:
-    /// @p last: the keys of the last mesh, or null, and @p lastSkeleton: its skeleton, which must outlive
+    /// @p last: the keys of the last mesh, which was made with options that are not coarser than the default,
+    /// or null, and @p lastSkeleton: its skeleton, which must outlive
     /// this object.
     StrandReuse(const StrandLayouts& layouts, const WoodParameters& wood, const WoodMeshOptions& options,
                 const StrandKeys* last, const StrandSkeleton* lastSkeleton);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/StrandSections.h"
 
+#include "model/base/LargePages.h"
 #include "model/base/Parallel.h"
 
 #include <algorithm>
@@ -227,6 +228,8 @@ StrandSections::StrandSections(const StrandLayouts& layouts, const StrandTubes& 
     // The vertices that are doubled come to the end later. Unused room costs no memory.
     m_vertices.reserve(total + total / 2);
     m_origins.reserve(total + total / 2);
+    wantLargePages(m_vertices.data(), m_vertices.capacity() * sizeof(MeshVertex));
+    wantLargePages(m_origins.data(), m_origins.capacity() * sizeof(WoodOrigin));
     m_vertices.resize(total);
     m_origins.resize(total);
     parallelFor(m_blocks.size(), kSectionsPerTask, [&](std::size_t begin, std::size_t end) {
@@ -333,6 +336,9 @@ void StrandSections::take(std::uint32_t node, const StrandReuse& reuse, const La
     measure(block.slices, old.slices);
     measure(block.whole, old.whole);
     std::copy_n(last.mesh->vertices.begin() + old.first, block.count, m_vertices.begin() + block.first);
+    for (auto i = std::ranges::lower_bound(last.raised, old.first, {}, &RaisedVertex::vertex);
+         i != last.raised.end() && i->vertex < old.first + block.count; ++i)
+        m_vertices[i->vertex - old.first + block.first].position = i->before;
     std::copy_n(last.mesh->origins.begin() + old.first, block.count, m_origins.begin() + block.first);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/mesh/BranchMesh.h"
+#include "model/mesh/FlatTriangles.h"
 #include "model/mesh/StrandTubes.h"
 #include "model/strands/StrandCurves.h"
 
@@ -51,6 +52,7 @@ public:
     struct Last {
         const std::vector<Block>* blocks = nullptr;
         const BranchMesh* mesh = nullptr;
+        std::span<const RaisedVertex> raised; ///< Those that were moved after the sections had been made
     };
 
     /// Writes the vertices of all sections to @p mesh, which must outlive this object: positions and origins.

@@ -113,16 +113,37 @@ struct Double {
 
 } // namespace
 
+std::vector<std::uint8_t> nodesNear(std::span<const RaisedVertex> raised, const StrandLayouts& layouts,
+                                    const StrandSections& sections)
+{
+    const StrandSkeleton& skeleton = layouts.skeleton();
+    std::vector<std::uint8_t> isNear(skeleton.nodes.size(), 0);
+    std::uint32_t node = 0;
+    for (const RaisedVertex& vertex : raised) {
+        while (vertex.vertex >= sections.block(node).first + sections.block(node).count)
+            ++node;
+        // A triangle at a node reaches to the node below, and to all nodes that stand on that one.
+        const std::uint32_t below = skeleton.nodes[node].parent;
+        isNear[node] = isNear[below] = 1;
+        for (const std::uint32_t of : {node, below}) {
+            for (const std::uint32_t child : skeleton.childrenOf(of))
+                isNear[child] = 1;
+        }
+    }
+    return isNear;
+}
+
 void orientStrands(const StrandLayouts& layouts, const StrandSections& sections,
-                   const StrandTriangles& triangles, const StrandReuse& reuse, const WorkProgress& progress,
-                   BranchMesh& mesh)
+                   const StrandTriangles& triangles, const StrandReuse& reuse,
+                   std::span<const std::uint8_t> isChanged, const WorkProgress& progress, BranchMesh& mesh)
 {
     parallelFor(triangles.nodes.size(), kNodesPerTask, [&](std::size_t begin, std::size_t end) {
         if (progress.isCancelled())
             return;
         NodeOrientation orientation(layouts, sections, triangles, mesh);
         for (std::size_t i = begin; i < end; ++i) {
-            if (const auto node = static_cast<std::uint32_t>(i); !reuse.has(node, StrandReach::Normals))
+            if (const auto node = static_cast<std::uint32_t>(i);
+                isChanged[i] != 0 || !reuse.has(node, StrandReach::Normals))
                 orientation.orient(node);
         }
     });

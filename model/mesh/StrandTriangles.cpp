@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/StrandTriangles.h"
 
+#include "model/base/LargePages.h"
 #include "model/base/Parallel.h"
 #include "model/mesh/LoopStrip.h"
 #include "model/mesh/PlanarPatch.h"
@@ -64,6 +65,8 @@ public:
             node.first = std::exchange(first, first + node.count);
             node.firstLink = std::exchange(firstLink, firstLink + node.linkCount);
         }
+        indices.reserve(3 * std::size_t{first});
+        wantLargePages(indices.data(), indices.capacity() * sizeof(VertexIndex));
         indices.resize(3 * std::size_t{first});
         result.links.resize(firstLink);
         for (Chunk& chunk : m_chunks)
