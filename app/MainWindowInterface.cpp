@@ -171,6 +171,19 @@ void MainWindow::connectViewport()
     // What a tool picks must be there when it changes the tree.
     connect(&viewport, &Viewport::toolAboutToBegin, &m_undoRunner, &UndoRunner::finish);
     connect(&m_strandRunner, &StrandRunner::meshed, &viewport, &Viewport::showStrands);
+    connect(&m_strandRunner, &StrandRunner::cancelled, &viewport,
+            [&viewport] { viewport.showStrands(nullptr, ~std::uint64_t{0}); });
+    connect(&m_strandRunner, &StrandRunner::progressed, &m_workspace->notice(), [this](double share) {
+        const QString text = tr("Making the wood of strands");
+        Notice& notice = m_workspace->notice();
+        // Messages and questions stay.
+        if (!notice.isVisible() || notice.text() == text)
+            notice.showProgress(text, share, [this] { m_strandRunner.cancel(); });
+    });
+    connect(&m_strandRunner, &StrandRunner::ended, &m_workspace->notice(), [this] {
+        if (m_workspace->notice().text() == tr("Making the wood of strands"))
+            m_workspace->notice().finishProgress();
+    });
     m_strandRunner.ask(); // The interface may be made anew around a tree with strands
     // An eraser or another hand's gesture must find the tree at rest.
     connect(&viewport, &Viewport::gestureActiveChanged, &m_lassoRunner, [this](bool active) {

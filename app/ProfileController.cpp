@@ -84,10 +84,10 @@ void ProfileController::work()
     m_isWorking = true;
     runInBackground(
         this,
-        [tree = m_document.tree()] {
+        [tree = m_document.tree(), last = m_layouts] {
             return leavingOneThread([&] {
                 const TreeIndex index(tree);
-                return std::make_shared<const StrandLayouts>(tree, index, Widths(tree, index));
+                return std::make_shared<const StrandLayouts>(tree, index, Widths(tree, index), last.get());
             });
         },
         [this, stamp = m_stamp](std::shared_ptr<const StrandLayouts> layouts) {

@@ -16,8 +16,8 @@ struct BranchMesh : TriangleMesh {
         std::uint32_t firstIndex = 0;
         MeshSize size{};
     };
-    std::vector<Part> parts;         ///< By ascending base
-    std::vector<WoodOrigin> origins; ///< Of the vertices
+    std::vector<Part> parts;        ///< By ascending base
+    MeshBuffer<WoodOrigin> origins; ///< Of the vertices
 };
 
 } // namespace espalier

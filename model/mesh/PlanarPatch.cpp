@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace espalier {
 
@@ -25,6 +24,64 @@ std::uint64_t pairOf(std::uint32_t a, std::uint32_t b)
 
 } // namespace
 
+void PlanarPatch::EdgeSet::clear(std::size_t points)
+{
+    // Each point begins an edge of its outline and, in a triangulation, about two more.
+    std::size_t size = 64;
+    while (size < 6 * points)
+        size *= 2;
+    // A table that is far too large would take longer to clear.
+    if (size > m_keys.size() || 8 * size < m_keys.size())
+        m_keys.resize(size);
+    std::ranges::fill(m_keys, kFree);
+    m_count = 0;
+}
+
+std::size_t PlanarPatch::EdgeSet::placeOf(std::uint64_t key) const
+{
+    const std::size_t mask = m_keys.size() - 1;
+    auto place = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15U) >> 32U) & mask;
+    while (m_keys[place] != kFree && m_keys[place] != key)
+        place = (place + 1) & mask;
+    return place;
+}
+
+void PlanarPatch::EdgeSet::insert(std::uint32_t a, std::uint32_t b)
+{
+    const std::uint64_t key = pairOf(std::min(a, b), std::max(a, b));
+    const std::size_t place = placeOf(key);
+    if (m_keys[place] == key)
+        return;
+    m_keys[place] = key;
+    if (2 * ++m_count > m_keys.size())
+        grow();
+}
+
+void PlanarPatch::EdgeSet::erase(std::uint32_t a, std::uint32_t b)
+{
+    const std::uint64_t key = pairOf(std::min(a, b), std::max(a, b));
+    if (const std::size_t place = placeOf(key); m_keys[place] == key)
+        m_keys[place] = kErased;
+}
+
+bool PlanarPatch::EdgeSet::contains(std::uint32_t a, std::uint32_t b) const
+{
+    const std::uint64_t key = pairOf(std::min(a, b), std::max(a, b));
+    return m_keys[placeOf(key)] == key;
+}
+
+void PlanarPatch::EdgeSet::grow()
+{
+    const std::vector<std::uint64_t> keys = std::exchange(m_keys, std::vector(2 * m_keys.size(), kFree));
+    m_count = 0;
+    for (const std::uint64_t key : keys) {
+        if (key == kFree || key == kErased)
+            continue;
+        m_keys[placeOf(key)] = key;
+        ++m_count;
+    }
+}
+
 void PlanarPatch::triangulate(std::span<const Outline> whole, std::span<const Outline> parts,
                               Triangles& triangles)
 {
@@ -43,7 +100,12 @@ void PlanarPatch::collect(std::span<const Outline> whole, std::span<const Outlin
     m_strands.clear();
     m_next.clear();
     m_before.clear();
-    m_edges.clear();
+    std::size_t points = 0;
+    for (const std::span<const Outline> outlines : {whole, parts}) {
+        for (const Outline& outline : outlines)
+            points += outline.points.size();
+    }
+    m_edges.clear(points);
     const auto add = [&](const Outline& outline) {
         const auto first = static_cast<std::uint32_t>(m_points.size());
         const auto count = static_cast<std::uint32_t>(outline.points.size());
@@ -65,17 +127,21 @@ void PlanarPatch::collect(std::span<const Outline> whole, std::span<const Outlin
 
 void PlanarPatch::joinEqualEdges(Triangles& triangles)
 {
-    std::unordered_map<std::uint64_t, std::uint32_t> ofParts;
+    m_ofParts.clear();
     for (std::uint32_t point = m_firstPart; point < m_points.size(); ++point) {
         if (m_strands[point] != kNoStrand && m_strands[m_next[point]] != kNoStrand)
-            ofParts.emplace(pairOf(m_strands[point], m_strands[m_next[point]]), point);
+            m_ofParts.emplace_back(pairOf(m_strands[point], m_strands[m_next[point]]), point);
     }
+    std::ranges::sort(m_ofParts);
     for (std::uint32_t point = 0; point < m_firstPart; ++point) {
         const std::uint32_t next = m_next[point];
         if (m_strands[point] == kNoStrand || m_strands[next] == kNoStrand)
             continue;
-        const auto found = ofParts.find(pairOf(m_strands[point], m_strands[next]));
-        if (found == ofParts.end() || m_partner[found->second] != kNoStrand)
+        // Of equal edges the first one.
+        const std::uint64_t edge = pairOf(m_strands[point], m_strands[next]);
+        const auto found =
+            std::ranges::lower_bound(m_ofParts, edge, {}, &std::pair<std::uint64_t, std::uint32_t>::first);
+        if (found == m_ofParts.end() || found->first != edge || m_partner[found->second] != kNoStrand)
             continue;
         const std::uint32_t inner = found->second;
         m_partner[point] = inner;
@@ -166,7 +232,7 @@ void PlanarPatch::openFaceNear(const Vec2& place, Triangles& triangles)
     const std::uint32_t inner = m_partner[nearest];
     std::erase(triangles, std::array{nearest, next, inner});
     std::erase(triangles, std::array{next, m_next[inner], inner});
-    m_edges.erase(pairOf(std::min(next, inner), std::max(next, inner)));
+    m_edges.erase(next, inner);
     m_faces.push_back({nearest, next, m_next[inner], inner});
 }
 
@@ -313,7 +379,8 @@ void PlanarPatch::clip(const Face& face, Triangles& triangles)
         m_corners[i] = {face[i], (i + count - 1) % count, (i + 1) % count, false};
     }
     // The shortest new edge of each ear; no ear: infinity.
-    std::vector<double> cost(count);
+    std::vector<double>& cost = m_cost;
+    cost.resize(count);
     const auto measure = [&](std::uint32_t i) {
         const Corner& c = m_corners[i];
         cost[i] = isEar(i, true) ? (m_points[m_corners[c.before].point] - m_points[m_corners[c.after].point])
@@ -391,12 +458,12 @@ bool PlanarPatch::contains(const Face& face, const Vec2& point) const
 
 void PlanarPatch::noteEdge(std::uint32_t a, std::uint32_t b)
 {
-    m_edges.insert(pairOf(std::min(a, b), std::max(a, b)));
+    m_edges.insert(a, b);
 }
 
 bool PlanarPatch::hasEdge(std::uint32_t a, std::uint32_t b) const
 {
-    return m_edges.contains(pairOf(std::min(a, b), std::max(a, b)));
+    return m_edges.contains(a, b);
 }
 
 } // namespace espalier

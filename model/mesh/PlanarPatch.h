@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <unordered_set>
 #include <vector>
 
 namespace espalier {
@@ -44,6 +43,27 @@ private:
     /// A closed polygon that is left to be triangulated, as points.
     using Face = std::vector<std::uint32_t>;
 
+    /// A set of pairs of points in a table that is kept from patch to patch.
+    class EdgeSet {
+    public:
+        /// @p points: about how many points the edges have.
+        void clear(std::size_t points);
+        void insert(std::uint32_t a, std::uint32_t b);
+        void erase(std::uint32_t a, std::uint32_t b);
+        bool contains(std::uint32_t a, std::uint32_t b) const;
+
+    private:
+        static constexpr std::uint64_t kFree = std::numeric_limits<std::uint64_t>::max();
+        static constexpr std::uint64_t kErased = kFree - 1;
+
+        /// The place of a key, or the free one where it would be.
+        std::size_t placeOf(std::uint64_t key) const;
+        void grow();
+
+        std::vector<std::uint64_t> m_keys = std::vector<std::uint64_t>(64, kFree); ///< A power of two of them
+        std::size_t m_count = 0;                                                   ///< That are not free
+    };
+
     void collect(std::span<const Outline> whole, std::span<const Outline> parts);
     void joinEqualEdges(Triangles& triangles);
     void traceFaces();
@@ -67,7 +87,9 @@ private:
     std::uint32_t m_firstPart = 0; ///< The first point of the parts
     std::vector<Face> m_faces;
     std::vector<Face> m_holes;
-    std::unordered_set<std::uint64_t> m_edges; ///< Edges between the outlines, with the smaller point first
+    EdgeSet m_edges;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> m_ofParts; ///< Pairs of strands, and points
+    std::vector<double> m_cost;
     std::vector<Corner> m_corners;
 };
 

@@ -3,9 +3,10 @@
 
 #include "model/base/Parallel.h"
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace espalier {
 
@@ -14,22 +15,23 @@ namespace {
 using Slice = StrandSections::Slice;
 using Loop = StrandSections::Loop;
 
-constexpr std::size_t kVerticesPerTask = 1 << 14;
+/// Branches with less than this share of the vertices are assigned each by one thread.
+constexpr std::uint64_t kParts = 64;
 /// Of what is uneven in u, 1/e is left after so many perimeters along the branch.
 constexpr float kEvenAfter = 0.3F;
 
-/// Assigns u and v, bases first.
+/// Assigns u and v. For one thread; several of them can share @p repeats.
 class BarkCoordinates {
 public:
     BarkCoordinates(const StrandLayouts& layouts, const StrandTubes& tubes, const StrandSections& sections,
-                    const TreeParameters& parameters, BranchMesh& mesh)
+                    const TreeParameters& parameters, BranchMesh& mesh, std::vector<float>& repeats)
         : m_layouts(layouts),
           m_skeleton(layouts.skeleton()),
           m_tubes(tubes),
           m_sections(sections),
           m_scale(static_cast<float>(parameters.bark.scale)),
           m_mesh(mesh),
-          m_repeats(tubes.nodes.size(), 1.0F)
+          m_repeats(repeats)
     {
         std::uint32_t most = 0;
         for (const StrandNode& node : m_skeleton.nodes)
@@ -39,9 +41,10 @@ public:
         m_stamp.assign(most, 0);
     }
 
-    void assign()
+    /// Assigns those of @p nodes; those of the nodes below them come first.
+    void assign(std::span<const std::uint32_t> nodes)
     {
-        for (std::uint32_t node = 0; node < m_tubes.nodes.size(); ++node) {
+        for (const std::uint32_t node : nodes) {
             if (m_skeleton.isBase(node))
                 assignBase(node);
             else
@@ -311,7 +314,7 @@ private:
     const StrandSections& m_sections;
     float m_scale;
     BranchMesh& m_mesh;
-    std::vector<float> m_repeats;    ///< By node: of the texture around it
+    std::vector<float>& m_repeats;   ///< By node: of the texture around it
     std::vector<float> m_known;      ///< u by strand, where m_stamp is the present round
     std::vector<VertexIndex> m_last; ///< Vertex of the strand that was learned last, likewise
     std::vector<std::uint32_t> m_stamp;
@@ -321,98 +324,58 @@ private:
     std::vector<float> m_rises;         ///< Of u, from each of them to the next
 };
 
-/// Normals by the areas of the triangles around a vertex.
-void addNormals(BranchMesh& mesh)
-{
-    std::vector<Vec3> sums(mesh.vertices.size(), Vec3(Vec3::Zero()));
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const VertexIndex a = mesh.indices[i];
-        const VertexIndex b = mesh.indices[i + 1];
-        const VertexIndex c = mesh.indices[i + 2];
-        const Vec3 p = toVec3(mesh.vertices[a].position);
-        const Vec3 normal =
-            (toVec3(mesh.vertices[b].position) - p).cross(toVec3(mesh.vertices[c].position) - p);
-        sums[a] += normal;
-        sums[b] += normal;
-        sums[c] += normal;
-    }
-    parallelFor(mesh.vertices.size(), kVerticesPerTask, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const float length = sums[i].norm();
-            mesh.vertices[i].normal = toArray(length > 0.0F ? Vec3(sums[i] / length) : up());
-        }
-    });
-}
+/// Parts of a tree whose bark can be assigned at the same time, after that of the nodes below them.
+struct BarkParts {
+    std::vector<std::uint32_t> below; ///< Nodes that carry much, bases first
+    std::vector<std::vector<std::uint32_t>>
+        branches; ///< The nodes of each branch above them, from its base on
+};
 
-/// Tangents along the loops; the bitangent then rises with the branch.
-void addTangents(const StrandTubes& tubes, const StrandSections& sections, BranchMesh& mesh)
+BarkParts barkParts(const StrandSkeleton& skeleton, const StrandSections& sections)
 {
-    const auto set = [&](VertexIndex vertex, const Vec3& along) {
-        MeshVertex& v = mesh.vertices[vertex];
-        const Vec3 normal = toVec3(v.normal);
-        Vec3 tangent = along - normal.dot(along) * normal;
-        const float length = tangent.norm();
-        tangent = length > 1e-9F ? Vec3(tangent / length) : anyPerpendicular(normal);
-        v.tangent = {tangent.x(), tangent.y(), tangent.z(), -1.0F};
-    };
-    const auto setLoops = [&](std::span<const Slice> slices) {
-        for (const Slice& slice : slices) {
-            for (const Loop& loop : slice.loops) {
-                for (std::uint32_t i = 0; i < loop.count; ++i)
-                    set(loop.first + i,
-                        sections.position(loop.first + (i + 1) % loop.count) -
-                            sections.position(loop.first + (i + loop.count - 1) % loop.count));
-            }
-        }
-    };
-    parallelFor(tubes.nodes.size(), 256, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const StrandSections::Block& block = sections.block(static_cast<std::uint32_t>(i));
-            setLoops(block.slices);
-            setLoops(block.whole);
-            if (block.hasApex) {
-                const Loop& loop = block.top().loops.front();
-                set(block.apex, sections.position(loop.first + 1) - sections.position(loop.first));
-            }
-        }
-    });
-}
-
-/// Doubles the vertices of triangles across which u starts again.
-void splitSeams(BranchMesh& mesh)
-{
-    std::unordered_map<std::uint64_t, VertexIndex> doubles;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const float u = mesh.vertices[mesh.indices[i]].uv[0];
-        for (std::size_t k = 1; k < 3; ++k) {
-            const VertexIndex vertex = mesh.indices[i + k];
-            const float turns = std::round(u - mesh.vertices[vertex].uv[0]);
-            if (turns == 0.0F)
-                continue;
-            const auto key =
-                (std::uint64_t{vertex} << 32U) | static_cast<std::uint32_t>(static_cast<std::int32_t>(turns));
-            const auto [found, isNew] =
-                doubles.try_emplace(key, static_cast<VertexIndex>(mesh.vertices.size()));
-            if (isNew) {
-                MeshVertex copy = mesh.vertices[vertex];
-                copy.uv[0] += turns;
-                mesh.vertices.push_back(copy);
-                mesh.origins.push_back(WoodOrigin(mesh.origins[vertex]));
-            }
-            mesh.indices[i + k] = found->second;
-        }
+    const std::size_t count = skeleton.nodes.size();
+    std::vector<std::uint64_t> vertices(count, 0); // Of a node and all above it
+    std::uint64_t total = 0;
+    for (std::size_t i = count; i-- > 0;) {
+        const auto node = static_cast<std::uint32_t>(i);
+        vertices[i] += sections.block(node).count;
+        total += sections.block(node).count;
+        if (!skeleton.isBase(node))
+            vertices[skeleton.nodes[i].parent] += vertices[i];
     }
+    BarkParts parts;
+    constexpr std::uint32_t kBelow = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> part(count, kBelow);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t parent = skeleton.nodes[i].parent;
+        if (parent != i && part[parent] != kBelow) {
+            part[i] = part[parent];
+        } else if (vertices[i] * kParts > total) {
+            parts.below.push_back(i);
+            continue;
+        } else {
+            part[i] = static_cast<std::uint32_t>(parts.branches.size());
+            parts.branches.emplace_back();
+        }
+        parts.branches[part[i]].push_back(i);
+    }
+    return parts;
 }
 
 } // namespace
 
-void dressStrands(const StrandLayouts& layouts, const StrandTubes& tubes, const StrandSections& sections,
-                  const TreeParameters& parameters, BranchMesh& mesh)
+void barkStrands(const StrandLayouts& layouts, const StrandTubes& tubes, const StrandSections& sections,
+                 const TreeParameters& parameters, BranchMesh& mesh)
 {
-    addNormals(mesh);
-    BarkCoordinates(layouts, tubes, sections, parameters, mesh).assign();
-    addTangents(tubes, sections, mesh);
-    splitSeams(mesh);
+    std::vector<float> repeats(tubes.nodes.size(), 1.0F);
+    tbb::enumerable_thread_specific<BarkCoordinates> coordinates(
+        [&] { return BarkCoordinates(layouts, tubes, sections, parameters, mesh, repeats); });
+    const BarkParts parts = barkParts(layouts.skeleton(), sections);
+    coordinates.local().assign(parts.below);
+    parallelFor(parts.branches.size(), 1, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            coordinates.local().assign(parts.branches[i]);
+    });
 }
 
 } // namespace espalier

@@ -6,13 +6,12 @@
 
 namespace espalier {
 
-/// Completes the vertices of @p mesh, which has their positions and all triangles: normals, texture
-/// coordinates and tangents. Where u starts again around a bundle, vertices are doubled and appended.
+/// Sets the texture coordinates of the vertices of @p mesh.
 ///
 /// A vertex keeps the u of its strand from one section to the next, so the bark turns with the strands and
 /// has no seam at forks; vertices of strands that come to the surface get a u between those of their
 /// neighbours. The texture repeats a whole number of times around each bundle.
-void dressStrands(const StrandLayouts& layouts, const StrandTubes& tubes, const StrandSections& sections,
-                  const TreeParameters& parameters, BranchMesh& mesh);
+void barkStrands(const StrandLayouts& layouts, const StrandTubes& tubes, const StrandSections& sections,
+                 const TreeParameters& parameters, BranchMesh& mesh);
 
 } // namespace espalier

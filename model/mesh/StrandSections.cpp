@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/StrandSections.h"
 
+#include "model/base/LargePages.h"
 #include "model/base/Parallel.h"
 
 #include <algorithm>
@@ -206,11 +207,14 @@ private:
 };
 
 StrandSections::StrandSections(const StrandLayouts& layouts, const StrandTubes& tubes,
-                               const TreeParameters& parameters)
+                               const TreeParameters& parameters, const StrandReuse& reuse, const Last& last,
+                               const WorkProgress& progress, BranchMesh& mesh)
     : m_layouts(layouts),
       m_tubes(tubes),
       m_smoothing(static_cast<float>(parameters.wood.smoothing)),
-      m_blocks(tubes.nodes.size())
+      m_blocks(tubes.nodes.size()),
+      m_vertices(mesh.vertices),
+      m_origins(mesh.origins)
 {
     parallelFor(m_blocks.size(), kSectionsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -221,9 +225,16 @@ StrandSections::StrandSections(const StrandLayouts& layouts, const StrandTubes& 
         block.first = total;
         total += block.count;
     }
+    // The vertices that are doubled come to the end later. Unused room costs no memory.
+    m_vertices.reserve(total + total / 2);
+    m_origins.reserve(total + total / 2);
+    wantLargePages(m_vertices.data(), m_vertices.capacity() * sizeof(MeshVertex));
+    wantLargePages(m_origins.data(), m_origins.capacity() * sizeof(WoodOrigin));
     m_vertices.resize(total);
     m_origins.resize(total);
     parallelFor(m_blocks.size(), kSectionsPerTask, [&](std::size_t begin, std::size_t end) {
+        if (progress.isCancelled())
+            return;
         for (std::size_t i = begin; i < end; ++i) {
             Block& block = m_blocks[i];
             const auto shift = [&](std::vector<Slice>& slices) {
@@ -235,7 +246,10 @@ StrandSections::StrandSections(const StrandLayouts& layouts, const StrandTubes& 
             shift(block.slices);
             shift(block.whole);
             block.apex += block.first;
-            Writer(*this, static_cast<std::uint32_t>(i)).write();
+            if (const auto node = static_cast<std::uint32_t>(i); reuse.has(node, StrandReach::Positions))
+                take(node, reuse, last);
+            else
+                Writer(*this, node).write();
         }
     });
 }
@@ -306,6 +320,26 @@ void StrandSections::plan(std::uint32_t node)
     block.hasApex = skeleton.nodes[node].childCount == 0 || (isBase && m_layouts.isDisc(node));
     if (block.hasApex)
         block.apex = block.count++;
+}
+
+/// Takes what write() would write from the last mesh.
+void StrandSections::take(std::uint32_t node, const StrandReuse& reuse, const Last& last)
+{
+    Block& block = m_blocks[node];
+    const Block& old = (*last.blocks)[reuse.before(node)];
+    const auto measure = [](std::vector<Slice>& slices, const std::vector<Slice>& before) {
+        for (std::size_t i = 0; i < slices.size(); ++i) {
+            slices[i].centre = before[i].centre;
+            slices[i].radius = before[i].radius;
+        }
+    };
+    measure(block.slices, old.slices);
+    measure(block.whole, old.whole);
+    std::copy_n(last.mesh->vertices.begin() + old.first, block.count, m_vertices.begin() + block.first);
+    for (auto i = std::ranges::lower_bound(last.raised, old.first, {}, &RaisedVertex::vertex);
+         i != last.raised.end() && i->vertex < old.first + block.count; ++i)
+        m_vertices[i->vertex - old.first + block.first].position = i->before;
+    std::copy_n(last.mesh->origins.begin() + old.first, block.count, m_origins.begin() + block.first);
 }
 
 std::vector<Vec2> StrandSections::plane(const Loop& loop) const

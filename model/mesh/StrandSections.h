@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/mesh/BranchMesh.h"
+#include "model/mesh/FlatTriangles.h"
 #include "model/mesh/StrandTubes.h"
 #include "model/strands/StrandCurves.h"
 
@@ -46,7 +48,19 @@ public:
         const Slice& top() const { return whole.back(); }
     };
 
-    StrandSections(const StrandLayouts& layouts, const StrandTubes& tubes, const TreeParameters& parameters);
+    /// The sections of the last mesh.
+    struct Last {
+        const std::vector<Block>* blocks = nullptr;
+        const BranchMesh* mesh = nullptr;
+        std::span<const RaisedVertex> raised; ///< Those that were moved after the sections had been made
+    };
+
+    /// Writes the vertices of all sections to @p mesh, which must outlive this object: positions and origins.
+    /// Those of nodes that @p reuse has come from @p last as they are. If @p progress is cancelled
+    /// meanwhile, the result is of no use.
+    StrandSections(const StrandLayouts& layouts, const StrandTubes& tubes, const TreeParameters& parameters,
+                   const StrandReuse& reuse, const Last& last, const WorkProgress& progress,
+                   BranchMesh& mesh);
 
     const Block& block(std::uint32_t node) const { return m_blocks[node]; }
     std::span<const std::uint32_t> strands(const Loop& loop) const
@@ -57,21 +71,20 @@ public:
     /// Coordinates of a loop's strands in the section of its node, before the node's turn.
     std::vector<Vec2> plane(const Loop& loop) const;
     Vec3 position(VertexIndex vertex) const { return toVec3(m_vertices[vertex].position); }
-    /// With positions only.
-    const MeshBuffer<MeshVertex>& vertices() const { return m_vertices; }
-    const std::vector<WoodOrigin>& origins() const { return m_origins; }
+    std::vector<Block> takeBlocks() { return std::move(m_blocks); }
 
 private:
     class Writer;
 
     void plan(std::uint32_t node);
+    void take(std::uint32_t node, const StrandReuse& reuse, const Last& last);
 
     const StrandLayouts& m_layouts;
     const StrandTubes& m_tubes;
     float m_smoothing;
     std::vector<Block> m_blocks;
-    MeshBuffer<MeshVertex> m_vertices;
-    std::vector<WoodOrigin> m_origins;
+    MeshBuffer<MeshVertex>& m_vertices;
+    MeshBuffer<WoodOrigin>& m_origins;
 };
 
 } // namespace espalier

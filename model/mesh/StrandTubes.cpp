@@ -38,13 +38,18 @@ int sidesOf(float radius, double tolerance)
 class TubeFinder {
 public:
     TubeFinder(const StrandLayouts& layouts, const WoodParameters& wood, const WoodMeshOptions& options,
+               const StrandReuse& reuse, const StrandTubes* last, const WorkProgress& progress,
                StrandTubes& result)
         : m_layouts(layouts),
           m_skeleton(layouts.skeleton()),
           m_alpha(static_cast<float>(wood.alpha)),
           m_tolerance(std::max(options.tolerance, WoodMeshOptions::kFinest)),
+          m_reuse(reuse),
+          m_progress(progress),
+          m_last(last),
           m_thinning(static_cast<float>(options.tolerance - WoodMeshOptions{}.tolerance)),
           m_result(result),
+          m_divides(layouts.skeleton().nodes.size(), 0),
           m_sections(layouts.skeleton().nodes.size())
     {
     }
@@ -52,9 +57,16 @@ public:
     void find()
     {
         m_result.nodes.resize(m_skeleton.nodes.size());
-        forEachNode([this](std::uint32_t node) { outline(node); });
-        forEachNode([this](std::uint32_t node) { divide(node); });
-        forEachNode([this](std::uint32_t node) { chooseSteps(node); });
+        forEachNode([this](std::uint32_t node) { m_divides[node] = isDividedAnew(node) ? 1 : 0; });
+        forEachNode([this](std::uint32_t node) { begin(node); });
+        const auto forEachDivided = [this](auto&& work) {
+            forEachNode([&](std::uint32_t node) {
+                if (m_divides[node] != 0)
+                    work(node);
+            });
+        };
+        forEachDivided([this](std::uint32_t node) { divide(node); });
+        forEachDivided([this](std::uint32_t node) { chooseSteps(node); });
         if (m_thinning > 0.0F)
             forEachNode([this](std::uint32_t node) { thin(node); });
     }
@@ -62,6 +74,7 @@ public:
 private:
     struct Scratch {
         NodeSection section;
+        std::uint32_t sectionNode = NodeSection::kNoPart; ///< Whose section that is
         std::vector<std::uint32_t> labels;
         std::vector<float> gaps;
     };
@@ -70,9 +83,48 @@ private:
     void forEachNode(Work&& work)
     {
         parallelFor(m_skeleton.nodes.size(), kPlansPerTask, [&](std::size_t begin, std::size_t end) {
+            if (m_progress.isCancelled())
+                return;
             for (std::size_t i = begin; i < end; ++i)
                 work(static_cast<std::uint32_t>(i));
         });
+    }
+
+    bool isTaken(std::uint32_t node) const { return m_reuse.has(node, StrandReach::Positions); }
+    /// Whether the tubes above a node are found: those of all its children, since they are found together.
+    bool isDividedAnew(std::uint32_t node) const
+    {
+        return !isTaken(node) || !std::ranges::all_of(m_skeleton.childrenOf(node),
+                                                      [&](std::uint32_t child) { return isTaken(child); });
+    }
+    bool isBelowDividedAnew(std::uint32_t node) const
+    {
+        return !m_skeleton.isBase(node) && m_divides[m_skeleton.nodes[node].parent] != 0;
+    }
+
+    /// Takes a node over from the last mesh, or finds its outline.
+    void begin(std::uint32_t node)
+    {
+        StrandTubes::Node& n = m_result.nodes[node];
+        const bool hasTubes = isBelowDividedAnew(node);
+        if ((m_divides[node] != 0 || hasTubes) && m_layouts.strandCount(node) >= kFewStrands &&
+            !m_layouts.isDisc(node)) {
+            m_sections[node] = std::make_unique<NodeSection>();
+            m_sections[node]->set(m_layouts, node, m_alpha);
+        }
+        if (!isTaken(node)) {
+            outline(node);
+            return;
+        }
+        n = m_last->nodes[m_reuse.before(node)];
+        if (hasTubes) {
+            n.tubes.clear();
+            n.continuesBelow = true;
+        }
+        if (m_divides[node] != 0) {
+            n.continuesAbove = true;
+            n.joined = 0;
+        }
     }
 
     /// The section of a node: kept if it is triangulated, else made anew.
@@ -80,9 +132,12 @@ private:
     {
         if (m_sections[node])
             return *m_sections[node];
-        NodeSection& made = m_scratch.local().section;
-        made.set(m_layouts, node, m_alpha);
-        return made;
+        Scratch& scratch = m_scratch.local();
+        if (scratch.sectionNode != node) {
+            scratch.section.set(m_layouts, node, m_alpha);
+            scratch.sectionNode = node;
+        }
+        return scratch.section;
     }
 
     void outline(std::uint32_t node)
@@ -91,10 +146,6 @@ private:
         n.ringSides = sidesOf(m_skeleton.nodes[node].radius, m_tolerance);
         if (m_layouts.strandCount(node) < kFewStrands)
             return;
-        if (!m_layouts.isDisc(node)) {
-            m_sections[node] = std::make_unique<NodeSection>();
-            m_sections[node]->set(m_layouts, node, m_alpha);
-        }
         n.whole.loops = section(node).outline();
         // Cavities end at the ground.
         if (m_skeleton.isBase(node))
@@ -237,8 +288,7 @@ private:
             tube.below = m_result.nodes[node].whole;
             return;
         }
-        const std::vector<std::uint32_t> copy = labels; // section() may be that of another node meanwhile
-        tube.below.loops = section(node).boundary(copy, label);
+        tube.below.loops = section(node).boundary(labels, label);
         keepLargest(tube.below.loops, !m_layouts.isDisc(node));
         for (SectionLoop& loop : tube.below.loops) {
             for (std::uint32_t& strand : loop.strands)
@@ -363,7 +413,7 @@ private:
             const StrandNode& c = m_skeleton.nodes[children[i]];
             std::fill_n(scratch.labels.begin() + c.offset, c.strands, i);
         }
-        const std::vector<std::uint32_t> labels = scratch.labels;
+        const std::vector<std::uint32_t>& labels = scratch.labels;
         const NodeSection& seams = section(node);
         for (int step = 1; step <= steps - 2; ++step) {
             const float t = static_cast<float>(step) / static_cast<float>(steps);
@@ -392,8 +442,12 @@ private:
     const StrandSkeleton& m_skeleton;
     float m_alpha;
     double m_tolerance;
+    const StrandReuse& m_reuse;
+    const WorkProgress& m_progress;
+    const StrandTubes* m_last;
     float m_thinning; ///< Tolerance of the outlines, m: where it is above 0, some strands are left out
     StrandTubes& m_result;
+    std::vector<std::uint8_t> m_divides;                  ///< By node: whether the tubes above it are found
     std::vector<std::unique_ptr<NodeSection>> m_sections; ///< Those that are triangulated
     tbb::enumerable_thread_specific<Scratch> m_scratch;
 };
@@ -401,10 +455,11 @@ private:
 } // namespace
 
 StrandTubes strandTubes(const StrandLayouts& layouts, const WoodParameters& wood,
-                        const WoodMeshOptions& options)
+                        const WoodMeshOptions& options, const StrandReuse& reuse, const StrandTubes* last,
+                        const WorkProgress& progress)
 {
     StrandTubes tubes;
-    TubeFinder(layouts, wood, options, tubes).find();
+    TubeFinder(layouts, wood, options, reuse, last, progress, tubes).find();
     return tubes;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/WorkProgress.h"
+#include "model/mesh/StrandReuse.h"
 #include "model/mesh/WoodMesher.h"
 #include "model/strands/NodeSection.h"
 
@@ -43,7 +45,9 @@ struct StrandTubes {
     std::vector<Node> nodes; ///< As those of the layouts
 };
 
+/// Nodes that @p reuse has come from @p last. If @p progress is cancelled meanwhile, the result is of no use.
 StrandTubes strandTubes(const StrandLayouts& layouts, const WoodParameters& wood,
-                        const WoodMeshOptions& options);
+                        const WoodMeshOptions& options, const StrandReuse& reuse, const StrandTubes* last,
+                        const WorkProgress& progress);
 
 } // namespace espalier

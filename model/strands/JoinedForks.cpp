@@ -185,9 +185,11 @@ private:
             path = std::max(step.path, path + kLeastGap * m_nodes[fork].radius);
             const std::uint32_t na = a.nodes[a.indexAt(step.path)];
             const std::uint32_t nb = b.nodes[b.indexAt(step.path)];
-            const auto sa = static_cast<float>(m_strands[na]);
-            const auto sb = static_cast<float>(m_strands[nb]);
-            places.push_back({Vec3((sa * a.at(path) + sb * b.at(path)) / (sa + sb)),
+            // By the thickness and not by the strands, so that a twig that is pruned further up moves
+            // nothing.
+            const float wa = m_nodes[na].radius * m_nodes[na].radius;
+            const float wb = m_nodes[nb].radius * m_nodes[nb].radius;
+            places.push_back({Vec3((wa * a.at(path) + wb * b.at(path)) / (wa + wb)),
                               std::hypot(m_nodes[na].radius, m_nodes[nb].radius),
                               m_strands[na] + m_strands[nb]});
         }

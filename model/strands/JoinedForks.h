@@ -8,7 +8,7 @@ namespace espalier {
 
 /// Moves forks up to where their branches are further apart than α (Strands 2024, figure 8): as far as two
 /// branches of a fork diverge by less, what passes their nodes is one bundle. Its nodes lie between those of
-/// the two, weighted by their strands. Branches that leave much thicker wood, or turn aside, part at once.
+/// the two, weighted by their thickness. Branches that leave much thicker wood, or turn aside, part at once.
 ///
 /// Precondition: parents come before children, and children are not linked yet. Postcondition: the same.
 void joinForks(StrandSkeleton& skeleton, const WoodParameters& wood);

@@ -68,9 +68,10 @@ public:
         return children[low];
     }
 
-private:
+    /// The mean includes the line through so many nodes at most, to either side.
     static constexpr std::size_t kMostNodes = 16;
 
+private:
     /// A part of a strand's line from a node away, through so many nodes at most.
     struct Line {
         std::array<Vec3, kMostNodes> points;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/strands/StrandLayouts.h"
 
+#include "model/base/ContentHash.h"
 #include "model/base/Parallel.h"
 #include "model/strands/BundleMerge.h"
 #include "model/strands/DiscGrid.h"
@@ -29,6 +30,8 @@ constexpr float kDirectionRadii = 1.5F;
 constexpr int kDirectionNodes = 16;
 /// The shift of a branch onto the surface of the one below it fades over this many radii of that one.
 constexpr float kShiftRadii = 2.5F;
+/// A shift below this share of that length counts as none.
+constexpr float kLeastShift = 0.003F;
 /// How far strands are rounded, in radii of the wood.
 constexpr float kReachRadii = 1.5F;
 /// The trunk's flare ends at this height, in radii.
@@ -38,8 +41,13 @@ constexpr float kFlareRadii = 3.5F;
 /// Makes the layouts, tips first.
 class StrandLayouts::Builder {
 public:
-    Builder(const Tree& tree, StrandLayouts& layouts)
-        : m_tree(tree), m_wood(tree.parameters().wood), m_layouts(layouts), m_skeleton(layouts.m_skeleton)
+    Builder(const Tree& tree, const StrandLayouts* last, const WorkProgress* progress, StrandLayouts& layouts)
+        : m_tree(tree),
+          m_wood(tree.parameters().wood),
+          m_last(last),
+          m_progress(progress),
+          m_layouts(layouts),
+          m_skeleton(layouts.m_skeleton)
     {
         const double share = 1.0 - std::exp(-m_wood.steps / kStepsToRest);
         m_share = share > kAtRest ? 1.0F : static_cast<float>(share);
@@ -49,11 +57,16 @@ public:
     {
         chooseOwners();
         reserve();
+        if (m_last != nullptr)
+            m_before = matchingNodes(m_skeleton, m_last->m_skeleton);
         for (const std::vector<std::uint32_t>& round : rounds()) {
             parallelFor(round.size(), kNodesPerTask, [&](std::size_t begin, std::size_t end) {
                 Scratch& scratch = m_scratch.local();
-                for (std::size_t i = begin; i < end; ++i)
+                for (std::size_t i = begin; i < end; ++i) {
+                    if (m_progress != nullptr && m_progress->isCancelled())
+                        return;
                     arrange(round[i], scratch);
+                }
             });
         }
         // The others, bases last to first, after the nodes that they share with.
@@ -132,7 +145,11 @@ private:
         }
         m_layouts.m_places.resize(places);
         m_layouts.m_slots.resize(slots);
-        m_layouts.m_lattice = std::make_shared<const HexLattice>(most);
+        // A larger lattice begins with the slots of a smaller one.
+        if (m_last != nullptr && m_last->lattice().size() >= most && m_last->lattice().size() < 4 * most)
+            m_layouts.m_lattice = m_last->m_lattice;
+        else
+            m_layouts.m_lattice = std::make_shared<const HexLattice>(most);
     }
 
     /// Nodes that can be arranged at the same time, in the order of the rounds.
@@ -209,27 +226,107 @@ private:
     {
         const StrandNode& n = m_skeleton.nodes[node];
         Section& section = m_layouts.m_sections[node];
-        if (n.childCount == 0)
-            beginTip(node);
-        else if (n.childCount == 1)
+        Keys& keys = m_layouts.m_keys[node];
+        ContentHash above = keyAbove(node, scratch);
+        if (n.childCount == 1) {
+            const std::uint32_t child = m_skeleton.children[n.firstChild];
+            keys.slots = m_layouts.m_keys[m_owner[child]].slots;
             continueBundle(node);
-        else
-            mergeBundles(node, scratch);
+        } else {
+            keys.slots = above.value();
+            if (n.childCount > 1)
+                section.latticeTurn = sectionAbove(scratch.order.front()).latticeTurn;
+            if (const StrandLayouts* last = lastWith(node, &Keys::slots))
+                std::ranges::copy(last->slots(m_before[node]),
+                                  m_layouts.m_slots.begin() + static_cast<std::ptrdiff_t>(section.firstSlot));
+            else if (n.childCount == 0)
+                beginTip(node);
+            else
+                mergeBundles(node, scratch);
+        }
         section.turn = Eigen::Rotation2Df(0.0F);
-        const Eigen::Rotation2Df twist(twistAt(node));
-        const std::span<Vec2> places = placesOf(node);
-        if (n.childCount > 0 && goesOn())
-            carry(node, places, scratch);
         const StrandProfile* const profile = profileAt(node);
         section.isDisc = profile == nullptr && !goesOn();
+        keys.places = placesKey(node, above, profile);
+        if (const StrandLayouts* last = lastWith(node, &Keys::places)) {
+            std::ranges::copy(last->unturned(m_before[node]), placesOf(node).begin());
+            section.profileScale = last->m_sections[m_before[node]].profileScale;
+        } else {
+            place(node, profile, scratch);
+        }
+        const Eigen::Rotation2Df twist(twistAt(node));
+        section.turn = twist;
+        section.latticeTurn = twist * section.latticeTurn;
+    }
+
+    /// The last layouts, if they had the same key at the node.
+    const StrandLayouts* lastWith(std::uint32_t node, std::uint64_t Keys::*key) const
+    {
+        if (m_last == nullptr || m_before[node] == kNoNode)
+            return nullptr;
+        return m_last->m_keys[m_before[node]].*key == m_layouts.m_keys[node].*key ? m_last : nullptr;
+    }
+
+    /// All that a node gets from those above it. Sorts the children: scratch.order.
+    ContentHash keyAbove(std::uint32_t node, Scratch& scratch) const
+    {
+        sortChildren(node, scratch);
+        ContentHash hash;
+        hash.add(m_skeleton.nodes[node].strands);
+        for (const std::uint32_t child : scratch.order) {
+            const Section above = sectionAbove(child);
+            const Keys& keys = m_layouts.m_keys[m_owner[child]];
+            hash.add(m_skeleton.nodes[child].strands);
+            hash.add(m_skeleton.nodes[child].offset);
+            hash.add(above.latticeTurn.angle());
+            // The thickest branch hands down its slots; the places of the others count.
+            const bool isMain = child == scratch.order.front();
+            hash.add(keys.slots);
+            if (!isMain || goesOn()) {
+                hash.add(keys.places);
+                hash.add(above.turn.angle());
+            }
+            if (!isMain) {
+                const Vec2 side = sideOf(node, child);
+                hash.add(side.x());
+                hash.add(side.y());
+            }
+        }
+        return hash;
+    }
+
+    std::uint64_t placesKey(std::uint32_t node, ContentHash hash, const StrandProfile* profile) const
+    {
+        hash.add(m_layouts.m_sections[node].latticeTurn.angle());
+        hash.add(m_wood.packing);
+        hash.add(m_wood.steps);
+        hash.add(profile != nullptr);
+        if (profile != nullptr) {
+            for (const StrandProfile::Loop& loop : profile->boundaries)
+                hash.addAll(std::span(reinterpret_cast<const float*>(loop.data()), 2 * loop.size()));
+            for (const auto& [from, to] : profile->attractors) {
+                for (const float number : {from.x(), from.y(), to.x(), to.y()})
+                    hash.add(number);
+            }
+        }
+        return hash.value();
+    }
+
+    void place(std::uint32_t node, const StrandProfile* profile, Scratch& scratch)
+    {
+        const StrandNode& n = m_skeleton.nodes[node];
+        Section& section = m_layouts.m_sections[node];
+        const std::span<Vec2> places = placesOf(node);
+        if (n.childCount == 0)
+            placeTip(places);
+        else if (goesOn())
+            carry(node, places, scratch);
         if (isDynamic() && n.childCount > 0)
             packDynamically(node, profile, places);
         else if (profile != nullptr)
             fillProfile(section, *profile, places, scratch);
         else
             approachSlots(section, places);
-        section.turn = twist;
-        section.latticeTurn = twist * section.latticeTurn;
     }
 
     void beginTip(std::uint32_t node)
@@ -238,7 +335,11 @@ private:
         Section& section = m_layouts.m_sections[node];
         std::iota(m_layouts.m_slots.begin() + static_cast<std::ptrdiff_t>(section.firstSlot),
                   m_layouts.m_slots.begin() + static_cast<std::ptrdiff_t>(section.firstSlot + count), 0U);
-        const std::span<Vec2> places = placesOf(node);
+    }
+
+    void placeTip(std::span<Vec2> places) const
+    {
+        const auto count = static_cast<std::uint32_t>(places.size());
         for (std::uint32_t i = 0; i < count; ++i)
             places[i] = m_layouts.m_lattice->position(i) - m_layouts.m_lattice->centroid(count);
     }
@@ -251,18 +352,23 @@ private:
         section.latticeTurn = above.latticeTurn;
     }
 
-    void mergeBundles(std::uint32_t node, Scratch& scratch)
+    /// Sorts the children of a node: those with the most strands first.
+    void sortChildren(std::uint32_t node, Scratch& scratch) const
     {
         const auto children = m_skeleton.childrenOf(node);
         scratch.order.assign(children.begin(), children.end());
         std::ranges::stable_sort(scratch.order, std::greater(),
                                  [&](std::uint32_t child) { return m_skeleton.nodes[child].strands; });
+    }
+
+    /// Precondition: scratch.order has the children.
+    void mergeBundles(std::uint32_t node, Scratch& scratch)
+    {
         if (!scratch.merge)
             scratch.merge.emplace(*m_layouts.m_lattice);
         const std::uint32_t main = scratch.order.front();
         const Section mainSection = sectionAbove(main);
         Section& section = m_layouts.m_sections[node];
-        section.latticeTurn = mainSection.latticeTurn;
         const Eigen::Rotation2Df toLattice = section.latticeTurn.inverse();
         scratch.merge->begin(
             std::span(m_layouts.m_slots).subspan(mainSection.firstSlot, m_skeleton.nodes[main].strands),
@@ -280,13 +386,9 @@ private:
     }
 
     /// Projects the strands of the children into the section: the thickest stays, the others are displaced
-    /// until none overlap (Strands 2024, equations 1 and 2).
+    /// until none overlap (Strands 2024, equations 1 and 2). Precondition: scratch.order has the children.
     void carry(std::uint32_t node, std::span<Vec2> places, Scratch& scratch)
     {
-        const auto children = m_skeleton.childrenOf(node);
-        scratch.order.assign(children.begin(), children.end());
-        std::ranges::stable_sort(scratch.order, std::greater(),
-                                 [&](std::uint32_t child) { return m_skeleton.nodes[child].strands; });
         scratch.target.clear(); // What is placed already
         for (const std::uint32_t child : scratch.order) {
             const Section above = sectionAbove(child);
@@ -345,6 +447,9 @@ private:
 
     const Tree& m_tree;
     const WoodParameters& m_wood;
+    const StrandLayouts* m_last;
+    const WorkProgress* m_progress;
+    std::vector<std::uint32_t> m_before; ///< By node: its number in the last layouts
     StrandLayouts& m_layouts;
     StrandSkeleton& m_skeleton;
     std::vector<std::uint32_t> m_owner;
@@ -353,12 +458,14 @@ private:
     tbb::enumerable_thread_specific<Scratch> m_scratch;
 };
 
-StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Widths& widths)
+StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Widths& widths,
+                             const StrandLayouts* last, const WorkProgress* progress)
     : m_skeleton(strandSkeleton(tree, index, widths))
 {
     const std::size_t count = m_skeleton.nodes.size();
     m_sections.resize(count);
-    Builder(tree, *this).build();
+    m_keys.resize(count);
+    Builder(tree, last, progress, *this).build();
 
     // Radii: of fixed strands, or those of the branches; trunks flare.
     const auto fixed = static_cast<float>(tree.parameters().wood.strandRadius);
@@ -450,9 +557,13 @@ void StrandLayouts::placeCentres()
         const bool isMain = 2 * node.strands >= parent.strands;
         reach[i] =
             isMain ? std::max(reach[node.parent], kShiftRadii * node.radius) : kShiftRadii * parent.radius;
-        const Vec3 shift = m_centres[node.parent] - parent.position + shifts[i];
         const float length = (node.position - parent.position).norm();
-        m_centres[i] = node.position + std::exp(-length / std::max(reach[i], 1e-6F)) * shift;
+        Vec3 shift = m_centres[node.parent] - parent.position + shifts[i];
+        shift *= std::exp(-length / std::max(reach[i], 1e-6F));
+        // What is not seen ends, so a change at a fork reaches only the wood near it.
+        if (shift.squaredNorm() < kLeastShift * kLeastShift * reach[i] * reach[i])
+            shift.setZero();
+        m_centres[i] = node.position + shift;
     }
 }
 
@@ -507,9 +618,9 @@ std::size_t StrandLayouts::bytes() const
 {
     return m_skeleton.nodes.capacity() * sizeof(StrandNode) +
            m_skeleton.children.capacity() * sizeof(std::uint32_t) + m_sections.capacity() * sizeof(Section) +
-           m_places.capacity() * sizeof(Vec2) + m_slots.capacity() * sizeof(std::uint32_t) +
-           m_scales.capacity() * sizeof(float) + m_centres.capacity() * sizeof(Vec3) +
-           m_reaches.capacity() * sizeof(float);
+           m_places.capacity() * sizeof(Vec2) + m_keys.capacity() * sizeof(Keys) +
+           m_slots.capacity() * sizeof(std::uint32_t) + m_scales.capacity() * sizeof(float) +
+           m_centres.capacity() * sizeof(Vec3) + m_reaches.capacity() * sizeof(float);
 }
 
 } // namespace espalier

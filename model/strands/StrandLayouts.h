@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/WorkProgress.h"
 #include "model/strands/HexLattice.h"
 #include "model/strands/StrandSkeleton.h"
 #include "model/tree/Tree.h"
@@ -24,7 +25,10 @@ namespace espalier {
 /// A node with one child, no profile and no twist of its own has the layout of the child.
 class StrandLayouts {
 public:
-    StrandLayouts(const Tree& tree, const TreeIndex& index, const Widths& widths);
+    /// Arrangements that have not changed since @p last, of this tree or another one, are taken from there.
+    /// The result is the same with and without it. If @p progress is cancelled meanwhile, it is of no use.
+    StrandLayouts(const Tree& tree, const TreeIndex& index, const Widths& widths,
+                  const StrandLayouts* last = nullptr, const WorkProgress* progress = nullptr);
 
     const StrandSkeleton& skeleton() const { return m_skeleton; }
     std::uint32_t strandCount(std::uint32_t node) const { return m_skeleton.nodes[node].strands; }
@@ -101,6 +105,12 @@ private:
     std::vector<Section> m_sections;
     std::vector<Vec2> m_places;
     std::vector<std::uint32_t> m_slots;
+    /// Hashes of all that a node's slots are made from, and its places; 0 for nodes that share a layout.
+    struct Keys {
+        std::uint64_t slots = 0;
+        std::uint64_t places = 0;
+    };
+    std::vector<Keys> m_keys;
     std::vector<float> m_scales;
     std::vector<Vec3> m_centres;
     std::vector<float> m_reaches;

@@ -234,15 +234,27 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
 {
     std::vector<StrandNode>& nodes = skeleton.nodes;
     std::vector<Tilt> tilts(nodes.size());
+    // Frames without the tilt: how the wood below turns a branch's first sections says nothing about those
+    // beyond them.
+    std::vector<Rotation> upright(nodes.size());
+    std::vector<Vec3> normals(nodes.size());
+    parallelFor(nodes.size(), kRoundedPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            normals[i] =
+                directionAt(skeleton, static_cast<std::uint32_t>(i), index.heading(nodes[i].internode));
+    });
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         StrandNode& node = nodes[i];
         const bool isBase = node.parent == i;
         const Vec3 heading = index.heading(node.internode);
-        Vec3 normal = directionAt(skeleton, i, heading);
+        Vec3 normal = normals[i];
         // The whole foot of a trunk stands on the ground, also if the trunk leans.
         if (isBase)
             normal = heading.y() > 0.0F ? up() : heading;
         normal.normalize();
+        const Rotation below = isBase ? index.rotation(node.internode) : upright[node.parent];
+        upright[i] = (Rotation::FromTwoVectors(below * up(), normal) * below).normalized();
+        node.frame = upright[i];
         if (!isBase) {
             const StrandNode& support = nodes[node.parent];
             const float length = (node.position - support.position).norm();
@@ -257,15 +269,32 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
                 const float share = tilt.path / tilt.reach;
                 const Vec3 between = (1.0F - share) * tilt.from + share * normal;
                 if (between.squaredNorm() > 1e-2F)
-                    normal = between.normalized();
+                    node.frame = (Rotation::FromTwoVectors(normal, between) * upright[i]).normalized();
             }
         }
-        const Rotation below = isBase ? index.rotation(node.internode) : nodes[node.parent].frame;
-        node.frame = (Rotation::FromTwoVectors(below * up(), normal) * below).normalized();
     }
 }
 
 } // namespace
+
+std::vector<std::uint32_t> matchingNodes(const StrandSkeleton& skeleton, const StrandSkeleton& other)
+{
+    std::vector<std::uint32_t> result(skeleton.nodes.size(), kNoNode);
+    // Both have their nodes by ascending internode, and by their place along it.
+    const auto isBelow = [](const StrandNode& a, const StrandNode& b) {
+        return a.internode != b.internode ? a.internode < b.internode : a.along < b.along;
+    };
+    auto match = other.nodes.begin();
+    for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
+        while (match != other.nodes.end() && isBelow(*match, skeleton.nodes[i]))
+            ++match;
+        if (match == other.nodes.end())
+            break;
+        if (!isBelow(skeleton.nodes[i], *match))
+            result[i] = static_cast<std::uint32_t>(match - other.nodes.begin());
+    }
+    return result;
+}
 
 StrandSkeleton strandSkeleton(const Tree& tree, const TreeIndex& index, const Widths& widths)
 {

@@ -83,9 +83,8 @@ void TreeScene::follow(const TreeChange& change)
     m_isSettling = false;
     m_isExact = false;
     const TreeDelta& delta = *change.delta;
-    // Tubes stand in for branches that come, go or move; other changes leave the last strands in place.
-    if (delta.born.count > 0 || !delta.died.empty() || delta.reframes() ||
-        parameters().wood.mesher == WoodMesherKind::Tubes)
+    // Tubes stand in for branches that come or move; other changes leave the last strands in place.
+    if (delta.born.count > 0 || delta.reframes() || parameters().wood.mesher == WoodMesherKind::Tubes)
         m_strands.reset();
     m_mesh.follow(m_document.tree(), m_document.index(), delta);
     const auto relight = [&](InternodeId id) { m_relit.extend(m_document.index().nodePosition(id)); };

@@ -2,7 +2,9 @@
 #include "model/mesh/StrandMesher.h"
 
 #include "model/mesh/SurfaceCheck.h"
+#include "model/shape/Pruning.h"
 #include "tests/support/MeshTopology.h"
+#include "tests/support/Strands.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -11,6 +13,7 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <cstring>
 
 namespace espalier::test {
 
@@ -83,6 +86,81 @@ void shapeAtRandom(TreeBuilder& builder, Random& random)
     builder.apply(std::move(delta));
 }
 
+std::shared_ptr<const StrandWood> woodOf(const Tree& tree, const StrandWood* last)
+{
+    WorkProgress progress;
+    const TreeIndex index(tree);
+    const StrandLayouts* const lastLayouts = last != nullptr ? last->layouts.get() : nullptr;
+    return meshStrands(std::make_shared<const StrandLayouts>(tree, index, Widths(tree, index), lastLayouts),
+                       tree.parameters(), {}, last, progress);
+}
+
+/// What differs between two meshes; empty if they are the same, byte for byte.
+QString difference(const StrandWood& wood, const StrandWood& other)
+{
+    const StrandSkeleton& skeleton = wood.layouts->skeleton();
+    for (std::uint32_t node = 0; node < skeleton.nodes.size(); ++node) {
+        if (!std::ranges::equal(wood.layouts->unturned(node), other.layouts->unturned(node)))
+            return QStringLiteral("places at node %1").arg(node);
+    }
+    const BranchMesh& a = *wood.mesh;
+    const BranchMesh& b = *other.mesh;
+    if (a.vertices.size() != b.vertices.size() || a.indices.size() != b.indices.size())
+        return QStringLiteral("sizes: %1 and %2 vertices").arg(a.vertices.size()).arg(b.vertices.size());
+    for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+        if (std::memcmp(&a.vertices[i], &b.vertices[i], sizeof(MeshVertex)) != 0)
+            return QStringLiteral("vertex %1").arg(i);
+    }
+    if (!std::ranges::equal(a.indices, b.indices))
+        return QStringLiteral("indices");
+    return a.origins == b.origins ? QString() : QStringLiteral("origins");
+}
+
+InternodeId randomInternode(const Tree& tree, Random& random)
+{
+    for (;;) {
+        const auto id = static_cast<InternodeId>(random.uniform(0.0, static_cast<double>(tree.size())));
+        if (id < tree.size() && tree.isAlive(id))
+            return id;
+    }
+}
+
+/// An edit of one place, or seldom of the parameters of the wood.
+void editAtRandom(TreeBuilder& builder, Random& random)
+{
+    const InternodeId id = randomInternode(builder.tree, random);
+    TreeDelta delta = deltaStartingAt(builder.tree);
+    switch (static_cast<int>(random.uniform(0.0, 8.0))) {
+    case 0:
+    case 1:
+    case 2:
+        delta.sparse.profile.push_back({id, builder.tree.content().sparse.profile.at(id),
+                                        keepProfile(delta, builder.tree, randomProfile(random))});
+        break;
+    case 3:
+        if (const auto profile = builder.tree.content().sparse.profile.at(id))
+            delta.sparse.profile.push_back({id, profile, std::nullopt});
+        break;
+    case 4:
+        delta.sparse.twist.push_back(
+            {id, builder.tree.content().sparse.twist.at(id), static_cast<float>(random.uniform(-1.0, 1.0))});
+        break;
+    case 5:
+        setWood(builder, [&](WoodParameters& wood) {
+            if (random.uniform() < 0.5)
+                wood.alpha = random.uniform(3.0, 12.0);
+            else
+                wood.smoothing = random.uniform();
+        });
+        return;
+    default:
+        if (id != 0)
+            delta = prune(builder.tree, builder.index, std::array{id});
+    }
+    if (!delta.isEmpty())
+        builder.apply(std::move(delta));
+}
+
 void verifyClosed(const BranchMesh& mesh, std::uint64_t bases)
 {
     const SurfaceFaults faults = checkSurface(mesh);
@@ -108,6 +186,11 @@ private Q_SLOTS:
     void randomProfiles_leaveTheSurfaceClosed();
     void volume_isThatOfTheStrands();
     void mesh_isTheSameOnOneThreadAndMany();
+    void takenParts_areAsThoseMadeAnew_data();
+    void takenParts_areAsThoseMadeAnew();
+    void smallEdit_leavesMostOfTheMesh_data();
+    void smallEdit_leavesMostOfTheMesh();
+    void cancelledMesh_isNone();
     void textureCoordinates_areContinuousAcrossEdges();
     void coarserMeshes_haveFewerTrianglesAndAreClosed_data();
     void coarserMeshes_haveFewerTrianglesAndAreClosed();
@@ -198,6 +281,76 @@ void StrandMesherTest::mesh_isTheSameOnOneThreadAndMany()
     QVERIFY(std::ranges::equal(many.vertices, single.vertices));
     QVERIFY(std::ranges::equal(many.indices, single.indices));
     QVERIFY(many.origins == single.origins);
+}
+
+void StrandMesherTest::takenParts_areAsThoseMadeAnew_data()
+{
+    QTest::addColumn<int>("seed");
+    for (int seed = 0; seed < 80; ++seed)
+        QTest::addRow("%d", seed) << seed;
+}
+
+void StrandMesherTest::takenParts_areAsThoseMadeAnew()
+{
+    QFETCH(int, seed);
+    Random random(static_cast<std::uint64_t>(seed), 0, 0, Purpose::Leaf);
+    TreeBuilder builder =
+        raisedTree(60U + 30U * static_cast<std::uint32_t>(seed), static_cast<std::uint64_t>(seed) + 1);
+    setWood(builder, [&](WoodParameters& wood) {
+        wood.strandsPerTip = 1 + static_cast<int>(random.uniform(0.0, 4.0));
+        wood.alpha = random.uniform(3.0, 12.0);
+        wood.steps = random.uniform() < 0.7 ? 500 : static_cast<int>(random.uniform(0.0, 100.0));
+        wood.packing = random.uniform() < 0.9 ? StrandPacking::Rest : StrandPacking::Pbd;
+        wood.smoothing = random.uniform();
+    });
+    if (random.uniform() < 0.7)
+        shapeAtRandom(builder, random);
+    const Tree first = builder.tree;
+    std::shared_ptr<const StrandWood> last = woodOf(builder.tree, nullptr);
+    for (int edit = 0; edit < 8; ++edit) {
+        editAtRandom(builder, random);
+        const auto wood = woodOf(builder.tree, last.get());
+        QCOMPARE(difference(*wood, *woodOf(builder.tree, nullptr)), QString());
+        last = wood;
+    }
+    // Back to the first tree, as by undo: what was pruned comes again.
+    QCOMPARE(difference(*woodOf(first, last.get()), *woodOf(first, nullptr)), QString());
+}
+
+void StrandMesherTest::smallEdit_leavesMostOfTheMesh_data()
+{
+    QTest::addColumn<bool>("prunes");
+    QTest::addRow("profile") << false;
+    QTest::addRow("prune") << true;
+}
+
+void StrandMesherTest::smallEdit_leavesMostOfTheMesh()
+{
+    QFETCH(bool, prunes);
+    TreeBuilder builder = forkedTree(2000);
+    const auto last = woodOf(builder.tree, nullptr);
+    QCOMPARE(last->taken, 0U);
+    InternodeId limb = 0; // Of less than a twentieth of the tree
+    while (builder.index.tipCount(limb) > builder.index.tipCount(0) / 20)
+        limb = builder.index.firstChild(limb);
+    builder.apply(prunes ? prune(builder.tree, builder.index, std::array{limb})
+                         : profileChange(builder.tree, 2, profileOf(ProfileShape::CShape)));
+    const auto wood = woodOf(builder.tree, last.get());
+    const double taken =
+        static_cast<double>(wood->taken) / static_cast<double>(wood->layouts->skeleton().nodes.size());
+    QVERIFY2(taken > (prunes ? 0.7 : 0.98) && taken < 1.0, qPrintable(QString::number(taken)));
+}
+
+void StrandMesherTest::cancelledMesh_isNone()
+{
+    const TreeBuilder builder = raisedTree(500, 3);
+    const auto layouts = std::make_shared<const StrandLayouts>(builder.tree, builder.index,
+                                                               Widths(builder.tree, builder.index));
+    WorkProgress progress;
+    QVERIFY(meshStrands(layouts, builder.tree.parameters(), {}, nullptr, progress));
+    QCOMPARE(progress.share(), 1.0F);
+    progress.cancel();
+    QVERIFY(!meshStrands(layouts, builder.tree.parameters(), {}, nullptr, progress));
 }
 
 void StrandMesherTest::textureCoordinates_areContinuousAcrossEdges()
