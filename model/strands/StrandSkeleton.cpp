@@ -234,8 +234,8 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
 {
     std::vector<StrandNode>& nodes = skeleton.nodes;
     std::vector<Tilt> tilts(nodes.size());
-    // Frames without the tilt: how the wood below turns a branch's first sections says nothing about those
-    // beyond them.
+    // What is transported are frames along the internodes: how the line is rounded and how a branch's first
+    // sections are tilted depends on the radii below, and must not turn all that is above.
     std::vector<Rotation> upright(nodes.size());
     std::vector<Vec3> normals(nodes.size());
     parallelFor(nodes.size(), kRoundedPerTask, [&](std::size_t begin, std::size_t end) {
@@ -253,8 +253,8 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
             normal = heading.y() > 0.0F ? up() : heading;
         normal.normalize();
         const Rotation below = isBase ? index.rotation(node.internode) : upright[node.parent];
-        upright[i] = (Rotation::FromTwoVectors(below * up(), normal) * below).normalized();
-        node.frame = upright[i];
+        upright[i] = (Rotation::FromTwoVectors(below * up(), heading) * below).normalized();
+        node.frame = (Rotation::FromTwoVectors(upright[i] * up(), normal) * upright[i]).normalized();
         if (!isBase) {
             const StrandNode& support = nodes[node.parent];
             const float length = (node.position - support.position).norm();
@@ -269,7 +269,7 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
                 const float share = tilt.path / tilt.reach;
                 const Vec3 between = (1.0F - share) * tilt.from + share * normal;
                 if (between.squaredNorm() > 1e-2F)
-                    node.frame = (Rotation::FromTwoVectors(normal, between) * upright[i]).normalized();
+                    node.frame = (Rotation::FromTwoVectors(normal, between) * node.frame).normalized();
             }
         }
     }
