@@ -16,6 +16,9 @@ namespace espalier {
 
 namespace {
 
+/// Volume against area to the power of 1.5 of surfaces that are the bark of something; a thin twig has more.
+constexpr double kLeastCompactness = 1e-6;
+
 constexpr std::size_t kNodesPerChunk = 64;
 /// Outlines in the plane of a patch, in strand radii: how far the outline of the whole lies outside its
 /// strands, and those of the parts; the radius of a ring.
@@ -523,16 +526,24 @@ void removeVoids(const StrandLayouts& layouts, const StrandTubes& tubes, const S
     }
     if (component.empty())
         return;
-    std::vector<double> volumes(mesh.vertices.size(), 0.0);
+    std::vector<double> volumes(mesh.vertices.size(), 0.0); // Six times
+    std::vector<double> areas(mesh.vertices.size(), 0.0);   // Twice
     const auto at = [&](std::size_t i) -> Eigen::Vector3d {
         return toVec3(mesh.vertices[mesh.indices[i]].position).cast<double>();
     };
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        if (const VertexIndex surface = component[mesh.indices[i]]; surface != kNone)
-            volumes[surface] += at(i).dot(at(i + 1).cross(at(i + 2)));
+        const VertexIndex surface = component[mesh.indices[i]];
+        if (surface == kNone)
+            continue;
+        volumes[surface] += at(i).dot(at(i + 1).cross(at(i + 2)));
+        areas[surface] += (at(i + 1) - at(i)).cross(at(i + 2) - at(i)).norm();
     }
+    // A cavity of one section is closed by the same triangles above and below: it has no volume either.
+    const auto isVoid = [&](VertexIndex surface) {
+        return volumes[surface] <= kLeastCompactness * std::pow(areas[surface], 1.5);
+    };
     removeTriangles(triangles, mesh.indices, [&](VertexIndex vertex) {
-        return component[vertex] != kNone && volumes[component[vertex]] < 0.0;
+        return component[vertex] != kNone && isVoid(component[vertex]);
     });
 }
 

@@ -279,19 +279,26 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
 
 std::vector<std::uint32_t> matchingNodes(const StrandSkeleton& skeleton, const StrandSkeleton& other)
 {
-    std::vector<std::uint32_t> result(skeleton.nodes.size(), kNoNode);
-    // Both have their nodes by ascending internode, and by their place along it.
-    const auto isBelow = [](const StrandNode& a, const StrandNode& b) {
-        return a.internode != b.internode ? a.internode < b.internode : a.along < b.along;
+    const auto placeOf = [](const StrandNode& node) { return std::pair(node.internode, node.along); };
+    // Joined forks change the order of the nodes.
+    const auto byPlace = [&](const StrandSkeleton& of) {
+        std::vector<std::uint32_t> order(of.nodes.size());
+        std::iota(order.begin(), order.end(), 0U);
+        if (!std::ranges::is_sorted(of.nodes, {}, placeOf))
+            std::ranges::sort(order, {}, [&](std::uint32_t i) { return placeOf(of.nodes[i]); });
+        return order;
     };
-    auto match = other.nodes.begin();
-    for (std::size_t i = 0; i < skeleton.nodes.size(); ++i) {
-        while (match != other.nodes.end() && isBelow(*match, skeleton.nodes[i]))
+    std::vector<std::uint32_t> result(skeleton.nodes.size(), kNoNode);
+    const std::vector<std::uint32_t> others = byPlace(other);
+    auto match = others.begin();
+    for (const std::uint32_t node : byPlace(skeleton)) {
+        const auto place = placeOf(skeleton.nodes[node]);
+        while (match != others.end() && placeOf(other.nodes[*match]) < place)
             ++match;
-        if (match == other.nodes.end())
+        if (match == others.end())
             break;
-        if (!isBelow(skeleton.nodes[i], *match))
-            result[i] = static_cast<std::uint32_t>(match - other.nodes.begin());
+        if (placeOf(other.nodes[*match]) == place)
+            result[node] = *match;
     }
     return result;
 }

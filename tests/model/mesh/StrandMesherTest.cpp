@@ -286,7 +286,7 @@ void StrandMesherTest::mesh_isTheSameOnOneThreadAndMany()
 void StrandMesherTest::takenParts_areAsThoseMadeAnew_data()
 {
     QTest::addColumn<int>("seed");
-    for (int seed = 0; seed < 80; ++seed)
+    for (int seed = 0; seed < 30; ++seed)
         QTest::addRow("%d", seed) << seed;
 }
 

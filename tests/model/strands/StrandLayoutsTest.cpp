@@ -353,14 +353,22 @@ void StrandLayoutsTest::frames_ofAClosedBendReturn()
 
 void StrandLayoutsTest::frames_turnAsLittleAsTheBranch()
 {
+    // Frames turn with the internodes, and from these to the line of the wood, which is rounder: what they
+    // turn about the branch on the way is little, and does not add up.
     const TreeBuilder grown = randomTree(500, 6);
     const StrandLayouts layouts = layoutsOf(grown);
     const std::vector<StrandNode>& nodes = layouts.skeleton().nodes;
+    double sum = 0.0;
+    float most = 0.0F;
     for (const StrandNode& node : nodes) {
         const Rotation& below = nodes[node.parent].frame;
-        const float turning = std::acos(std::clamp((below * up()).dot(node.frame * up()), -1.0F, 1.0F));
-        QVERIFY(std::abs(below.angularDistance(node.frame) - turning) < 5e-3F);
+        const Rotation carried = Rotation::FromTwoVectors(below * up(), node.frame * up()) * below;
+        const float about = carried.angularDistance(node.frame);
+        sum += double{about};
+        most = std::max(most, about);
     }
+    const double mean = sum / static_cast<double>(nodes.size());
+    QVERIFY2(mean < 0.01 && most < 0.2F, qPrintable(QStringLiteral("%1 %2").arg(mean).arg(double{most})));
 }
 
 void StrandLayoutsTest::twist_keepsRadiiAndDistances()
