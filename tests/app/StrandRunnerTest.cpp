@@ -16,7 +16,7 @@ using namespace espalier;
 
 namespace {
 
-constexpr int kPatience = 60'000; ///< ms
+constexpr int kRunnerPatience = 60'000; ///< ms
 
 /// A document of a tree with so many tips, whose wood is strands.
 void fill(TreeDocument& document, std::uint32_t tips)
@@ -52,7 +52,7 @@ void StrandRunnerTest::mesh_isThatOfThePresentTree()
     StrandRunner runner(document);
     QSignalSpy meshed(&runner, &StrandRunner::meshed);
     fill(document, 300);
-    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kRunnerPatience);
     QCOMPARE(meshed.front()[1].toULongLong(), document.revision());
     const BranchMesh fresh =
         meshStrands(test::layoutsOf(document.tree(), document.index()), document.parameters());
@@ -66,10 +66,10 @@ void StrandRunnerTest::edit_takesOverWhatItLeaves()
     StrandRunner runner(document);
     QSignalSpy meshed(&runner, &StrandRunner::meshed);
     fill(document, 1500);
-    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kRunnerPatience);
     QCOMPARE(runner.last()->taken, 0U);
     drawProfile(document, 2);
-    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 2, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 2, kRunnerPatience);
     QVERIFY(runner.last()->taken > 9 * runner.last()->layouts->skeleton().nodes.size() / 10);
     const BranchMesh fresh =
         meshStrands(test::layoutsOf(document.tree(), document.index()), document.parameters());
@@ -83,14 +83,14 @@ void StrandRunnerTest::editMeanwhile_stopsTheWork()
     QSignalSpy meshed(&runner, &StrandRunner::meshed);
     QSignalSpy ended(&runner, &StrandRunner::ended);
     fill(document, 14'600);
-    QTRY_VERIFY_WITH_TIMEOUT(runner.isRunning(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isRunning(), kRunnerPatience);
     QElapsedTimer timer;
     timer.start();
     drawProfile(document, 2);
-    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kRunnerPatience);
     const qint64 stopped = timer.elapsed();
     QCOMPARE(meshed.count(), 0);
-    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kRunnerPatience);
     QCOMPARE(meshed.front()[1].toULongLong(), document.revision());
     // The second one was made whole; the first one had only begun.
     QVERIFY2(stopped < timer.elapsed() / 2, qPrintable(QString::number(stopped)));
@@ -105,15 +105,15 @@ void StrandRunnerTest::cancel_stopsTheWorkUntilTheTreeChanges()
     runner.cancel();
     QCOMPARE(cancelled.count(), 0);
     fill(document, 5000);
-    QTRY_VERIFY_WITH_TIMEOUT(runner.isRunning(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isRunning(), kRunnerPatience);
     runner.cancel();
     QCOMPARE(cancelled.count(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(!runner.isRunning(), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!runner.isRunning(), kRunnerPatience);
     QTest::qWait(200);
     QVERIFY(!runner.isRunning());
     QCOMPARE(meshed.count(), 0);
     drawProfile(document, 2);
-    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kRunnerPatience);
 }
 
 void StrandRunnerTest::longWork_tellsItsProgress()
@@ -124,11 +124,11 @@ void StrandRunnerTest::longWork_tellsItsProgress()
     QSignalSpy progressed(&runner, &StrandRunner::progressed);
     QSignalSpy ended(&runner, &StrandRunner::ended);
     fill(document, 50); // Work that does not take long
-    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 1, kRunnerPatience);
     QCOMPARE(progressed.count(), 0);
     runner.setPatience(0);
     fill(document, 14'600);
-    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 2, kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(meshed.count(), 2, kRunnerPatience);
     QCOMPARE(ended.count(), 2);
     QVERIFY(progressed.count() > 2);
     double last = 0.0;
