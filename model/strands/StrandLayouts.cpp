@@ -396,6 +396,13 @@ StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Wid
     for (std::size_t i = 0; i < count; ++i)
         m_scales[i] = m_skeleton.nodes[i].radius / bundleRadius(m_skeleton.nodes[i].strands);
     placeCentres();
+    m_reliefs = StrandReliefs(ReliefSources{
+        .tree = tree,
+        .index = index,
+        .skeleton = m_skeleton,
+        .scales = m_scales,
+        .place = [this](std::uint32_t node, std::uint32_t strand) { return place(node, strand); },
+        .hasProfile = [this](std::uint32_t node) { return profileScale(node) > 0.0F; }});
 }
 
 void StrandLayouts::placeCentres()
@@ -464,7 +471,7 @@ std::size_t StrandLayouts::bytes() const
     return m_skeleton.nodes.capacity() * sizeof(StrandNode) +
            m_skeleton.children.capacity() * sizeof(std::uint32_t) + m_sections.capacity() * sizeof(Section) +
            m_places.capacity() * sizeof(Vec2) + m_slots.capacity() * sizeof(std::uint32_t) +
-           m_scales.capacity() * sizeof(float) + m_centres.capacity() * sizeof(Vec3);
+           m_scales.capacity() * sizeof(float) + m_centres.capacity() * sizeof(Vec3) + m_reliefs.bytes();
 }
 
 } // namespace espalier

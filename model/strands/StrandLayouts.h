@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/strands/HexLattice.h"
+#include "model/strands/StrandReliefs.h"
 #include "model/strands/StrandSkeleton.h"
 #include "model/tree/Tree.h"
 
@@ -60,12 +61,14 @@ public:
     /// World position of the middle of the section, m. Where a branch leaves a thick one, it lies on that
     /// one's surface, and approaches the branch's own line further up.
     const Vec3& centre(std::uint32_t node) const { return m_centres[node]; }
-    /// World position of a point of the section.
+    /// World position of a point of the section, moved as the reliefs of the wood say.
     Vec3 world(std::uint32_t node, const Vec2& place) const
     {
+        const Vec2 moved = m_reliefs.moved(node, place, m_skeleton.nodes[node].radius / m_scales[node]);
         return m_centres[node] +
-               m_skeleton.nodes[node].frame * (m_scales[node] * Vec3(place.x(), 0.0F, place.y()));
+               m_skeleton.nodes[node].frame * (m_scales[node] * Vec3(moved.x(), 0.0F, moved.y()));
     }
+    const StrandReliefs& reliefs() const { return m_reliefs; }
     /// Coordinates of the node's profile times this are coordinates of its layout; 0 without a profile.
     float profileScale(std::uint32_t node) const { return m_sections[node].profileScale; }
 
@@ -101,6 +104,7 @@ private:
     std::vector<std::uint32_t> m_slots;
     std::vector<float> m_scales;
     std::vector<Vec3> m_centres;
+    StrandReliefs m_reliefs;
 };
 
 } // namespace espalier
