@@ -171,6 +171,9 @@ void MainWindow::connectViewport()
     // What a tool picks must be there when it changes the tree.
     connect(&viewport, &Viewport::toolAboutToBegin, &m_undoRunner, &UndoRunner::finish);
     connect(&m_strandRunner, &StrandRunner::meshed, &viewport, &Viewport::showStrands);
+    const auto showFibres = [this] { m_strandRunner.setFibresShown(m_viewSettings.values().fibresShown); };
+    connect(&m_viewSettings, &ViewSettings::changed, &viewport, showFibres);
+    showFibres();
     m_strandRunner.ask(); // The interface may be made anew around a tree with strands
     // An eraser or another hand's gesture must find the tree at rest.
     connect(&viewport, &Viewport::gestureActiveChanged, &m_lassoRunner, [this](bool active) {

@@ -194,6 +194,7 @@ Result<void> writePictureOf(const TreeDocument& document, const CommandLine& lin
     PictureRequest request;
     request.size = line.size;
     request.view = namedView(line.camera.isEmpty() ? recipeView : line.camera);
+    request.options.view.fibresShown = line.fibres;
     if (line.transparent) {
         request.options.background = QColor(Qt::transparent);
         request.options.view.groundShown = line.groundShadow;

@@ -2,7 +2,6 @@
 #include "app/runners/StrandRunner.h"
 
 #include "app/runners/Background.h"
-#include "model/mesh/WoodMesh.h"
 
 namespace espalier {
 
@@ -19,29 +18,40 @@ StrandRunner::StrandRunner(TreeDocument& document, QObject* parent) : QObject(pa
     connect(&document, &TreeDocument::changed, this, &StrandRunner::ask);
 }
 
+bool StrandRunner::isWanted() const
+{
+    return m_fibresShown || m_document.parameters().wood.mesher == WoodMesherKind::Strands;
+}
+
 void StrandRunner::ask()
 {
-    if (m_document.parameters().wood.mesher == WoodMesherKind::Strands)
+    if (isWanted())
         m_rest.start();
+}
+
+void StrandRunner::setFibresShown(bool shown)
+{
+    if (std::exchange(m_fibresShown, shown) != shown && shown)
+        ask();
 }
 
 void StrandRunner::run()
 {
-    if (m_isRunning || m_document.parameters().wood.mesher != WoodMesherKind::Strands)
+    if (m_isRunning || !isWanted())
         return;
     m_isRunning = true;
     const std::uint64_t revision = m_document.revision();
+    const bool withFibres = m_fibresShown;
     runInBackground(
         this,
-        [tree = m_document.tree()] {
-            const TreeIndex index(tree);
-            return std::make_shared<const TriangleMesh>(meshWood(tree, index, Widths(tree, index)));
+        [tree = m_document.tree(), withFibres] {
+            return std::make_shared<const StrandWood>(strandWood(tree, TreeIndex(tree), withFibres));
         },
-        [this, revision](std::shared_ptr<const TriangleMesh> mesh) {
+        [this, revision, withFibres](const std::shared_ptr<const StrandWood>& strands) {
             m_isRunning = false;
             if (revision == m_document.revision())
-                Q_EMIT meshed(mesh, revision);
-            else
+                Q_EMIT meshed(strands, revision);
+            if (revision != m_document.revision() || (m_fibresShown && !withFibres))
                 ask();
         });
 }
