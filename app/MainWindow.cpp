@@ -140,7 +140,9 @@ void MainWindow::connectFiles()
 void MainWindow::connectView()
 {
     const std::pair<ActionId, bool ViewValues::*> switches[] = {
-        {ActionId::Markers, &ViewValues::markersShown}, {ActionId::Leaves, &ViewValues::leavesShown}};
+        {ActionId::Markers, &ViewValues::markersShown},
+        {ActionId::Leaves, &ViewValues::leavesShown},
+        {ActionId::Fibres, &ViewValues::fibresShown}};
     for (const auto& [id, field] : switches) {
         QAction* action = m_actions[id];
         const auto show = [this, action, shown = field] {

@@ -184,6 +184,9 @@ void MainWindow::connectViewport()
         if (m_workspace->notice().text() == tr("Making the wood of strands"))
             m_workspace->notice().finishProgress();
     });
+    const auto showFibres = [this] { m_strandRunner.setFibresShown(m_viewSettings.values().fibresShown); };
+    connect(&m_viewSettings, &ViewSettings::changed, &viewport, showFibres);
+    showFibres();
     m_strandRunner.ask(); // The interface may be made anew around a tree with strands
     // An eraser or another hand's gesture must find the tree at rest.
     connect(&viewport, &Viewport::gestureActiveChanged, &m_lassoRunner, [this](bool active) {

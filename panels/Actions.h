@@ -47,6 +47,7 @@ enum class ActionId {
     ThreeQuarterView,
     Markers,
     Leaves,
+    Fibres,
     Architecture,
     BrushSheet,
     LeafSheet,

@@ -58,8 +58,9 @@ constexpr ParameterText kVigourBuds[] = {
     {"vigour.apicalDominance", QT_TRANSLATE_NOOP("Parameters", "Inhibition"), "",
      QT_TRANSLATE_NOOP("Parameters", "How strongly growing tips hold back the buds below them."), Cubic, 2,
      "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Apical dominance: auxin from lit apical buds.")},
-    {"vigour.inhibitorLoss", QT_TRANSLATE_NOOP("Parameters", "Reach of the inhibition"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Lost at each internode: more lets buds break nearer to the tip."),
+    {"vigour.inhibitorLoss", QT_TRANSLATE_NOOP("Parameters", "Fading of the inhibition"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "The share that is lost at each internode: more lets buds break nearer to the tip."),
      Cubic, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the inhibitor on its way down.")},
 };
 
@@ -347,6 +348,9 @@ constexpr ParameterText kStrands[] = {
     {"wood.smoothing", QT_TRANSLATE_NOOP("Parameters", "Smoothing"), "",
      QT_TRANSLATE_NOOP("Parameters",
                        "How far the ridges of single strands are smoothed: 0 shows each of them.")},
+    {"wood.flutes", QT_TRANSLATE_NOOP("Parameters", "Flutes"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How far the trunk bulges below its limbs and toward its roots, and how "
+                                     "deep the hollows of lost limbs are. At 0 the wood is round.")},
 };
 
 constexpr ParameterText kBark[] = {

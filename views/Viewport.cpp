@@ -58,6 +58,7 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
         update();
     });
     m_shown = m_settings.values();
+    m_scene.setFibresShown(m_shown.fibresShown);
     showAnew();
 }
 
@@ -146,9 +147,9 @@ void Viewport::followDocument(const TreeChange& change)
     redrawTree();
 }
 
-void Viewport::showStrands(const std::shared_ptr<const TriangleMesh>& mesh, std::uint64_t revision)
+void Viewport::showStrands(const std::shared_ptr<const ShownStrands>& strands, std::uint64_t revision)
 {
-    m_scene.setStrands(mesh, revision);
+    m_scene.setStrands(strands, revision);
     redrawTree();
 }
 
@@ -185,6 +186,7 @@ void Viewport::followSettings()
     if (values == m_shown)
         return;
     m_shown = values;
+    m_scene.setFibresShown(values.fibresShown);
     m_pacer.disturb(false);
     redrawTree();
 }

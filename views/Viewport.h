@@ -39,7 +39,7 @@ public:
     void expect(PreparedScene scene) { m_scene.expect(std::move(scene)); }
 
     /// See TreeScene::setStrands().
-    void showStrands(const std::shared_ptr<const TriangleMesh>& mesh, std::uint64_t revision);
+    void showStrands(const std::shared_ptr<const ShownStrands>& strands, std::uint64_t revision);
 
     const Camera& camera() const override { return m_camera; }
     /// Sets the camera at once and ends a flight. The camera's view size becomes the viewport's.

@@ -105,7 +105,7 @@ MeshCounts countMesh(const Tree& tree, const TreeIndex& index)
     }
     counts.surface = checkSurface(wood, true);
     const LeafCard& card = leafCard(tree.parameters().leaves.shape);
-    const std::uint64_t leaves = placeLeaves(tree, index).size();
+    const std::uint64_t leaves = countTree(tree, index).leaves;
     counts.vertices = wood.vertices.size() + leaves * card.vertices.size();
     counts.triangles = (wood.indices.size() + leaves * card.indices.size()) / 3;
     return counts;
@@ -194,6 +194,7 @@ Result<void> writePictureOf(const TreeDocument& document, const CommandLine& lin
     PictureRequest request;
     request.size = line.size;
     request.view = namedView(line.camera.isEmpty() ? recipeView : line.camera);
+    request.options.view.fibresShown = line.fibres;
     if (line.transparent) {
         request.options.background = QColor(Qt::transparent);
         request.options.view.groundShown = line.groundShadow;

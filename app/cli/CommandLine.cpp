@@ -97,6 +97,12 @@ constexpr Option kOptions[] = {
          return {};
      },
      true},
+    {"fibres", " replay render ",
+     [](CommandLine& line, const QString&) -> Result<void> {
+         line.fibres = true;
+         return {};
+     },
+     true},
     {"ground-shadow", " replay render ",
      [](CommandLine& line, const QString&) -> Result<void> {
          line.groundShadow = true;
@@ -191,6 +197,8 @@ Result<void> checkComplete(const CommandLine& line)
 {
     if (line.transparent && line.picture.isEmpty())
         return usage(CommandLineText::tr("--transparent wants --png FILE"));
+    if (line.fibres && line.picture.isEmpty())
+        return usage(CommandLineText::tr("--fibres wants --png FILE"));
     if (line.groundShadow && !line.transparent)
         return usage(CommandLineText::tr("--ground-shadow wants --transparent"));
     switch (line.verb) {
@@ -293,7 +301,7 @@ QString commandLineHelp()
                "\n"
                "espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]\n"
                "                [--camera front|side|top|three-quarter]\n"
-               "                [--transparent [--ground-shadow]]\n"
+               "                [--transparent [--ground-shadow]] [--fibres]\n"
                "                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]\n"
                "                [--strict] [--set GROUP.NAME=VALUE]...\n"
                "    Does what a recipe says, without a window, and writes what comes of it.\n"
@@ -314,10 +322,11 @@ QString commandLineHelp()
                "    written; the project stays as it is.\n"
                "\n"
                "espalier render PROJECT --png FILE [--size WxH] [--camera ...]\n"
-               "                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...\n"
+               "                [--transparent [--ground-shadow]] [--fibres]\n"
+               "                [--set GROUP.NAME=VALUE]...\n"
                "    Takes a picture. It wants a display; a virtual one will do.\n"
                "    --transparent: the tree alone, with straight alpha; --ground-shadow keeps\n"
-               "    its shadow, as black of some opacity.\n"
+               "    its shadow, as black of some opacity. --fibres: the strands of the wood.\n"
                "\n"
                "espalier info FILE\n"
                "    Says as JSON what is in a project.\n"

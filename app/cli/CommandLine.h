@@ -32,6 +32,7 @@ struct CommandLine {
     QSize size{1600, 1200};   ///< Of the picture, px
     QString camera;           ///< front, side, top, three-quarter; empty for what the recipe says
     bool transparent = false; ///< The picture shows the tree alone, on nothing
+    bool fibres = false;      ///< The picture shows the strands in place of the bark
     /// The transparent picture has the tree's shadow too, as black of some opacity.
     bool groundShadow = false;
     QString stats;                     ///< JSON; empty for none

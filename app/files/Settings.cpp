@@ -57,8 +57,8 @@ private:
     bool m_hasRoom = hasRoom(m_store.fileName());
 };
 
-/// Calls @p visit(key, field) for each value that is stored. The visibility of leaves is not stored: a new
-/// tree without leaves would be a surprise.
+/// Calls @p visit(key, field) for each value that is stored. Whether leaves and fibres show is not stored: a
+/// new tree without leaves or bark would be a surprise.
 template <class Values, class Visit>
 void visitViewValues(Values& values, Visit&& visit)
 {

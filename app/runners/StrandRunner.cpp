@@ -11,16 +11,6 @@ namespace {
 /// The tree is at rest if nothing has changed for this long, ms.
 constexpr int kRestTime = 30;
 constexpr int kPatience = 500;
-
-std::shared_ptr<const StrandWood> makeWood(const Tree& tree, const StrandWood* last, WorkProgress& progress)
-{
-    const TreeIndex index(tree);
-    auto layouts = std::make_shared<const StrandLayouts>(
-        tree, index, Widths(tree, index), last != nullptr ? last->layouts.get() : nullptr, &progress);
-    if (progress.isCancelled())
-        return nullptr;
-    return meshStrands(std::move(layouts), tree.parameters(), {}, last, progress);
-}
 } // namespace
 
 StrandRunner::StrandRunner(TreeDocument& document, QObject* parent) : QObject(parent), m_document(document)
@@ -47,6 +37,17 @@ void StrandRunner::setPatience(int milliseconds)
     m_tell.setInterval(std::max(1, milliseconds / 5));
 }
 
+void StrandRunner::setFibresShown(bool shown)
+{
+    if (std::exchange(m_fibresShown, shown) != shown && shown)
+        ask();
+}
+
+bool StrandRunner::isWanted() const
+{
+    return m_fibresShown || m_document.parameters().wood.mesher == WoodMesherKind::Strands;
+}
+
 void StrandRunner::stop()
 {
     m_rest.stop();
@@ -57,7 +58,7 @@ void StrandRunner::stop()
 void StrandRunner::ask()
 {
     stop(); // What is under way is of an earlier tree
-    if (m_document.parameters().wood.mesher == WoodMesherKind::Strands)
+    if (isWanted())
         m_rest.start();
     else
         m_last.reset();
@@ -84,22 +85,22 @@ void StrandRunner::run()
     const std::uint64_t revision = m_document.revision();
     runInBackground(
         this,
-        [tree = m_document.tree(), last = m_last, progress = m_progress] {
-            return makeWood(tree, last.get(), *progress);
+        [tree = m_document.tree(), withFibres = m_fibresShown, last = m_last, progress = m_progress] {
+            return makeShownStrands(tree, withFibres, last.get(), *progress);
         },
-        [this, revision](std::shared_ptr<const StrandWood> wood) { receive(std::move(wood), revision); });
+        [this, revision](const std::shared_ptr<const ShownStrands>& strands) { receive(strands, revision); });
 }
 
-void StrandRunner::receive(std::shared_ptr<const StrandWood> wood, std::uint64_t revision)
+void StrandRunner::receive(const std::shared_ptr<const ShownStrands>& strands, std::uint64_t revision)
 {
-    const bool isWanted = !m_progress->isCancelled();
+    const bool isCancelled = m_progress->isCancelled();
     m_progress.reset();
     m_tell.stop();
     Q_EMIT ended();
-    if (!wood || !isWanted)
+    if (!strands || isCancelled)
         return;
-    m_last = std::move(wood);
-    Q_EMIT meshed(m_last->mesh, revision);
+    m_last = strands->wood;
+    Q_EMIT meshed(strands, revision);
 }
 
 } // namespace espalier

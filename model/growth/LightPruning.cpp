@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/growth/LightPruning.h"
 
+#include <algorithm>
+
 namespace espalier {
 
 namespace {
@@ -18,13 +20,13 @@ double bareHeight(const VigourFlux& flux, const VigourParameters& p)
 }
 
 std::vector<std::uint8_t> pruneShaded(GrowingTree& growing, const VigourFlux& flux, const VoxelSpace& space,
-                                      const VigourParameters& p)
+                                      const VigourParameters& p, double bare,
+                                      std::span<const InternodeId> spared)
 {
     if (p.lightPruning <= 0.0)
         return {};
     const Tree& tree = growing.tree();
     const TreeIndex& index = growing.index();
-    const double bare = bareHeight(flux, p);
     std::vector<std::uint8_t> isShed(tree.size(), 0);
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (!flux.takesPart(id) || flux.order(id) == 0)
@@ -36,7 +38,8 @@ std::vector<std::uint8_t> pruneShaded(GrowingTree& growing, const VigourFlux& fl
             const bool isOnTrunk = flux.order(parent) == 0;
             const bool isLow = isOnTrunk && index.nodePosition(parent).y() < bare;
             const bool isDark = index.firstChild(id) == kNoInternode &&
-                                space.light(space.cellAt(growing.nodePosition(id))) < p.lightPruning;
+                                space.light(space.cellAt(growing.nodePosition(id))) < p.lightPruning &&
+                                !std::ranges::binary_search(spared, id);
             if (!isLow && !isDark)
                 continue;
         }

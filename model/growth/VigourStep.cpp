@@ -182,7 +182,7 @@ TreeDelta growFree(GrowingTree& growing, const VigourFlux& flux, const VoxelSpac
     ShootGrowth growth(growing, space, p, options);
     std::vector<std::uint8_t> isShed;
     if (options.sheds)
-        isShed = pruneShaded(growing, flux, space, p);
+        isShed = pruneShaded(growing, flux, space, p, bareHeight(flux, p));
     std::vector<VigorousShoot> shoots = freeShoots(growing, flux, p, isShed);
     for (VigorousShoot& shoot : shoots) {
         while (shoot.length > 0.0 && growth.grow(shoot)) {
@@ -269,6 +269,15 @@ TreeDelta vigourStepToward(const Tree& tree, const TreeIndex& index, const Voxel
     if (enabled.empty())
         return growing.takeDelta();
     const VigourFlux flux(growing, space, p, {.competitors = options.competitors, .years = kYearsUnderBrush});
+
+    // Tips that have markers have room. Low branches may be what the user draws, so trunks do not become
+    // bare.
+    if (options.sheds) {
+        std::vector<InternodeId> spared;
+        for (const EnabledBud& bud : enabled)
+            spared.push_back(bud.bud.node);
+        pruneShaded(growing, flux, space, p, 0.0, spared);
+    }
 
     std::vector<VigorousShoot> shoots;
     double greatest = 0.0;

@@ -29,6 +29,9 @@ constexpr double kGoldenAngle = std::numbers::pi * (3.0 - 2.2360679774997896964)
 /// Weight of an upright shoot's own plane relative to the level one, whose weight grows with the shoot's
 /// lean.
 constexpr float kOwnPlane = 0.25F;
+/// How far a flat spray turns from one node to the next toward the plane that it shall have: by some 17° at
+/// most.
+constexpr float kLevelling = 0.3F;
 /// Hues from here on shift through magenta, smaller ones through green and yellow.
 constexpr double kBlue = radians(240);
 
@@ -48,6 +51,24 @@ Vec3 across(const Vec3& vector, const Vec3& direction)
     return vector - vector.dot(direction) * direction;
 }
 
+/// @p vector, which is perpendicular to the unit vector @p from, carried by the least turn from @p from to
+/// the unit vector @p to; its length stays. Where the direction is reversed, the vector stays.
+Vec3 carriedAcross(const Vec3& vector, const Vec3& from, const Vec3& to)
+{
+    const float cosine = from.dot(to);
+    const Vec3 turned =
+        cosine > -0.9999F ? Vec3(vector - vector.dot(to) / (1.0F + cosine) * (from + to)) : vector;
+    // Rounding would add up over a long axis.
+    return across(turned, to);
+}
+
+/// The level vector across an axis, on the side of @p side; its length is the sine of the axis's lean.
+Vec3 levelSide(const Vec3& axis, const Vec3& side)
+{
+    const Vec3 level = axis.cross(up());
+    return level.dot(side) < 0.0F ? Vec3(-level) : level;
+}
+
 } // namespace
 
 double shootWeakness(double vigour, double reference)
@@ -61,14 +82,30 @@ double shiftedLeafHue(double hue, double amount)
     return hue + amount * (red - hue);
 }
 
-LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
-    : m_tree(tree), m_index(index), m_parameters(tree.parameters().leaves)
+LeafRule::LeafRule(const Tree& tree, const TreeIndex& index) : m_index(index)
 {
-    const int perNode =
-        m_parameters.visible ? std::clamp(m_parameters.perNode, 0, static_cast<int>(m_azimuths.size())) : 0;
+    const LeafParameters& leaves = tree.parameters().leaves;
+    const int perNode = leaves.visible ? std::clamp(leaves.perNode, 0, static_cast<int>(kMost)) : 0;
     m_perNode = static_cast<std::uint32_t>(perNode);
-    m_maxTips = static_cast<std::uint32_t>(std::max(0, m_parameters.maxTips));
-    m_reach = static_cast<std::uint32_t>(std::max(0, m_parameters.reach));
+    m_maxTips = static_cast<std::uint32_t>(std::max(0, leaves.maxTips));
+    m_reach = static_cast<std::uint32_t>(std::max(0, leaves.reach));
+}
+
+std::uint32_t LeafRule::count(std::span<const InternodeId> internodes) const
+{
+    const auto bearing = std::ranges::count_if(internodes, [this](InternodeId id) { return bears(id); });
+    return static_cast<std::uint32_t>(bearing) * m_perNode;
+}
+
+LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index, const Widths& widths,
+                       std::span<const WoodLine> strands)
+    : m_tree(tree),
+      m_index(index),
+      m_wood(tree, index, widths, strands),
+      m_rule(tree, index),
+      m_parameters(tree.parameters().leaves),
+      m_perNode(m_rule.leavesPerInternode())
+{
     m_jitter = kMostJitter * static_cast<float>(tree.parameters().growth.irregularity);
     m_cosine = static_cast<float>(std::cos(m_parameters.angle));
     m_sine = static_cast<float>(std::sin(m_parameters.angle));
@@ -76,40 +113,56 @@ LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index)
     m_alongInternode = (m_parameters.shape == LeafShape::Needles && m_parameters.image.isNull()) ||
                        m_parameters.arrangement == LeafArrangement::Spiral ||
                        m_parameters.arrangement == LeafArrangement::Flat;
-    for (int i = 0; i < perNode; ++i) {
-        const double azimuth = 2.0 * std::numbers::pi * i / perNode;
-        m_azimuths[static_cast<std::size_t>(i)] =
-            Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth)).cast<float>();
+    for (std::uint32_t i = 0; i < m_perNode; ++i) {
+        const double azimuth = 2.0 * std::numbers::pi * i / m_perNode;
+        m_azimuths[i] = Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth)).cast<float>();
     }
 }
 
-/// The number of nodes of the axis below that of @p id.
-std::uint32_t LeafPlacer::nodesBelow(InternodeId id) const
-{
-    std::uint32_t count = 0;
-    if (m_parameters.arrangement == LeafArrangement::Shoot)
-        return count;
-    for (const InternodeId first = m_index.axis(id); id != first; id = m_tree.parent(id))
-        ++count;
-    return count;
-}
-
-/// Unit vector across the shoot, in the plane of the twig; it never vanishes, and turns slowly along a shoot.
-Vec3 LeafPlacer::side(InternodeId id, const Vec3& axis) const
+/// What an axis begins with. The side never vanishes.
+LeafPlacer::Carried LeafPlacer::firstOf(InternodeId first) const
 {
     const double azimuth =
-        Random(m_tree.key(m_index.axis(id)), 0, Purpose::LeafPlane).uniform(0.0, 2.0 * std::numbers::pi);
-    const Vec3 own(static_cast<float>(std::cos(azimuth)), 0.0F, static_cast<float>(std::sin(azimuth)));
-    Vec3 level = axis.cross(up());
-    if (level.dot(own) < 0.0F)
-        level = -level;
-    return (level + kOwnPlane * across(own, axis)).normalized();
+        Random(m_tree.key(first), 0, Purpose::LeafPlane).uniform(0.0, 2.0 * std::numbers::pi);
+    const Vec3 level(static_cast<float>(std::cos(azimuth)), 0.0F, static_cast<float>(std::sin(azimuth)));
+    const Vec3 axis = m_wood.axis(first);
+    const Vec3 own = kOwnPlane * across(level, axis);
+    return {0, axis, own, (levelSide(axis, own) + own).normalized()};
 }
 
-LeafPlacer::Stand LeafPlacer::stand(std::uint32_t i, std::uint32_t below, const Eigen::Matrix3f& frame,
-                                    const Vec3& side) const
+/// Goes from a node to the one that follows on the axis.
+void LeafPlacer::carryTo(InternodeId next, Carried& carried) const
 {
-    const Vec3 axis = frame.col(1);
+    const Vec3 axis = m_wood.axis(next);
+    if (m_parameters.arrangement != LeafArrangement::Shoot)
+        carried.side = carriedAcross(carried.side, carried.axis, axis).normalized();
+    if (m_parameters.arrangement == LeafArrangement::Flat) {
+        carried.own = carriedAcross(carried.own, carried.axis, axis);
+        const Vec3 plane = levelSide(axis, carried.side) + carried.own;
+        carried.side = (carried.side + kLevelling * plane).normalized();
+    }
+    carried.axis = axis;
+    ++carried.below;
+}
+
+LeafPlacer::Carried LeafPlacer::carriedTo(InternodeId id) const
+{
+    if (m_parameters.arrangement == LeafArrangement::Shoot)
+        return {0, m_wood.axis(id), Vec3::UnitX(), Vec3::UnitX()};
+    const InternodeId first = m_index.axis(id);
+    std::vector<InternodeId> path;
+    for (InternodeId place = id; place != first; place = m_tree.parent(place))
+        path.push_back(place);
+    Carried carried = firstOf(first);
+    for (auto place = path.rbegin(); place != path.rend(); ++place)
+        carryTo(*place, carried);
+    return carried;
+}
+
+LeafPlacer::Stand LeafPlacer::stand(std::uint32_t i, const Carried& carried,
+                                    const Eigen::Matrix3f& frame) const
+{
+    const auto& [below, axis, own, side] = carried;
     const float along = m_alongInternode ? static_cast<float>(i) / static_cast<float>(m_perNode) : 0.0F;
     // Counted from the axis's foot; the first leaf of an internode is the uppermost.
     const std::uint32_t number = below * m_perNode + (m_perNode - 1 - i);
@@ -135,16 +188,21 @@ LeafPlacer::Stand LeafPlacer::stand(std::uint32_t i, std::uint32_t below, const 
             axis, along};
 }
 
-void LeafPlacer::place(InternodeId id, std::uint32_t below, std::span<LeafInstance> leaves) const
+void LeafPlacer::place(InternodeId id, std::span<LeafInstance> leaves) const
+{
+    place(id, carriedTo(id), leaves);
+}
+
+void LeafPlacer::place(InternodeId id, const Carried& carried, std::span<LeafInstance> leaves) const
 {
     assert(leaves.size() == m_perNode);
     Random random(m_tree.key(id), 0, Purpose::Leaf);
-    const Vec3 node = m_index.nodePosition(id);
-    const Eigen::Matrix3f frame = m_index.rotation(id).toRotationMatrix();
-    const Vec3 axis = frame.col(1);
-    const Vec3 twigSide =
-        m_parameters.arrangement == LeafArrangement::Shoot ? Vec3(frame.col(0)) : side(id, axis);
-    const float length = m_tree.length(id);
+    const WoodLine wood = m_wood.of(id);
+    const Vec3& axis = wood.axis;
+    // The shoot's own frame, in the direction of the wood.
+    const Rotation grown = m_index.rotation(id);
+    const Eigen::Matrix3f frame =
+        (Rotation::FromTwoVectors(grown * up(), axis) * grown).normalized().toRotationMatrix();
     const auto droop = static_cast<float>(m_parameters.droop);
     const auto upward = static_cast<float>(m_parameters.upward);
     const double shift = m_parameters.vigourHue * shootWeakness(m_tree.vigour(id));
@@ -154,7 +212,7 @@ void LeafPlacer::place(InternodeId id, std::uint32_t below, std::span<LeafInstan
     for (std::uint32_t i = 0; i < m_perNode; ++i) {
         const std::array<float, 4> spread = fourSigned(random);
         const std::array<float, 4> variation = fourSigned(random);
-        const auto [outward, face, along] = stand(i, below, frame, twigSide);
+        const auto [outward, face, along] = stand(i, carried, frame);
         Vec3 direction = m_cosine * axis + m_sine * outward;
         direction = (1.0F - droop) * direction - droop * up();
         direction += m_jitter * Vec3(spread[0], spread[1], spread[2]);
@@ -184,7 +242,7 @@ void LeafPlacer::place(InternodeId id, std::uint32_t below, std::span<LeafInstan
             std::max(kSmallestSize, 1.0F + static_cast<float>(m_parameters.sizeVariation) * variation[0]);
         const auto leafLength = static_cast<float>(m_parameters.length) * size;
         leaves[i] = {
-            .position = toArray(node - along * length * axis),
+            .position = toArray(wood.upper + along * (wood.lower - wood.upper) + wood.radius * outward),
             .length = leafLength,
             .rotation = {rotation.x(), rotation.y(), rotation.z(), rotation.w()},
             .width = leafLength * static_cast<float>(m_parameters.aspect),
@@ -228,35 +286,32 @@ void LeafPlacer::keepAboveGround(LeafInstance& leaf, const Eigen::Matrix3f& fram
     leaf.length = 0.0F;
 }
 
-std::uint32_t LeafPlacer::count(std::span<const InternodeId> internodes) const
-{
-    const auto bearing = std::ranges::count_if(internodes, [this](InternodeId id) { return bears(id); });
-    return static_cast<std::uint32_t>(bearing) * m_perNode;
-}
-
 void LeafPlacer::place(std::span<const InternodeId> internodes, std::span<LeafInstance> leaves) const
 {
+    if (leaves.empty())
+        return;
     std::size_t done = 0;
-    std::uint32_t below = 0;
+    Carried carried;
     InternodeId previous = kNoInternode;
     for (const InternodeId id : internodes) {
         // A lateral begins another axis.
-        if (m_index.axis(id) == id)
-            below = 0;
+        if (previous != kNoInternode && m_tree.parent(id) == previous && m_index.axis(id) != id)
+            carryTo(id, carried);
         else
-            below = previous != kNoInternode && m_tree.parent(id) == previous ? below + 1 : nodesBelow(id);
+            carried = carriedTo(id);
         previous = id;
-        if (!bears(id))
+        if (!m_rule.bears(id))
             continue;
-        place(id, below, leaves.subspan(done, m_perNode));
+        place(id, carried, leaves.subspan(done, m_perNode));
         done += m_perNode;
     }
     assert(done == leaves.size());
 }
 
-MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index)
+MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index, const Widths& widths,
+                                     std::span<const WoodLine> strands)
 {
-    const LeafPlacer placer(tree, index);
+    const LeafPlacer placer(tree, index, widths, strands);
     const std::vector<InternodeId> tubes = tubesOf(tree, index);
     // The internodes of all tubes, one after the other.
     std::vector<InternodeId> internodes;
@@ -266,7 +321,7 @@ MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index)
         begins.push_back(internodes.size());
         for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(index, id))
             internodes.push_back(id);
-        first.push_back(first.back() + placer.count(std::span(internodes).subspan(begins.back())));
+        first.push_back(first.back() + placer.rule().count(std::span(internodes).subspan(begins.back())));
     }
     begins.push_back(internodes.size());
 

@@ -3,10 +3,9 @@
 
 #include "model/mesh/LeafInstance.h"
 #include "model/mesh/Mesh.h"
-#include "model/tree/TreeIndex.h"
+#include "model/mesh/WoodLines.h"
 
 #include <span>
-#include <type_traits>
 #include <vector>
 
 namespace espalier {
@@ -24,18 +23,11 @@ double shootWeakness(double vigour, double reference = kFullVigour);
 /// purple through magenta, never through blue. All in rad; the result may be above 2π.
 double shiftedLeafHue(double hue, double amount);
 
-/// Leaves on young shoots, by the LeafParameters in force: at each node of an internode that carries few
-/// tips. LeafArrangement::Shoot uses the frames that the shoots grew with: the leaves stand evenly around,
-/// the first above the first lateral bud. The other arrangements count along the axis from its first
-/// internode. They start from the plane of the twig: for a leaning axis the plane that is level across it,
-/// for an upright one a plane that the axis determines. Random spread is a function of the tree's seed and
-/// the internode alone; its amount is GrowthParameters::irregularity: at 0 the arrangement is exact.
-///
-/// No leaf reaches below the ground, y = 0: it turns upward as far as necessary. A leaf that stands below the
-/// ground is hidden.
-class LeafPlacer {
+/// Which internodes have leaves, by the LeafParameters in force: those that carry few tips and lie near the
+/// end of their branch.
+class LeafRule {
 public:
-    explicit LeafPlacer(const Tree& tree, const TreeIndex& index);
+    LeafRule(const Tree& tree, const TreeIndex& index);
 
     /// Whether a living internode has leaves.
     bool bears(InternodeId id) const
@@ -43,18 +35,56 @@ public:
         const std::uint32_t tips = m_index.tipCount(id);
         return m_perNode > 0 && tips > 0 && tips <= m_maxTips && m_index.subtreeSize(id) <= m_reach;
     }
-    /// Number of leaves on each internode that bears leaves.
+    /// Number of leaves on each internode that bears leaves, 0...kMost.
     std::uint32_t leavesPerInternode() const { return m_perNode; }
-
-    /// Writes the leaves of one internode that bears into a span of leavesPerInternode().
-    void place(InternodeId id, std::span<LeafInstance> leaves) const { place(id, nodesBelow(id), leaves); }
-
-    /// Counts the leaves of living internodes, such as those of a piece of wood, and writes them into a span
-    /// of that size. Fastest if each internode follows its parent.
+    /// Counts the leaves of living internodes, such as those of a piece of wood.
     std::uint32_t count(std::span<const InternodeId> internodes) const;
+
+    static constexpr std::uint32_t kMost = 8;
+
+private:
+    const TreeIndex& m_index;
+    std::uint32_t m_perNode;
+    std::uint32_t m_maxTips;
+    std::uint32_t m_reach;
+};
+
+/// Places leaves at the nodes of young shoots (LeafRule), on the bark of the wood that is shown.
+///
+/// Frames are transported in parallel along each axis from its first internode (Strands 2024 §6), so leaves
+/// turn from node to node by their arrangement alone. LeafArrangement::Shoot uses the frames that the shoots
+/// grew with, which turn by the phyllotaxis of the buds as well: the leaves stand evenly around, the first
+/// above the first lateral bud. The other arrangements count along the axis from its first internode, in the
+/// plane of the twig: for a leaning axis the plane that is level across it, for an upright one a plane that
+/// the axis determines. LeafArrangement::Flat turns back toward the level plane, a little at each node.
+/// Random spread is a function of the tree's seed and the internode alone; its amount is
+/// GrowthParameters::irregularity: at 0 the arrangement is exact.
+///
+/// No leaf reaches below the ground, y = 0: it turns upward as far as necessary. A leaf that stands below the
+/// ground is hidden.
+class LeafPlacer {
+public:
+    /// @p tree, @p index and @p widths must outlive this, and so must @p strands: the wood if it is shown as
+    /// strands.
+    LeafPlacer(const Tree& tree, const TreeIndex& index, const Widths& widths,
+               std::span<const WoodLine> strands = {});
+
+    const LeafRule& rule() const { return m_rule; }
+
+    /// Writes the leaves of one internode that bears into a span of LeafRule::leavesPerInternode().
+    void place(InternodeId id, std::span<LeafInstance> leaves) const;
+    /// Writes the leaves of living internodes into a span of LeafRule::count(). Fastest if each internode
+    /// follows its parent.
     void place(std::span<const InternodeId> internodes, std::span<LeafInstance> leaves) const;
 
 private:
+    /// What is carried along an axis from node to node.
+    struct Carried {
+        std::uint32_t below = 0;   ///< Nodes of the axis below
+        Vec3 axis = Vec3::UnitY(); ///< Unit vector along the wood
+        Vec3 own = Vec3::UnitX();  ///< Across it: what the axis determines, transported
+        Vec3 side = Vec3::UnitX(); ///< Unit vector across it, in the plane of the twig
+    };
     /// Where a leaf stands on its internode.
     struct Stand {
         Vec3 outward; ///< Unit vector across the shoot
@@ -62,27 +92,29 @@ private:
         float along;  ///< From the internode's node (0) down to the one below (1)
     };
 
-    void place(InternodeId id, std::uint32_t below, std::span<LeafInstance> leaves) const;
+    void place(InternodeId id, const Carried& carried, std::span<LeafInstance> leaves) const;
     void keepAboveGround(LeafInstance& leaf, const Eigen::Matrix3f& frame) const;
-    std::uint32_t nodesBelow(InternodeId id) const;
-    Vec3 side(InternodeId id, const Vec3& axis) const;
-    Stand stand(std::uint32_t i, std::uint32_t below, const Eigen::Matrix3f& frame, const Vec3& side) const;
+    Carried firstOf(InternodeId first) const;
+    void carryTo(InternodeId next, Carried& carried) const;
+    Carried carriedTo(InternodeId id) const;
+    Stand stand(std::uint32_t i, const Carried& carried, const Eigen::Matrix3f& frame) const;
 
     const Tree& m_tree;
     const TreeIndex& m_index;
+    WoodLines m_wood;
+    LeafRule m_rule;
     LeafParameters m_parameters;
     std::uint32_t m_perNode;
-    std::uint32_t m_maxTips;
-    std::uint32_t m_reach;
     float m_jitter;
     float m_cosine; ///< Cosine of the angle between shoot and petiole
     float m_sine;
     bool m_alongInternode;
-    std::array<Vec2, 8> m_azimuths;
+    std::array<Vec2, LeafRule::kMost> m_azimuths;
 };
 
 /// All leaves of a tree, tube by tube (see Tubes.h); in parallel, with the same result on one thread
-/// or many.
-MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index);
+/// or many. @p strands: the wood if it is shown as strands.
+MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index, const Widths& widths,
+                                     std::span<const WoodLine> strands = {});
 
 } // namespace espalier

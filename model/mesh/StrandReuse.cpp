@@ -40,6 +40,7 @@ std::uint64_t ownKey(const StrandLayouts& layouts, std::uint32_t node, std::uint
     hash.add(layouts.scale(node));
     hash.add(layouts.reach(node));
     addVector(hash, layouts.centre(node));
+    hash.addAll(layouts.reliefs().around(node));
     return hash.value();
 }
 

@@ -9,7 +9,7 @@ namespace espalier {
 
 TreeCounts countTree(const Tree& tree, const TreeIndex& index)
 {
-    const LeafPlacer leaves(tree, index);
+    const LeafRule leaves(tree, index);
     TreeCounts counts{.steps = tree.step()};
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (!tree.isAlive(id))

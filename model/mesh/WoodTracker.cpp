@@ -125,10 +125,10 @@ void WoodTracker::noteMeshed(const WoodPieceMesher& piece)
         m_radius[internodes[i]] = piece.radii()[i];
 }
 
-void WoodTracker::noteLeaves(const LeafPlacer& placer, std::span<const InternodeId> internodes)
+void WoodTracker::noteLeaves(const LeafRule& rule, std::span<const InternodeId> internodes)
 {
     for (const InternodeId id : internodes)
-        m_bears[id] = placer.bears(id) ? 1 : 0;
+        m_bears[id] = rule.bears(id) ? 1 : 0;
 }
 
 std::vector<InternodeId> WoodTracker::internodesOf(const TreeIndex& index, InternodeId base) const
@@ -226,12 +226,12 @@ void WoodTracker::collectTouched(const Tree& tree, const TreeIndex& index, const
 /// Notes internodes that carry more or fewer tips than before.
 void WoodTracker::collectChanged(const Tree& tree, const TreeIndex& index)
 {
-    const LeafPlacer placer(tree, index);
+    const LeafRule leaves(tree, index);
     for (const InternodeId id : index.recentlyChanged()) {
         if (!tree.isAlive(id))
             continue;
         checkRadius(index, id, kTolerance);
-        if (placer.bears(id) != (m_bears[id] != 0))
+        if (leaves.bears(id) != (m_bears[id] != 0))
             m_dirty.push_back(id);
         inspect(index, id, kTolerance);
         if (const InternodeId parent = tree.parent(id); parent != kNoInternode)

@@ -33,6 +33,8 @@ public:
     bool noteInexact(const Tree& tree, const TreeIndex& index);
     /// Sets the fineness; a change puts all wood out of date.
     void setOptions(const WoodMeshOptions& options);
+    /// Notes that all leaves are out of date.
+    void noteLeavesMoved() { m_leavesAreDirty = true; }
     const WoodMeshOptions& options() const { return m_options; }
 
     /// Pieces by their first internodes.
@@ -55,7 +57,9 @@ public:
     void noteMeshed(const WoodPieceMesher& piece);
     /// Records which of these internodes have leaves now. Several threads can call this at the same time,
     /// each for other internodes.
-    void noteLeaves(const LeafPlacer& placer, std::span<const InternodeId> internodes);
+    void noteLeaves(const LeafRule& rule, std::span<const InternodeId> internodes);
+    /// The widths that pieces are meshed with. Precondition: isStarted().
+    const Widths& widths() const { return *m_widths; }
     /// The internodes of the piece that begins with @p base, parents before children.
     std::vector<InternodeId> internodesOf(const TreeIndex& index, InternodeId base) const;
 

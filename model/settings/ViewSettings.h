@@ -73,6 +73,7 @@ struct ViewValues {
     double newBuds = 5;         ///< Buds that a tap adds, a whole number, kLeastNewBuds...kMostNewBuds
     double budSpacing = 0.03;   ///< Distance along the branch between them, m, 0...kMostBudSpacing
     bool leavesShown = true;
+    bool fibresShown = false; ///< Wood of strands shows as lines, one for each strand
     bool groundShown = true;
     bool shadowsShown = true;
     bool gridShown = false; ///< Lines on the ground, a metre apart

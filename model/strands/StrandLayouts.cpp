@@ -496,6 +496,13 @@ StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Wid
         m_scales[i] = m_skeleton.nodes[i].radius / bundleRadius(m_skeleton.nodes[i].strands);
     placeCentres();
     measureReaches();
+    m_reliefs = StrandReliefs(ReliefSources{
+        .tree = tree,
+        .index = index,
+        .skeleton = m_skeleton,
+        .scales = m_scales,
+        .place = [this](std::uint32_t node, std::uint32_t strand) { return place(node, strand); },
+        .hasProfile = [this](std::uint32_t node) { return profileScale(node) > 0.0F; }});
 }
 
 /// Stubs that are hardly longer than the wood that they stand on is thick are not thicker than their strands
@@ -620,7 +627,7 @@ std::size_t StrandLayouts::bytes() const
            m_skeleton.children.capacity() * sizeof(std::uint32_t) + m_sections.capacity() * sizeof(Section) +
            m_places.capacity() * sizeof(Vec2) + m_keys.capacity() * sizeof(Keys) +
            m_slots.capacity() * sizeof(std::uint32_t) + m_scales.capacity() * sizeof(float) +
-           m_centres.capacity() * sizeof(Vec3) + m_reaches.capacity() * sizeof(float);
+           m_centres.capacity() * sizeof(Vec3) + m_reaches.capacity() * sizeof(float) + m_reliefs.bytes();
 }
 
 } // namespace espalier

@@ -3,6 +3,7 @@
 
 #include "model/base/WorkProgress.h"
 #include "model/strands/HexLattice.h"
+#include "model/strands/StrandReliefs.h"
 #include "model/strands/StrandSkeleton.h"
 #include "model/tree/Tree.h"
 
@@ -64,12 +65,14 @@ public:
     /// How far the wood's line is rounded to either side of a node, m: about as far as the wood is thick, and
     /// near a fork as far as that is. 0 where the next nodes are farther.
     float reach(std::uint32_t node) const { return m_reaches[node]; }
-    /// World position of a point of the section.
+    /// World position of a point of the section, moved as the reliefs of the wood say.
     Vec3 world(std::uint32_t node, const Vec2& place) const
     {
+        const Vec2 moved = m_reliefs.moved(node, place, m_skeleton.nodes[node].radius / m_scales[node]);
         return m_centres[node] +
-               m_skeleton.nodes[node].frame * (m_scales[node] * Vec3(place.x(), 0.0F, place.y()));
+               m_skeleton.nodes[node].frame * (m_scales[node] * Vec3(moved.x(), 0.0F, moved.y()));
     }
+    const StrandReliefs& reliefs() const { return m_reliefs; }
     /// Coordinates of the node's profile times this are coordinates of its layout; 0 without a profile.
     float profileScale(std::uint32_t node) const { return m_sections[node].profileScale; }
 
@@ -114,6 +117,7 @@ private:
     std::vector<float> m_scales;
     std::vector<Vec3> m_centres;
     std::vector<float> m_reaches;
+    StrandReliefs m_reliefs;
 };
 
 } // namespace espalier

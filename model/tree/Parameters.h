@@ -181,6 +181,8 @@ struct WoodParameters {
     double alpha = 6.0;
     int steps = 500;        ///< of packing at each node; few keep the shape of a fork further down
     double smoothing = 0.5; ///< 0...1, how far ridges of single strands are smoothed
+    /// 0...1, how far ridges below limbs, buttresses and the hollows of lost limbs stand out (Reliefs)
+    double flutes = 0.4;
 
     bool operator==(const WoodParameters&) const = default;
 };
@@ -297,6 +299,7 @@ void visitParameters(Parameters& p, Visit&& visit)
     visit(ParameterInfo{"wood.alpha", Number, 2.5, 100}, t.alpha);
     visit(ParameterInfo{"wood.steps", Count, 0, 10000}, t.steps);
     visit(ParameterInfo{"wood.smoothing", Number, 0, 1}, t.smoothing);
+    visit(ParameterInfo{"wood.flutes", Number, 0, 1}, t.flutes);
 
     auto& f = p.leaves;
     visit(ParameterInfo{"leaves.visible", Switch, 0, 1}, f.visible);

@@ -246,6 +246,7 @@ void CommandLineTest::wrongLines_saySo_data()
     add("render a.espalier --png a.png --ground-shadow", "--transparent");
     add("render a.espalier --png a.png --transparent=yes", "no value");
     add("replay a.json --transparent", "--png");
+    add("replay a.json --fibres", "--png");
     add("info", "file");
     add("--colour", "--colour");
     add("a.espalier b.espalier", "b.espalier");

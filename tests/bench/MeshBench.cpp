@@ -93,16 +93,18 @@ void placeLeaves_50k(benchmark::State& state)
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(state.range(0)));
     const Brushed& grown = tree50k();
+    const Widths widths(grown.tree(), grown.index());
     std::size_t leaves = 0;
     for (auto _ : state)
-        leaves = placeLeaves(grown.tree(), grown.index()).size();
+        leaves = placeLeaves(grown.tree(), grown.index(), widths).size();
     setRate(state, "leaves/s", leaves);
 }
 BENCHMARK(placeLeaves_50k)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void expandLeaves_50k(benchmark::State& state)
 {
-    const MeshBuffer<LeafInstance> leaves = placeLeaves(tree50k().tree(), tree50k().index());
+    const MeshBuffer<LeafInstance> leaves =
+        placeLeaves(tree50k().tree(), tree50k().index(), Widths(tree50k().tree(), tree50k().index()));
     for (auto _ : state)
         benchmark::DoNotOptimize(expandLeaves(leaves));
     setRate(state, "leaves/s", leaves.size());

@@ -123,7 +123,7 @@ void SampleRecipesTest::nothing_liesBelowTheGround()
     QVERIFY2(deepest > -0.1F, qPrintable(QString::number(deepest)));
     for (const MeshVertex& vertex : meshBranches(tree, index, Widths(tree, index)).vertices)
         QVERIFY2(vertex.position[1] >= 0.0F, qPrintable(QString::number(vertex.position[1])));
-    const MeshBuffer<LeafInstance> leaves = placeLeaves(tree, index);
+    const MeshBuffer<LeafInstance> leaves = placeLeaves(tree, index, Widths(tree, index));
     for (const MeshVertex& vertex : expandLeaves(leaves).vertices)
         QVERIFY2(vertex.position[1] > -1e-5F, qPrintable(QString::number(vertex.position[1])));
     // Few leaves are hidden because of that.

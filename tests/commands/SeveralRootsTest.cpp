@@ -519,17 +519,17 @@ void SeveralRootsTest::mesh_isClosedAndFollowsGrowth()
 void SeveralRootsTest::leavesAndCounts_areThoseOfAllTrunks()
 {
     const Grove grove;
-    const LeafPlacer placer(grove.tree(), grove.index());
+    const LeafRule rule(grove.tree(), grove.index());
     std::size_t leaves = 0;
     std::uint64_t axes = 0;
     for (InternodeId id = 0; id < grove.tree().size(); ++id) {
         if (!grove.tree().isAlive(id))
             continue;
-        leaves += placer.bears(id) ? placer.leavesPerInternode() : 0;
+        leaves += rule.bears(id) ? rule.leavesPerInternode() : 0;
         axes += grove.index().axis(id) == id ? 1 : 0;
     }
     QVERIFY(leaves > 0);
-    const auto placed = placeLeaves(grove.tree(), grove.index());
+    const auto placed = placeLeaves(grove.tree(), grove.index(), Widths(grove.tree(), grove.index()));
     QCOMPARE(placed.size(), leaves);
     const TreeCounts counts = countTree(grove.tree(), grove.index());
     QCOMPARE(counts.axes, axes);

@@ -3,6 +3,7 @@
 
 #include "model/mesh/TubeMesher.h"
 #include "model/mesh/Tubes.h"
+#include "model/mesh/WoodMesh.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -25,6 +26,7 @@ private Q_SLOTS:
     void finishedInParts_itIsTheSame();
     void pool_followsParameters();
     void pool_followsTheTolerance();
+    void lines_moveLeavesAlone();
     void pool_followsAStemThatTapersByLength();
     void pool_followsWidthConstraints();
     void widthConstraint_meshesWhatItChangesAlone();
@@ -43,7 +45,7 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
     const Tree& tree = builder.tree;
     const TreeIndex& index = builder.index;
     const Widths widths(tree, index);
-    const LeafPlacer placer(tree, index);
+    const LeafPlacer placer(tree, index, widths);
     TubeMesher mesher(tree, index, widths, pool.options());
     std::vector<std::uint8_t> usedIndices(pool.indices().size(), 0);
     std::vector<std::uint8_t> usedLeaves(pool.leaves().size(), 0);
@@ -98,10 +100,18 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
                 return QStringLiteral("tube %1 has leftover triangles").arg(base);
         }
 
-        // Leaves do not depend on widths, so they are always exact.
-        std::vector<LeafInstance> leaves(placer.count(mesher.internodes()));
+        // Leaves stand on bark that is as exact as the wood.
+        const float thickest = std::max(mesher.supportRadius(), std::ranges::max(mesher.radii()));
+        std::vector<LeafInstance> leaves(placer.rule().count(mesher.internodes()));
         placer.place(mesher.internodes(), leaves);
-        if (!std::ranges::equal(leaves, pool.leaves().subspan(tube->leaves.first, tube->leafCount)))
+        const auto isAsPlaced = [&](const LeafInstance& there, const LeafInstance& placed) {
+            LeafInstance moved = there;
+            moved.position = placed.position;
+            return moved == placed &&
+                   (toVec3(there.position) - toVec3(placed.position)).norm() <= 10.0F * tolerance * thickest;
+        };
+        if (!std::ranges::equal(pool.leaves().subspan(tube->leaves.first, tube->leafCount), leaves,
+                                isAsPlaced))
             return QStringLiteral("tube %1 has other leaves").arg(base);
         for (std::uint32_t i = tube->leafCount; i < tube->leaves.capacity; ++i) {
             if (pool.leaves()[tube->leaves.first + i].length != 0.0F)
@@ -399,6 +409,42 @@ void MeshPoolTest::pool_followsTheTolerance()
     QVERIFY(follower.pool.vertices().size() > 2 * before);
     follower.grow(20);
     QCOMPARE(faultOf(follower.pool, follower.builder, WoodTracker::kTolerance + 0.001F), QString());
+}
+
+void MeshPoolTest::lines_moveLeavesAlone()
+{
+    TreeParameters parameters;
+    parameters.wood.mesher = WoodMesherKind::Strands;
+    Follower follower(500, 8, parameters);
+    const Tree& tree = follower.builder.tree;
+    const TreeIndex& index = follower.builder.index;
+    const auto sorted = [](std::span<const LeafInstance> leaves) {
+        std::vector<std::array<float, 3>> places;
+        for (const LeafInstance& leaf : leaves) {
+            if (leaf.length > 0.0F)
+                places.push_back(leaf.position);
+        }
+        std::ranges::sort(places);
+        return places;
+    };
+    const auto onTubes = sorted(follower.pool.leaves());
+    const Widths widths(tree, index);
+    const ShownWood wood(tree, index, widths);
+    const auto lines = std::make_shared<const StrandLines>(wood.lines());
+    follower.pool.takeChanges();
+    follower.pool.setLines(lines);
+    while (!follower.pool.finishSome(tree, index, 40)) {
+    }
+    const MeshPool::Changes changes = follower.pool.takeChanges();
+    QVERIFY(changes.vertices.empty() && changes.indices.empty() && !changes.leaves.empty());
+    QVERIFY(sorted(follower.pool.leaves()) == sorted(wood.leaves()));
+    QVERIFY(sorted(follower.pool.leaves()) != onTubes);
+    follower.pool.setLines(lines);
+    follower.pool.finish(tree, index);
+    QVERIFY(follower.pool.takeChanges().isEmpty());
+    follower.pool.setLines(nullptr);
+    follower.pool.finish(tree, index);
+    QVERIFY(sorted(follower.pool.leaves()) == onTubes);
 }
 
 void MeshPoolTest::pool_followsAStemThatTapersByLength()

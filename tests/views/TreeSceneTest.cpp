@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TreeScene.h"
 
+#include "commands/SetParameters.h"
 #include "model/document/PreparedTree.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
@@ -17,6 +18,8 @@ private Q_SLOTS:
     void tolerance_doesNotWaverWithThePixel();
     void preparedScene_isShownAsItIs();
     void preparedScene_ofAnotherTree_isDropped();
+    void strands_takeTheLeavesAlong();
+    void fibres_areWantedWhereTheyShow();
 };
 
 void TreeSceneTest::wood_isFinerWhereAPixelIsSmaller()
@@ -55,6 +58,70 @@ void TreeSceneTest::tolerance_doesNotWaverWithThePixel()
     for (const double pixel : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
         scene.setPixelSize(pixel);
     QCOMPARE(scene.mesh().options().tolerance, tolerance);
+}
+
+void TreeSceneTest::strands_takeTheLeavesAlong()
+{
+    TreeDocument document;
+    growAtRandom(document, 6, 300);
+    TreeParameters parameters = document.parameters();
+    parameters.leaves.visible = true;
+    setParameters(document, parameters);
+    TreeScene scene(document);
+    connect(&document, &TreeDocument::changed, this, [&](const TreeChange& change) { scene.follow(change); });
+    scene.prepare();
+    const auto leaves = [&] {
+        while (!scene.settleSome()) {
+        }
+        return std::vector<LeafInstance>(scene.mesh().leaves().begin(), scene.mesh().leaves().end());
+    };
+    const std::vector<LeafInstance> onTubes = leaves();
+    parameters.wood.mesher = WoodMesherKind::Strands;
+    setParameters(document, parameters);
+    QVERIFY(scene.wantsStrands());
+    QVERIFY(leaves() == onTubes); // as long as tubes are shown
+    scene.prepareStrands();
+    QVERIFY(!scene.wantsStrands());
+    const std::vector<LeafInstance> onStrands = leaves();
+    QCOMPARE(onStrands.size(), onTubes.size());
+    QVERIFY(onStrands != onTubes);
+    // Leaves of another shape stand on the same strands at once.
+    parameters.leaves.length *= 0.5;
+    setParameters(document, parameters);
+    QVERIFY(scene.strands());
+    const std::vector<LeafInstance> smaller = leaves();
+    for (std::size_t i = 0; i < smaller.size(); ++i)
+        QVERIFY(smaller[i].position == onStrands[i].position || smaller[i].length == 0.0F);
+    QVERIFY(smaller != onStrands);
+    // Tubes stand in for a tree that grows, and leaves stand on these.
+    grow(document, 1);
+    QVERIFY(!scene.strands());
+    document.undo();
+    parameters.leaves.length *= 2.0;
+    setParameters(document, parameters);
+    QVERIFY(leaves().size() >= onTubes.size());
+    for (const LeafInstance& leaf : leaves())
+        QVERIFY(leaf.length == 0.0F || std::ranges::find(onTubes, leaf) != onTubes.end());
+    disconnect(&document, nullptr, this, nullptr);
+}
+
+void TreeSceneTest::fibres_areWantedWhereTheyShow()
+{
+    TreeDocument document;
+    growAtRandom(document, 6, 300);
+    TreeParameters parameters = document.parameters();
+    parameters.wood.mesher = WoodMesherKind::Tubes;
+    setParameters(document, parameters);
+    TreeScene scene(document);
+    QVERIFY(!scene.wantsStrands());
+    scene.setFibresShown(true);
+    QVERIFY(scene.wantsStrands());
+    scene.prepareStrands();
+    QVERIFY(!scene.wantsStrands());
+    QVERIFY(!scene.strands()->fibres.empty());
+    QVERIFY(!scene.strands()->hasMesh());
+    scene.setFibresShown(false);
+    QVERIFY(!scene.wantsStrands());
 }
 
 void TreeSceneTest::preparedScene_isShownAsItIs()

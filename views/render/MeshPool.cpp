@@ -95,6 +95,14 @@ bool MeshPool::finishSome(const Tree& tree, const TreeIndex& index, std::size_t 
     return m_tracker.isDone();
 }
 
+void MeshPool::setLines(std::shared_ptr<const StrandLines> lines)
+{
+    if (lines == m_lines)
+        return;
+    m_lines = std::move(lines);
+    m_tracker.noteLeavesMoved();
+}
+
 bool MeshPool::settle(const Tree& tree, const TreeIndex& index)
 {
     finish(tree, index);
@@ -125,14 +133,15 @@ std::size_t MeshPool::bytes() const
 void MeshPool::mesh(const Tree& tree, const TreeIndex& index, std::span<const InternodeId> bases,
                     bool withWood)
 {
-    const LeafPlacer placer(tree, index);
+    const LeafPlacer placer(tree, index, m_tracker.widths(),
+                            m_lines ? std::span<const WoodLine>(*m_lines) : std::span<const WoodLine>());
     std::vector<Needs> needs(bases.size());
     parallelFor(bases.size(), kPiecesPerTask, [&](std::size_t begin, std::size_t end) {
         const auto mesher = m_tracker.pieceMesher(tree, index);
         for (std::size_t i = begin; i < end; ++i) {
             if (withWood)
                 needs[i].size = mesher->prepare(bases[i]);
-            needs[i].leaves = placer.count(m_tracker.internodesOf(index, bases[i]));
+            needs[i].leaves = placer.rule().count(m_tracker.internodesOf(index, bases[i]));
         }
     });
 
@@ -159,7 +168,7 @@ void MeshPool::mesh(const Tree& tree, const TreeIndex& index, std::span<const In
                       m_leaves.begin() + piece.leaves.first + piece.leaves.capacity, LeafInstance{});
             const std::vector<InternodeId> internodes = m_tracker.internodesOf(index, bases[i]);
             placer.place(internodes, std::span(m_leaves).subspan(piece.leaves.first, piece.leafCount));
-            m_tracker.noteLeaves(placer, internodes);
+            m_tracker.noteLeaves(placer.rule(), internodes);
         }
     });
 }

@@ -4,6 +4,7 @@
 #include "model/mesh/WoodTracker.h"
 #include "views/render/RunAllocator.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,9 @@ public:
     /// Sets how fine the wood is, from the next finish() on.
     void setOptions(const WoodMeshOptions& options) { m_tracker.setOptions(options); }
     const WoodMeshOptions& options() const { return m_tracker.options(); }
+    /// The wood as strands, if it is shown so: from the next finish() on, leaves stand on it, not on the
+    /// tubes. Null for tubes.
+    void setLines(std::shared_ptr<const StrandLines> lines);
 
     std::span<const MeshVertex> vertices() const { return m_vertices; }
     std::span<const VertexIndex> indices() const { return m_indices; }
@@ -83,6 +87,7 @@ private:
     void releaseLeaves(const Run& run);
 
     WoodTracker m_tracker;
+    std::shared_ptr<const StrandLines> m_lines;
     MeshBuffer<MeshVertex> m_vertices;
     MeshBuffer<VertexIndex> m_indices;
     MeshBuffer<LeafInstance> m_leaves;

@@ -95,6 +95,7 @@ Result<QImage> renderImage(const TreeDocument& document, const PictureRequest& r
     if (!renderer)
         return renderer.error();
     TreeScene scene(document);
+    scene.setFibresShown(request.options.view.fibresShown);
     scene.prepareStrands();
     Camera camera = request.camera.value_or(pictureCamera(request.view, scene, request.size));
     camera.setViewSize(request.size);

@@ -85,6 +85,7 @@ Renderer::Renderer(Gl& gl)
       m_leafProgram(loadProgram("leaf.vert", "leaf.frag")),
       m_plainBarkProgram(loadProgram("bark.vert", "bark.frag", "PLAIN")),
       m_plainLeafProgram(loadProgram("leaf.vert", "leaf.frag", "PLAIN")),
+      m_fibreProgram(loadProgram("fibre.vert", "fibre.frag")),
       m_shadowProgram(loadProgram("shadow.vert", "shadow.frag")),
       m_leafShadowProgram(loadProgram("leafshadow.vert", "leafshadow.frag")),
       m_backgroundProgram(loadProgram("screen.vert", "background.frag")),
@@ -320,6 +321,11 @@ void Renderer::drawTree(const RenderOptions& options, float saturation)
         leaf.setUniformValue("filmCast", m_tree.hasOwnLeaves() ? QVector3D(0.75F, 0.75F, 0.75F)
                                                                : QVector3D(0.84F, 0.63F, 0.80F));
         m_tree.drawLeaves();
+    }
+    if (options.view.fibresShown && m_tree.hasFibres()) {
+        m_fibreProgram->bind();
+        m_tree.drawFibres();
+        return;
     }
     QOpenGLShaderProgram& bark = options.isPlain ? *m_plainBarkProgram : *m_barkProgram;
     bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.barkColour());

@@ -58,6 +58,7 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_leafProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_plainBarkProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_plainLeafProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_fibreProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_shadowProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_leafShadowProgram;
     std::unique_ptr<QOpenGLShaderProgram> m_backgroundProgram;

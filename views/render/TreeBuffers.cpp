@@ -69,8 +69,10 @@ TreeBuffers::TreeBuffers(Gl& gl)
       m_cardIndices(gl),
       m_strandVertices(gl),
       m_strandIndices(gl),
+      m_fibres(gl),
       m_barkArray(gl),
       m_strandArray(gl),
+      m_fibreArray(gl),
       m_leafArray(gl),
       m_barkColour(gl),
       m_barkSurface(gl),
@@ -96,6 +98,13 @@ TreeBuffers::TreeBuffers(Gl& gl)
     };
     woodArray(m_barkArray, m_vertices, m_indices);
     woodArray(m_strandArray, m_strandVertices, m_strandIndices);
+
+    gl.glBindVertexArray(m_fibreArray.get());
+    gl.glBindBuffer(GL_ARRAY_BUFFER, m_fibres.name());
+    attribute(gl, 0, 3, sizeof(FibreVertex), offsetof(FibreVertex, position));
+    gl.glEnableVertexAttribArray(1);
+    gl.glVertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(FibreVertex),
+                             reinterpret_cast<const void*>(offsetof(FibreVertex, colour)));
 
     gl.glBindVertexArray(m_leafArray.get());
     gl.glBindBuffer(GL_ARRAY_BUFFER, m_cardVertices.name());
@@ -216,20 +225,27 @@ bool TreeBuffers::followStrands(const TreeScene& scene)
     if (m_strands == scene.strands())
         return false;
     m_strands = scene.strands();
-    if (m_strands) {
-        const std::span<const MeshVertex> vertices(m_strands->vertices);
-        const std::span<const VertexIndex> indices(m_strands->indices);
-        send(m_strandVertices, vertices, {}, true);
-        send(m_strandIndices, indices, {}, true);
+    if (hasStrandMesh()) {
+        send(m_strandVertices, std::span<const MeshVertex>(m_strands->mesh().vertices), {}, true);
+        send(m_strandIndices, std::span<const VertexIndex>(m_strands->mesh().indices), {}, true);
     }
+    if (hasFibres())
+        send(m_fibres, std::span<const FibreVertex>(m_strands->fibres), {}, true);
     return true;
 }
 
 void TreeBuffers::drawWood(GLenum mode)
 {
-    m_gl.glBindVertexArray(m_strands ? m_strandArray.get() : m_barkArray.get());
-    const GLsizei count = m_strands ? static_cast<GLsizei>(m_strands->indices.size()) : m_indexCount;
+    m_gl.glBindVertexArray(hasStrandMesh() ? m_strandArray.get() : m_barkArray.get());
+    const GLsizei count =
+        hasStrandMesh() ? static_cast<GLsizei>(m_strands->mesh().indices.size()) : m_indexCount;
     m_gl.glDrawElements(mode, count, GL_UNSIGNED_INT, nullptr);
+}
+
+void TreeBuffers::drawFibres()
+{
+    m_gl.glBindVertexArray(m_fibreArray.get());
+    m_gl.glDrawArrays(GL_LINES, 0, static_cast<GLsizei>(m_strands->fibres.size()));
 }
 
 void TreeBuffers::drawBark()

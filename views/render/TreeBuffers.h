@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/mesh/ShownStrands.h"
 #include "model/tree/Parameters.h"
 #include "views/render/GlResources.h"
 #include "views/render/MeshPool.h"
@@ -34,6 +35,9 @@ public:
     /// Draws a point for each corner of the triangles.
     void drawBarkPoints();
     void drawLeaves();
+    /// Whether the strands are there as lines.
+    bool hasFibres() const { return m_strands && !m_strands->fibres.empty(); }
+    void drawFibres();
 
     GLuint barkColour() const { return m_barkColour.get(); }
     /// Texture of the normal, with roughness as alpha.
@@ -49,8 +53,9 @@ private:
     template <class T>
     void send(GlBuffer& buffer, std::span<const T> elements, std::span<const MeshPool::Range> ranges,
               bool all);
-    /// Sends the mesh of strands, if another one is to be shown; returns whether it is.
+    /// Sends the strands, if others are to be shown; returns whether they are.
     bool followStrands(const TreeScene& scene);
+    bool hasStrandMesh() const { return m_strands && m_strands->hasMesh(); }
     void drawWood(GLenum mode);
     void fillTextures(const TreeParameters& parameters);
     void fillLight(TreeScene& scene, bool all);
@@ -64,8 +69,10 @@ private:
     // The mesh of strands, if it is shown in place of the vertices above.
     GlBuffer m_strandVertices;
     GlBuffer m_strandIndices;
+    GlBuffer m_fibres;
     GlVertexArray m_barkArray;
     GlVertexArray m_strandArray;
+    GlVertexArray m_fibreArray;
     GlVertexArray m_leafArray;
     GlTexture m_barkColour;
     GlTexture m_barkSurface;
@@ -77,7 +84,7 @@ private:
     std::optional<BarkParameters> m_bark;
     std::optional<LeafParameters> m_leaf;
     ShaderImages m_ownLeaf; ///< From the image in m_leaf, if it has one
-    std::shared_ptr<const TriangleMesh> m_strands;
+    std::shared_ptr<const ShownStrands> m_strands;
     GLsizei m_indexCount = 0;
     GLsizei m_leafCount = 0;
     GLsizei m_cardIndexCount = 0;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TreeScene.h"
 
-#include "model/mesh/WoodMesh.h"
-
 #include <QElapsedTimer>
 
 #include <cmath>
@@ -40,6 +38,8 @@ void TreeScene::rebuild()
     const auto isOfThisTree = [this](const PreparedScene& scene) {
         return scene.tree.columns().parent.isSharedWith(m_document.tree().columns().parent);
     };
+    replaceStrands(nullptr);
+    m_strandsRevision = ~std::uint64_t{0};
     if (std::optional<PreparedScene> expected = std::exchange(m_expected, std::nullopt);
         expected && isOfThisTree(*expected)) {
         m_mesh = std::move(expected->mesh);
@@ -52,25 +52,34 @@ void TreeScene::rebuild()
     }
     m_boundsAreOld = true;
     m_lightWaits = false;
-    m_strands.reset();
-    m_strandsRevision = ~std::uint64_t{0};
     prepare();
 }
 
-void TreeScene::setStrands(std::shared_ptr<const TriangleMesh> strands, std::uint64_t revision)
+void TreeScene::setStrands(std::shared_ptr<const ShownStrands> strands, std::uint64_t revision)
 {
-    m_strands = std::move(strands);
+    replaceStrands(std::move(strands));
     m_strandsRevision = revision;
+}
+
+void TreeScene::replaceStrands(std::shared_ptr<const ShownStrands> strands)
+{
+    if (strands == m_strands)
+        return;
+    m_strands = std::move(strands);
+    const bool areLines = m_strands && !m_strands->lines.empty();
+    m_mesh.setLines(areLines ? std::shared_ptr<const StrandLines>(m_strands, &m_strands->lines) : nullptr);
+    m_isBehind = true;
+    m_isSettling = false;
+    m_isExact = false;
 }
 
 void TreeScene::prepareStrands()
 {
     if (!wantsStrands())
         return;
-    const Tree& tree = m_document.tree();
-    const TreeIndex& index = m_document.index();
-    setStrands(std::make_shared<const TriangleMesh>(meshWood(tree, index, Widths(tree, index))),
-               m_document.revision());
+    WorkProgress progress;
+    setStrands(makeShownStrands(m_document.tree(), m_fibresShown, nullptr, progress), m_document.revision());
+    prepare();
 }
 
 void TreeScene::follow(const TreeChange& change)
@@ -85,7 +94,7 @@ void TreeScene::follow(const TreeChange& change)
     const TreeDelta& delta = *change.delta;
     // Tubes stand in for branches that come or move; other changes leave the last strands in place.
     if (delta.born.count > 0 || delta.reframes() || parameters().wood.mesher == WoodMesherKind::Tubes)
-        m_strands.reset();
+        replaceStrands(nullptr);
     m_mesh.follow(m_document.tree(), m_document.index(), delta);
     const auto relight = [&](InternodeId id) { m_relit.extend(m_document.index().nodePosition(id)); };
     if (change.kind == TreeChange::Kind::Applied) {

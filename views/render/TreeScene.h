@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/document/TreeDocument.h"
+#include "model/mesh/ShownStrands.h"
 #include "views/render/PreparedScene.h"
 
 namespace espalier {
@@ -23,7 +24,7 @@ public:
     void follow(const TreeChange& change);
     /// Updates what several changes need only once; call it before mesh(), light() and bounds().
     void prepare();
-    /// Makes the mesh of strands at once, if it is wanted. For pictures; it can take seconds.
+    /// Makes strands and fibres at once, if they are wanted. For pictures; it can take seconds.
     void prepareStrands();
     /// Updates a part, for about kSlice; returns whether nothing is left. Pieces that have waited longest
     /// come first, so that the picture of a large growing tree is only a little late.
@@ -34,18 +35,21 @@ public:
     /// Sets the length of a picture's pixel at the tree, m, which decides how fine the wood must be. The
     /// fineness changes in large steps.
     void setPixelSize(double metres);
-    /// Whether the wood is to be shown as strands, but the mesh of strands is missing or older than the tree:
-    /// it takes too long for a frame, so a worker makes it (StrandRunner).
+    /// Whether strands are to be shown as fibres, also those of a tree whose wood is tubes.
+    void setFibresShown(bool shown) { m_fibresShown = shown; }
+    /// Whether strands or fibres are to be shown, but are missing or older than the tree: they take too long
+    /// for a frame, so a worker makes them (StrandRunner).
     bool wantsStrands() const
     {
-        return parameters().wood.mesher == WoodMesherKind::Strands &&
-               m_strandsRevision != m_document.revision();
+        return (parameters().wood.mesher == WoodMesherKind::Strands || m_fibresShown) &&
+               (m_strandsRevision != m_document.revision() || !m_strands ||
+                (m_fibresShown && !m_strands->hasFibres));
     }
-    /// Shows @p strands in place of the tubes. @p revision: of the document when the mesh was begun; a mesh
-    /// of an earlier tree stays until the tree changes its shape.
-    void setStrands(std::shared_ptr<const TriangleMesh> strands, std::uint64_t revision);
-    /// The mesh of strands that is shown in place of the pieces in mesh(), or null.
-    const std::shared_ptr<const TriangleMesh>& strands() const { return m_strands; }
+    /// Shows @p strands in place of the tubes; leaves move to them. @p revision: of the document when they
+    /// were begun; those of an earlier tree stay until the tree changes its shape.
+    void setStrands(std::shared_ptr<const ShownStrands> strands, std::uint64_t revision);
+    /// What is shown in place of the pieces in mesh(), or null.
+    const std::shared_ptr<const ShownStrands>& strands() const { return m_strands; }
 
     /// Whether there is something left to prepare.
     bool isBehind() const { return m_isBehind; }
@@ -72,6 +76,7 @@ public:
 
 private:
     void rebuild();
+    void replaceStrands(std::shared_ptr<const ShownStrands> strands);
     bool workSome();
     void updateLight();
     void updateBounds();
@@ -89,7 +94,8 @@ private:
     bool m_isExact = true;
     bool m_boundsAreOld = false;
     std::optional<PreparedScene> m_expected;
-    std::shared_ptr<const TriangleMesh> m_strands;
+    std::shared_ptr<const ShownStrands> m_strands;
+    bool m_fibresShown = false;
     std::uint64_t m_strandsRevision = ~std::uint64_t{0};
 };
 

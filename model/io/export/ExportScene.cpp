@@ -3,7 +3,6 @@
 
 #include "model/base/Parallel.h"
 #include "model/mesh/LeafCard.h"
-#include "model/mesh/LeafPlacer.h"
 #include "model/mesh/UvWrap.h"
 #include "model/mesh/WoodMesh.h"
 #include "model/texture/OwnTextures.h"
@@ -234,23 +233,21 @@ void moveIntoTiles(TriangleMesh& mesh, const LeafTiles& tiles, std::size_t verti
     }
 }
 
-void addBark(ExportScene& scene, const Tree& tree, const TreeIndex& index, const Widths& widths,
-             const ExportOptions& options)
+void addBark(ExportScene& scene, const Tree& tree, const ShownWood& wood, const ExportOptions& options)
 {
     ExportMaterial material =
         namedMaterial(scene.name + QLatin1String("_Bark"), QStringLiteral("bark"), false);
     pack(material, barkTextures(tree.parameters().bark, options.textureSize));
-    scene.meshes.push_back(
-        {meshName(material.name, 0),
-         withSmallV(meshWood(tree, index, widths, {.tolerance = exportTolerance(options)})),
-         scene.materials.size()});
+    scene.meshes.push_back({meshName(material.name, 0),
+                            withSmallV(wood.mesh({.tolerance = exportTolerance(options)})),
+                            scene.materials.size()});
     scene.materials.push_back(std::move(material));
 }
 
 /// Adds the leaves; nothing if the tree shows none.
-void addLeaves(ExportScene& scene, const Tree& tree, const TreeIndex& index, const ExportOptions& options)
+void addLeaves(ExportScene& scene, const Tree& tree, const ShownWood& wood, const ExportOptions& options)
 {
-    const MeshBuffer<LeafInstance> leaves = placeLeaves(tree, index);
+    const MeshBuffer<LeafInstance> leaves = wood.leaves();
     const LeafTiles tiles = chooseTiles(leaves);
     if (tiles.tileOf.empty())
         return;
@@ -291,9 +288,10 @@ ExportScene buildExportScene(const Tree& tree, const TreeIndex& index, const QSt
     scene.name = safeExportName(name);
     const Widths widths(tree, index);
     if (parts.surface) {
-        addBark(scene, tree, index, widths, options);
+        const ShownWood wood(tree, index, widths);
+        addBark(scene, tree, wood, options);
         if (options.leaves)
-            addLeaves(scene, tree, index, options);
+            addLeaves(scene, tree, wood, options);
     }
     if (parts.skeleton)
         addSkeleton(scene, tree, index, widths);

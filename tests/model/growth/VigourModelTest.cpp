@@ -2,12 +2,14 @@
 #include "model/growth/VigourModel.h"
 
 #include "commands/DocumentProject.h"
+#include "commands/SetParameters.h"
 #include "model/growth/BudBreak.h"
 #include "model/growth/Sagging.h"
 #include "model/growth/ShootDirection.h"
 #include "model/growth/VigourFlux.h"
 #include "model/growth/VigourSpecies.h"
 #include "model/io/project/ProjectFile.h"
+#include "model/mesh/TreeCounts.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
@@ -41,6 +43,7 @@ private Q_SLOTS:
     void addedVigour_isUsedUp();
     void invigoratedBranch_growsAlone();
     void brush_growsTowardTheMarkersAlone();
+    void brush_shedsShadedTips();
     void species_growDifferentOutlines();
 
 private:
@@ -490,6 +493,39 @@ void VigourModelTest::brush_growsTowardTheMarkersAlone()
     const Tree grown = document.tree();
     brush(document, strokeAlong(std::array{Vec3(30, 2, 0), Vec3(31, 2, 0)}, 0.3F, 0.3));
     QVERIFY(document.tree() == grown);
+}
+
+void VigourModelTest::brush_shedsShadedTips()
+{
+    // A crown that never shed, in which new parameters find shade.
+    for (const double pruning : {0.0, 0.6}) {
+        TreeDocument document;
+        grownTree(document, 14, 70, branchy());
+        const std::uint32_t size = document.tree().size();
+        TreeParameters parameters = document.parameters();
+        parameters.vigour.lightPruning = pruning;
+        setParameters(document, parameters);
+        const float top = treeBounds(document.tree(), document.index()).max().y();
+        brush(document, strokeAlong(std::array{Vec3(0, top, 0), Vec3(0.6F, top + 0.8F, 0)}, 0.5F, 1.5));
+        QVERIFY(document.tree().size() > size);
+        int dead = 0;
+        for (InternodeId id = 0; id < document.tree().size(); ++id) {
+            if (document.tree().isAlive(id))
+                continue;
+            ++dead;
+            // Young shoots and the trunk stay.
+            const auto& columns = document.tree().columns();
+            QVERIFY(columns.death[id] >= columns.birth[id] + 12);
+            QVERIFY(document.index().axis(id) != 0);
+        }
+        QVERIFY(pruning > 0.0 ? dead > 20 : dead == 0);
+        QCOMPARE(indexFault(document), QString());
+        const DocumentState done(document);
+        document.undo();
+        QCOMPARE(document.tree().size(), size);
+        document.redo();
+        QVERIFY(DocumentState(document) == done);
+    }
 }
 
 void VigourModelTest::species_growDifferentOutlines()

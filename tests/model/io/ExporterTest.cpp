@@ -6,6 +6,7 @@
 #include "model/mesh/LeafCard.h"
 #include "model/mesh/LeafPlacer.h"
 #include "model/shape/Widths.h"
+#include "tests/support/Leaves.h"
 #include "tests/support/OwnImages.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
@@ -138,7 +139,7 @@ void ExporterTest::leavesOfOneHue_takeOneTile()
     const ExportScene scene = buildExportScene(builder.tree, builder.index, {}, kSmall);
     const QImage leaf = QImage::fromData(scene.materials[1].colour.png, "png");
     QCOMPARE(leaf.size(), QSize(32, 32));
-    const MeshBuffer<LeafInstance> leaves = placeLeaves(builder.tree, builder.index);
+    const MeshBuffer<LeafInstance> leaves = leavesOf(builder);
     const TriangleMesh plain = expandLeaves(leaves);
     QVERIFY(scene.meshes[1].mesh.vertices == plain.vertices);
 }
@@ -153,7 +154,7 @@ void ExporterTest::leavesOfManyHues_lieInTheTileOfTheirHue()
     const QImage leaf = QImage::fromData(scene.materials[1].colour.png, "png");
     QCOMPARE(leaf.size(), QSize(8 * 32, 32));
 
-    const MeshBuffer<LeafInstance> leaves = placeLeaves(builder.tree, builder.index);
+    const MeshBuffer<LeafInstance> leaves = leavesOf(builder);
     const std::size_t perLeaf = leafCard(parameters.leaves.shape).vertices.size();
     const auto& vertices = scene.meshes[1].mesh.vertices;
     QCOMPARE(vertices.size(), leaves.size() * perLeaf);
@@ -221,7 +222,7 @@ void ExporterTest::imagesOfOnesOwn_takeThePlaceOfTheDrawnOnes()
     for (const ExportTexture* texture : {&scene.materials[1].normal, &scene.materials[1].roughness})
         QCOMPARE(QImage::fromData(texture->png, "png").size(), leaf.size());
     const std::size_t perLeaf = leafCard(LeafShape::Own).vertices.size();
-    QCOMPARE(scene.meshes[1].mesh.vertices.size(), placeLeaves(builder.tree, builder.index).size() * perLeaf);
+    QCOMPARE(scene.meshes[1].mesh.vertices.size(), leavesOf(builder).size() * perLeaf);
 }
 
 void ExporterTest::names_becomeSafe()

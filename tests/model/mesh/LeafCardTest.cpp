@@ -2,6 +2,7 @@
 #include "model/mesh/LeafCard.h"
 
 #include "model/mesh/LeafPlacer.h"
+#include "tests/support/Leaves.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -124,7 +125,7 @@ void LeafCardTest::expansion_leavesHiddenLeavesOut()
 void LeafCardTest::roundness_turnsNormalsOutOfTheCrown()
 {
     const TreeBuilder builder = raisedTree(300, 1);
-    const auto leaves = placeLeaves(builder.tree, builder.index);
+    const auto leaves = leavesOf(builder);
     const Vec3 centre(0.0F, 1.0F, 0.0F);
     double outwardBefore = 0.0;
     for (const double roundness : {0.0, 0.4, 0.8, 1.0}) {
@@ -148,7 +149,7 @@ void LeafCardTest::roundness_turnsNormalsOutOfTheCrown()
 void LeafCardTest::expansion_isTheSameOnOneThreadAndMany()
 {
     const TreeBuilder builder = raisedTree(9000, 2);
-    const auto leaves = placeLeaves(builder.tree, builder.index);
+    const auto leaves = leavesOf(builder);
     QVERIFY(leaves.size() > 8192);
     TriangleMesh single;
     {

@@ -3,7 +3,10 @@
 
 #include "model/mesh/LeafCard.h"
 #include "model/mesh/Tubes.h"
+#include "model/mesh/WoodMesh.h"
 #include "model/texture/Textures.h"
+#include "tests/support/Growing.h"
+#include "tests/support/Leaves.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -12,7 +15,6 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
-#include <set>
 
 namespace espalier::test {
 
@@ -36,6 +38,14 @@ private Q_SLOTS:
     void flat_liesLeftAndRightOfTheTwig();
     void flat_ofAnUprightShootKeepsItsPlane();
     void arrangement_isThatOfTheAxisWhereverATubeBegins();
+    void foot_isOnTheBark_data();
+    void foot_isOnTheBark();
+    void foot_ofStrands_isOnTheirSurface_data();
+    void foot_ofStrands_isOnTheirSurface();
+    void turn_ofAStraightBranch_isThatOfTheArrangement_data();
+    void turn_ofAStraightBranch_isThatOfTheArrangement();
+    void turn_ofABentAxis_isNeverSudden_data();
+    void turn_ofABentAxis_isNeverSudden();
     void leaves_dependOnSeedAndNodeAlone();
     void leaves_areTheSameOnOneThreadAndMany();
     void hue_shiftsFromGreenToRedWithWeakness();
@@ -74,12 +84,29 @@ Vec3 normalOf(const LeafInstance& leaf)
     return rotationOf(leaf) * Vec3(Vec3::UnitZ());
 }
 
-std::vector<LeafInstance> leavesOf(const TreeBuilder& builder, InternodeId id)
+float distanceToTriangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c)
 {
-    const LeafPlacer placer(builder.tree, builder.index);
-    std::vector<LeafInstance> leaves(placer.leavesPerInternode());
-    placer.place(id, leaves);
-    return leaves;
+    const Vec3 normal = (b - a).cross(c - a);
+    const auto toEdge = [&](const Vec3& from, const Vec3& to) {
+        const Vec3 edge = to - from;
+        const float t =
+            std::clamp((point - from).dot(edge) / std::max(edge.squaredNorm(), 1e-20F), 0.0F, 1.0F);
+        return (point - from - t * edge).norm();
+    };
+    const bool isOver = normal.squaredNorm() > 1e-20F && (b - a).cross(point - a).dot(normal) >= 0.0F &&
+                        (c - b).cross(point - b).dot(normal) >= 0.0F &&
+                        (a - c).cross(point - c).dot(normal) >= 0.0F;
+    if (isOver)
+        return std::abs((point - a).dot(normal)) / normal.norm();
+    return std::min({toEdge(a, b), toEdge(b, c), toEdge(c, a)});
+}
+
+/// Distance of a leaf's foot from the line along an internode, m.
+float distanceFromAxis(const TreeBuilder& builder, InternodeId id, const LeafInstance& leaf)
+{
+    const Vec3 axis = builder.index.heading(id);
+    const Vec3 off = toVec3(leaf.position) - builder.index.nodePosition(id);
+    return (off - off.dot(axis) * axis).norm();
 }
 
 } // namespace
@@ -92,18 +119,18 @@ void LeafPlacerTest::leaves_areOnYoungShootsAlone()
             parameters.leaves.maxTips = maxTips;
             parameters.leaves.perNode = perNode;
             const TreeBuilder builder = raisedTree(800, 1, parameters);
-            std::multiset<std::array<float, 3>> nodes;
+            const MeshBuffer<LeafInstance> leaves = leavesOf(builder);
+            std::size_t expected = 0;
             for (InternodeId id = 0; id < builder.tree.size(); ++id) {
                 const std::uint32_t tips = builder.index.tipCount(id);
-                if (tips >= 1 && tips <= static_cast<std::uint32_t>(maxTips)) {
-                    for (int i = 0; i < perNode; ++i)
-                        nodes.insert(toArray(builder.index.nodePosition(id)));
+                if (tips < 1 || tips > static_cast<std::uint32_t>(maxTips))
+                    continue;
+                for (const LeafInstance& leaf : leavesOf(builder, id)) {
+                    QVERIFY(std::ranges::find(leaves, leaf) != leaves.end());
+                    ++expected;
                 }
             }
-            std::multiset<std::array<float, 3>> places;
-            for (const LeafInstance& leaf : placeLeaves(builder.tree, builder.index))
-                places.insert(leaf.position);
-            QVERIFY(places == nodes);
+            QCOMPARE(leaves.size(), expected);
         }
     }
 }
@@ -116,7 +143,7 @@ void LeafPlacerTest::leaves_followTheParametersInForce()
     parameters.leaves.length = 0.2;
     parameters.leaves.aspect = 0.5;
     builder.apply(parameterChange(builder.tree, parameters));
-    const auto leaves = placeLeaves(builder.tree, builder.index);
+    const auto leaves = leavesOf(builder);
     QVERIFY(!leaves.empty());
     for (const LeafInstance& leaf : leaves) {
         QCOMPARE(leaf.shape, static_cast<std::int32_t>(LeafShape::Lobed));
@@ -125,11 +152,11 @@ void LeafPlacerTest::leaves_followTheParametersInForce()
     }
     parameters.leaves.visible = false;
     builder.apply(parameterChange(builder.tree, parameters));
-    QVERIFY(placeLeaves(builder.tree, builder.index).empty());
+    QVERIFY(leavesOf(builder).empty());
     parameters.leaves.visible = true;
     parameters.leaves.perNode = 0;
     builder.apply(parameterChange(builder.tree, parameters));
-    QVERIFY(placeLeaves(builder.tree, builder.index).empty());
+    QVERIFY(leavesOf(builder).empty());
 }
 
 void LeafPlacerTest::azimuth_turnsByThePhyllotaxis_data()
@@ -186,7 +213,7 @@ void LeafPlacerTest::angle_isThatBetweenShootAndPetiole()
         parameters.leaves.angle = radians(angle);
         const TreeBuilder builder = raisedTree(200, 3, parameters);
         for (InternodeId id = 0; id < builder.tree.size(); ++id) {
-            if (!LeafPlacer(builder.tree, builder.index).bears(id))
+            if (!LeafRule(builder.tree, builder.index).bears(id))
                 continue;
             for (const LeafInstance& leaf : leavesOf(builder, id)) {
                 const double cosine = directionOf(leaf).dot(builder.index.heading(id));
@@ -204,7 +231,7 @@ void LeafPlacerTest::droop_turnsLeavesDown()
         parameters.leaves.droop = droop;
         const TreeBuilder builder = raisedTree(300, 4, parameters);
         double mean = 0.0;
-        const auto leaves = placeLeaves(builder.tree, builder.index);
+        const auto leaves = leavesOf(builder);
         for (const LeafInstance& leaf : leaves)
             mean += directionOf(leaf).y() / static_cast<double>(leaves.size());
         QVERIFY(mean < above);
@@ -223,7 +250,7 @@ void LeafPlacerTest::frames_areOrthonormal()
         parameters.growth.irregularity = 1.0;
         parameters.leaves.upward = upward;
         const TreeBuilder builder = raisedTree(600, 5, parameters);
-        for (const LeafInstance& leaf : placeLeaves(builder.tree, builder.index)) {
+        for (const LeafInstance& leaf : leavesOf(builder)) {
             QVERIFY(std::abs(rotationOf(leaf).norm() - 1.0F) < 1e-5F);
             const Vec3 direction = directionOf(leaf);
             const Vec3 normal = normalOf(leaf);
@@ -242,7 +269,7 @@ void LeafPlacerTest::faces_lookUp()
         parameters.leaves.droop = 0.4;
         const TreeBuilder builder = raisedTree(600, 6, parameters);
         double worst = 1.0;
-        for (const LeafInstance& leaf : placeLeaves(builder.tree, builder.index)) {
+        for (const LeafInstance& leaf : leavesOf(builder)) {
             worst = std::min(worst, static_cast<double>(normalOf(leaf).y()));
             // As far up as its direction allows.
             if (upward == 1.0)
@@ -263,7 +290,7 @@ void LeafPlacerTest::sizes_varyAsMuchAsAsked()
         double least = 1.0;
         double most = 0.0;
         double mean = 0.0;
-        const auto leaves = placeLeaves(builder.tree, builder.index);
+        const auto leaves = leavesOf(builder);
         for (const LeafInstance& leaf : leaves) {
             QVERIFY(std::abs(leaf.width - 0.6F * leaf.length) < 1e-6F);
             least = std::min(least, static_cast<double>(leaf.length));
@@ -338,7 +365,8 @@ void LeafPlacerTest::opposite_standsInTheGapsOfTheNodeBelow()
     for (InternodeId id = 1; id < builder.tree.size(); ++id) {
         const std::vector<LeafInstance> below = leavesOf(builder, id - 1);
         for (const LeafInstance& leaf : leavesOf(builder, id)) {
-            QCOMPARE(leaf.position, toArray(builder.index.nodePosition(id)));
+            const Vec3 off = toVec3(leaf.position) - builder.index.nodePosition(id);
+            QVERIFY(std::abs(off.dot(builder.index.heading(id))) < 1e-5F);
             const Vec3 direction = directionOf(leaf);
             for (const LeafInstance& other : below) {
                 const double turn = std::atan2(direction.z(), direction.x()) -
@@ -404,14 +432,15 @@ void LeafPlacerTest::arrangement_isThatOfTheAxisWhereverATubeBegins()
         parameters.leaves.arrangement = arrangement;
         parameters.leaves.maxTips = 1000;
         const TreeBuilder builder = raisedTree(900, 11, parameters);
-        const LeafPlacer placer(builder.tree, builder.index);
+        const Widths widths(builder.tree, builder.index);
+        const LeafPlacer placer(builder.tree, builder.index, widths);
         bool someTubeBeginsWithinAnAxis = false;
         for (const InternodeId base : tubesOf(builder.tree, builder.index)) {
             someTubeBeginsWithinAnAxis |= builder.index.axis(base) != base;
             std::vector<InternodeId> internodes;
             for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(builder.index, id))
                 internodes.push_back(id);
-            std::vector<LeafInstance> tube(placer.count(internodes));
+            std::vector<LeafInstance> tube(placer.rule().count(internodes));
             placer.place(internodes, tube);
             std::size_t done = 0;
             for (const InternodeId id : internodes) {
@@ -421,6 +450,202 @@ void LeafPlacerTest::arrangement_isThatOfTheAxisWhereverATubeBegins()
             QCOMPARE(done, tube.size());
         }
         QVERIFY(someTubeBeginsWithinAnAxis);
+    }
+}
+
+void LeafPlacerTest::foot_isOnTheBark_data()
+{
+    QTest::addColumn<LeafShape>("shape");
+    QTest::addColumn<LeafArrangement>("arrangement");
+    QTest::newRow("at nodes") << LeafShape::Ovate << LeafArrangement::Shoot;
+    QTest::newRow("along internodes") << LeafShape::Needles << LeafArrangement::Spiral;
+}
+
+void LeafPlacerTest::foot_isOnTheBark()
+{
+    QFETCH(LeafShape, shape);
+    QFETCH(LeafArrangement, arrangement);
+    TreeParameters parameters = exact();
+    parameters.leaves.shape = shape;
+    parameters.leaves.arrangement = arrangement;
+    parameters.leaves.perNode = 3;
+    parameters.leaves.maxTips = 12;
+    const TreeBuilder builder = raisedTree(900, 12, parameters);
+    const Widths widths(builder.tree, builder.index);
+    const LeafRule rule(builder.tree, builder.index);
+    int found = 0;
+    for (InternodeId id = 0; id < builder.tree.size(); ++id) {
+        if (!rule.bears(id))
+            continue;
+        for (const LeafInstance& leaf : leavesOf(builder, id)) {
+            const float radius = widths.radius(builder.index, id);
+            QVERIFY(radius > 0.0F);
+            QVERIFY(std::abs(distanceFromAxis(builder, id, leaf) - radius) < 1e-5F);
+            // Not in the wood that a branch comes out of, unless all of its internode is.
+            const InternodeId parent = builder.tree.parent(id);
+            if (parent == kNoInternode || builder.index.axis(id) != id)
+                continue;
+            const float support = widths.radius(builder.index, parent);
+            if (builder.tree.length(id) < 4.0F * support)
+                continue;
+            const Vec3 off = toVec3(leaf.position) - builder.index.nodePosition(parent);
+            const Vec3 along = builder.index.heading(parent);
+            QVERIFY((off - off.dot(along) * along).norm() > 0.9F * support - radius);
+            ++found;
+        }
+    }
+    QVERIFY2(found > 20, qPrintable(QString::number(found)));
+}
+
+void LeafPlacerTest::foot_ofStrands_isOnTheirSurface_data()
+{
+    QTest::addColumn<bool>("isVigorous");
+    QTest::addColumn<int>("strandsPerTip");
+    QTest::newRow("self-organising, one strand a tip") << false << 1;
+    QTest::newRow("self-organising, three strands a tip") << false << 3;
+    QTest::newRow("vigour, one strand a tip") << true << 1;
+}
+
+void LeafPlacerTest::foot_ofStrands_isOnTheirSurface()
+{
+    QFETCH(bool, isVigorous);
+    QFETCH(int, strandsPerTip);
+    TreeParameters parameters;
+    parameters.wood.mesher = WoodMesherKind::Strands;
+    parameters.wood.strandsPerTip = strandsPerTip;
+    parameters.leaves.maxTips = 4;
+    parameters.leaves.perNode = 2;
+    TreeDocument document;
+    if (isVigorous) {
+        parameters.growth.model = GrowthModelKind::Vigour;
+        parameters.vigour.growthRate = 0.8;
+        parameters.vigour.internodeLength = 0.1;
+    }
+    document.reset(5, parameters);
+    QVERIFY(grow(document, isVigorous ? 50 : 9) > 5);
+    const Tree& tree = document.tree();
+    const TreeIndex& index = document.index();
+    const Widths widths(tree, index);
+    const ShownWood wood(tree, index, widths);
+    const BranchMesh mesh = wood.mesh();
+    const StrandLines lines = wood.lines();
+    const LeafPlacer strands(tree, index, widths, lines);
+    const LeafPlacer tubes(tree, index, widths);
+    // The triangles of each internode's wood, and of those below and above it.
+    std::vector<std::vector<std::size_t>> triangles(tree.size());
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+        triangles[mesh.origins[mesh.indices[i]].internode].push_back(i);
+    std::vector<float> off;
+    float worstOfTubes = 0.0F;
+    for (InternodeId id = 1; id < tree.size(); ++id) {
+        if (!tree.isAlive(id) || !strands.rule().bears(id))
+            continue;
+        const auto distance = [&](const LeafInstance& leaf) {
+            float nearest = std::numeric_limits<float>::max();
+            const auto look = [&](InternodeId at) {
+                for (const std::size_t i : triangles[at]) {
+                    const auto corner = [&](std::size_t c) {
+                        return toVec3(mesh.vertices[mesh.indices[i + c]].position);
+                    };
+                    nearest = std::min(
+                        nearest, distanceToTriangle(toVec3(leaf.position), corner(0), corner(1), corner(2)));
+                }
+            };
+            look(id);
+            if (!tree.isRoot(id))
+                look(tree.parent(id));
+            for (InternodeId child = index.firstChild(id); child != kNoInternode;
+                 child = index.nextSibling(child))
+                look(child);
+            return nearest / widths.radius(index, id);
+        };
+        std::vector<LeafInstance> leaves(strands.rule().leavesPerInternode());
+        strands.place(id, leaves);
+        for (const LeafInstance& leaf : leaves)
+            off.push_back(distance(leaf));
+        tubes.place(id, leaves);
+        for (const LeafInstance& leaf : leaves)
+            worstOfTubes = std::max(worstOfTubes, distance(leaf));
+    }
+    QVERIFY(off.size() > 100);
+    std::ranges::sort(off);
+    // In radii of the twig. Rings have few sides, and a fork's outline is not round.
+    qInfo("median %.2f, worst %.2f, at tubes' places %.2f", double(off[off.size() / 2]), double(off.back()),
+          double(worstOfTubes));
+    QVERIFY(off[off.size() / 2] < 0.3F);
+    QVERIFY(off[off.size() * 95 / 100] < 0.6F);
+    QVERIFY(off.back() < 1.5F);
+    QVERIFY(worstOfTubes > off.back());
+}
+
+void LeafPlacerTest::turn_ofAStraightBranch_isThatOfTheArrangement_data()
+{
+    QTest::addColumn<LeafArrangement>("arrangement");
+    QTest::addColumn<double>("turn"); // degrees from node to node, up to half turns of a flat spray
+    QTest::newRow("spiral") << LeafArrangement::Spiral << 137.507764;
+    QTest::newRow("opposite") << LeafArrangement::Opposite << 180.0;
+    QTest::newRow("flat") << LeafArrangement::Flat << 180.0;
+    QTest::newRow("shoot") << LeafArrangement::Shoot << 100.0;
+}
+
+void LeafPlacerTest::turn_ofAStraightBranch_isThatOfTheArrangement()
+{
+    QFETCH(LeafArrangement, arrangement);
+    QFETCH(double, turn);
+    TreeParameters parameters = exact();
+    parameters.leaves.arrangement = arrangement;
+    parameters.leaves.perNode = 1;
+    for (const double lean : {0.0, 35.0, 90.0, 130.0}) {
+        TreeBuilder builder(3, parameters);
+        builder.growAxis(0, kTerminalSlot, continuing(), 30, continuing());
+        const InternodeId first = builder.tree.size();
+        builder.growAxis(20, 0, branching(radians(lean)), 12, continuing(0.0, 0.0, radians(100)));
+        const Vec3 axis = builder.index.heading(first);
+        const auto azimuthOf = [&](InternodeId id) {
+            const Vec3 x = anyPerpendicular(axis);
+            const Vec3 direction = directionOf(leavesOf(builder, id)[0]);
+            return std::atan2(direction.dot(axis.cross(x)), direction.dot(x));
+        };
+        for (InternodeId id = first + 1; id < builder.tree.size(); ++id) {
+            const double step = std::remainder(azimuthOf(id) - azimuthOf(id - 1), 2.0 * std::numbers::pi);
+            QVERIFY2(std::abs(std::abs(degrees(step)) - turn) < 0.05,
+                     qPrintable(QStringLiteral("%1 at a lean of %2").arg(degrees(step)).arg(lean)));
+        }
+    }
+}
+
+void LeafPlacerTest::turn_ofABentAxis_isNeverSudden_data()
+{
+    QTest::addColumn<LeafArrangement>("arrangement");
+    QTest::addColumn<double>("most"); // degrees that a node may add to the turn of the arrangement
+    QTest::newRow("spiral") << LeafArrangement::Spiral << 0.1;
+    QTest::newRow("opposite") << LeafArrangement::Opposite << 0.1;
+    QTest::newRow("flat") << LeafArrangement::Flat << 22.0;
+}
+
+void LeafPlacerTest::turn_ofABentAxis_isNeverSudden()
+{
+    QFETCH(LeafArrangement, arrangement);
+    QFETCH(double, most);
+    TreeParameters parameters = exact();
+    parameters.leaves.arrangement = arrangement;
+    parameters.leaves.perNode = 1;
+    // An axis that winds through all directions, upright, level and hanging.
+    TreeBuilder builder(7, parameters);
+    builder.growAxis(0, kTerminalSlot, continuing(), 40, continuing());
+    const InternodeId first = builder.tree.size();
+    builder.growAxis(40, kTerminalSlot, continuing(radians(15), 0.3F), 60, continuing(radians(15), 0.9F));
+    const double turn = arrangement == LeafArrangement::Spiral ? 137.507764 : 180.0;
+    for (InternodeId id = first + 1; id < builder.tree.size(); ++id) {
+        const Vec3 below = builder.index.heading(id - 1);
+        const Vec3 axis = builder.index.heading(id);
+        const Vec3 before = Rotation::FromTwoVectors(below, axis) * directionOf(leavesOf(builder, id - 1)[0]);
+        const Vec3 after = directionOf(leavesOf(builder, id)[0]);
+        const double step =
+            std::atan2(axis.dot(before.cross(after)),
+                       (before - before.dot(axis) * axis).dot(after - after.dot(axis) * axis));
+        QVERIFY2(std::abs(std::abs(degrees(step)) - turn) < most,
+                 qPrintable(QStringLiteral("%1 at %2").arg(degrees(step)).arg(id - first)));
     }
 }
 
@@ -449,10 +674,10 @@ void LeafPlacerTest::leaves_areTheSameOnOneThreadAndMany()
     MeshBuffer<LeafInstance> single;
     {
         const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-        single = placeLeaves(builder.tree, builder.index);
+        single = leavesOf(builder);
     }
     const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
-    QVERIFY(placeLeaves(builder.tree, builder.index) == single);
+    QVERIFY(leavesOf(builder) == single);
 }
 
 void LeafPlacerTest::hue_shiftsFromGreenToRedWithWeakness()
@@ -515,7 +740,7 @@ void LeafPlacerTest::leaves_nearTheGround_turnUpward()
         parameters.leaves.perNode = 5;
         TreeBuilder builder(1, parameters);
         builder.growAxis(0, kTerminalSlot, continuing(), 4, continuing(), 0.05F);
-        const MeshBuffer<LeafInstance> leaves = placeLeaves(builder.tree, builder.index);
+        const MeshBuffer<LeafInstance> leaves = leavesOf(builder);
         QVERIFY(leaves.size() >= 20);
         for (const LeafInstance& leaf : leaves)
             QVERIFY(leaf.length > 0.0F);
@@ -528,7 +753,7 @@ void LeafPlacerTest::leaves_belowTheGround_areHidden()
 {
     TreeBuilder builder;
     builder.apply(bend(builder.tree, 0, continuing(2.5, 0.0, 0.0), 3.0F));
-    const MeshBuffer<LeafInstance> leaves = placeLeaves(builder.tree, builder.index);
+    const MeshBuffer<LeafInstance> leaves = leavesOf(builder);
     QVERIFY(!leaves.empty());
     for (const LeafInstance& leaf : leaves)
         QVERIFY(leaf.length == 0.0F || leaf.position[1] >= 0.0F);

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/strands/StrandReliefs.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace espalier {
+
+namespace {
+
+// All heights are shares of the radius of the wood, at full strength.
+
+/// A ridge below a limb: its height for a limb of all strands, the distance over which it fades by 1/e, in
+/// radii of the wood, and the least share of the strands that a limb has.
+constexpr float kRidge = 0.95F;
+constexpr float kRidgeFade = 14.0F;
+constexpr float kLeastLimb = 0.02F;
+constexpr float kLeastHeight = 0.004F;
+/// Two stems of a fork both count as limbs if the thicker one has less than this share of the strands.
+constexpr float kEvenFork = 0.7F;
+/// The farthest that a bundle's middle must lie from that of the wood for its ridge to be whole, in radii.
+constexpr float kClearSide = 0.45F;
+/// Buttresses: their height for the usual flare, up to where they rise, in radii, and how many there are.
+constexpr float kButtress = 1.1F;
+constexpr float kButtressRadii = 4.5F;
+constexpr float kUsualFlare = 0.5F;
+constexpr std::size_t kMostButtresses = 7;
+/// Bundles at the ground are divided until they have at most this share of the strands.
+constexpr float kLargestRoot = 0.22F;
+constexpr float kSmallestRoot = 0.015F;
+/// Half the width of a buttress, and the least angle between two, rad.
+constexpr float kButtressWidth = 0.3F;
+constexpr float kButtressGap = 0.65F;
+/// Hollows of limbs: the smallest that leaves one and the largest that counts, in radii of the wood; their
+/// depth in radii of the limb; the height of the rim in depths, and how much wider than the hollow it is.
+constexpr float kSmallestHollow = 0.12F;
+constexpr float kLargestHollow = 0.7F;
+constexpr float kHollow = 1.3F;
+constexpr float kHollowRim = 0.5F;
+constexpr float kHollowRimWidth = 1.7F;
+/// Hollows reach this many radii of the limb along the wood.
+constexpr float kHollowReach = 3.0F;
+
+constexpr float kLowest = -0.45F;
+constexpr float kHighest = 0.8F;
+/// Strands that are looked at to find the middle of a bundle.
+constexpr std::uint32_t kSideSamples = 32;
+
+float gauss(float distance, float width)
+{
+    const float q = distance / width;
+    return std::exp(-0.5F * q * q);
+}
+
+/// The difference of two angles, −π...π.
+float angleBetween(float a, float b)
+{
+    return std::remainder(a - b, 2.0F * std::numbers::pi_v<float>);
+}
+
+/// Where a bundle lies in a section.
+struct BundleSide {
+    float angle = 0.0F;
+    float clearness = 0.0F; ///< 0 for a bundle in the middle, which has no side, to 1
+};
+
+} // namespace
+
+/// Sums up the reliefs of all nodes.
+class StrandReliefs::Builder {
+public:
+    Builder(const ReliefSources& sources, StrandReliefs& reliefs)
+        : m_sources(sources),
+          m_tree(sources.tree),
+          m_index(sources.index),
+          m_skeleton(sources.skeleton),
+          m_reliefs(reliefs),
+          m_strength(static_cast<float>(m_tree.parameters().wood.flutes)),
+          m_flare(static_cast<float>(m_tree.parameters().widths.flare))
+    {
+    }
+
+    void build()
+    {
+        for (std::uint32_t node = 0; node < m_skeleton.nodes.size(); ++node)
+            addLimbs(node);
+        for (const std::uint32_t base : m_skeleton.bases)
+            addButtresses(base);
+        level();
+        addHollows();
+        for (Table& table : m_reliefs.m_tables) {
+            for (float& value : table)
+                value = std::clamp(m_strength * value, kLowest, kHighest);
+        }
+    }
+
+private:
+    const StrandNode& at(std::uint32_t node) const { return m_skeleton.nodes[node]; }
+    bool isThick(std::uint32_t node) const { return at(node).strands >= kFewestStrands; }
+
+    std::uint32_t thickestOf(std::uint32_t node) const
+    {
+        return *std::ranges::max_element(m_skeleton.childrenOf(node), {},
+                                         [this](std::uint32_t child) { return at(child).strands; });
+    }
+
+    /// Distance of a node from the one below it, m.
+    float lengthTo(std::uint32_t node) const
+    {
+        return (at(node).position - at(at(node).parent).position).norm();
+    }
+
+    BundleSide sideOf(std::uint32_t node, std::uint32_t first, std::uint32_t count) const
+    {
+        const std::uint32_t stride = std::max(1U, count / kSideSamples);
+        Vec2 sum = Vec2::Zero();
+        std::uint32_t taken = 0;
+        for (std::uint32_t i = 0; i < count; i += stride, ++taken)
+            sum += m_sources.place(node, first + i);
+        const Vec2 middle = sum / static_cast<float>(taken);
+        const float radius = at(node).radius / m_sources.scales[node];
+        return {std::atan2(middle.y(), middle.x()), std::min(1.0F, middle.norm() / (kClearSide * radius))};
+    }
+
+    /// Adds @p height(distance in rad) around the section of a node that may have reliefs.
+    template <class Height>
+    void add(std::uint32_t node, float angle, Height&& height)
+    {
+        // A profile is drawn as it is meant.
+        if (!isThick(node) || m_sources.hasProfile(node))
+            return;
+        if (m_reliefs.m_tableOf.empty())
+            m_reliefs.m_tableOf.resize(m_skeleton.nodes.size(), kNone);
+        Table& table = m_reliefs.tableOf(node);
+        for (std::size_t i = 0; i < kAngles; ++i) {
+            const float here =
+                2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(kAngles);
+            table[i] += height(angleBetween(here, angle));
+        }
+    }
+
+    /// Ridges below the limbs that part at a node.
+    void addLimbs(std::uint32_t node)
+    {
+        if (at(node).childCount < 2 || !isThick(node))
+            return;
+        const auto strands = static_cast<float>(at(node).strands);
+        const std::uint32_t thickest = thickestOf(node);
+        for (const std::uint32_t child : m_skeleton.childrenOf(node)) {
+            const float share = static_cast<float>(at(child).strands) / strands;
+            if (share >= kLeastLimb && (child != thickest || share < kEvenFork))
+                addRidge(node, at(child).offset, at(child).strands);
+        }
+    }
+
+    /// The ridge of a bundle, from @p node downward; @p first: its first strand there.
+    void addRidge(std::uint32_t node, std::uint32_t first, std::uint32_t count)
+    {
+        float path = 0.0F;
+        while (true) {
+            const StrandNode& n = at(node);
+            const float width = std::sqrt(static_cast<float>(count) / static_cast<float>(n.strands));
+            const float fade = std::exp(-path / (kRidgeFade * std::max(n.radius, 1e-6F)));
+            const float most = kRidge * width * fade;
+            if (most < kLeastHeight)
+                return;
+            const BundleSide side = sideOf(node, first, count);
+            const float height = most * side.clearness;
+            const float half = std::max(0.5F * std::asin(std::min(width, 1.0F)), 0.1F);
+            add(node, side.angle, [&](float angle) { return height * gauss(angle, half); });
+            if (m_skeleton.isBase(node))
+                return;
+            first += n.offset;
+            path += lengthTo(node);
+            node = n.parent;
+        }
+    }
+
+    struct Root {
+        std::uint32_t first; ///< Of its strands at the base
+        std::uint32_t count;
+        float weight;
+        float angle;
+    };
+
+    /// The bundles whose strands come down to a base, the weightiest first, no two at one side.
+    std::vector<Root> rootsOf(std::uint32_t base) const
+    {
+        const auto strands = static_cast<float>(at(base).strands);
+        std::vector<Root> bundles;
+        struct Open {
+            std::uint32_t node;
+            std::uint32_t first;
+        };
+        std::vector<Open> open{{base, 0}};
+        while (!open.empty()) {
+            const auto [node, first] = open.back();
+            open.pop_back();
+            const float share = static_cast<float>(at(node).strands) / strands;
+            if (share < kSmallestRoot)
+                continue;
+            if (share > kLargestRoot && at(node).childCount > 0) {
+                for (const std::uint32_t child : m_skeleton.childrenOf(node))
+                    open.push_back({child, first + at(child).offset});
+                continue;
+            }
+            const BundleSide side = sideOf(base, first, at(node).strands);
+            bundles.push_back({first, at(node).strands, std::sqrt(share) * side.clearness, side.angle});
+        }
+        std::ranges::stable_sort(bundles, std::greater(), &Root::weight);
+        std::vector<Root> roots;
+        for (const Root& bundle : bundles) {
+            const bool isApart = std::ranges::none_of(roots, [&](const Root& root) {
+                return std::abs(angleBetween(root.angle, bundle.angle)) < kButtressGap;
+            });
+            if (isApart && roots.size() < kMostButtresses)
+                roots.push_back(bundle);
+        }
+        return roots;
+    }
+
+    void addButtresses(std::uint32_t base)
+    {
+        // A bundle that is the whole wood has no side.
+        const std::vector<Root> roots = rootsOf(base);
+        if (roots.size() < 2)
+            return;
+        const float radius = at(base).radius / (1.0F + m_flare);
+        const float end = kButtressRadii * radius;
+        float path = 0.0F;
+        std::uint32_t passed = 0; // First strand of the node among those of the base
+        for (std::uint32_t node = base; path < end;) {
+            const float rest = 1.0F - path / end;
+            const float full = kButtress * std::min(1.5F, m_flare / kUsualFlare) * rest * rest;
+            for (const Root& root : roots) {
+                if (root.first < passed || root.first + root.count > passed + at(node).strands)
+                    continue; // It has left the trunk further down.
+                const float height = full * root.weight / roots.front().weight;
+                const float angle = sideOf(node, root.first - passed, root.count).angle;
+                add(node, angle, [&](float distance) { return height * gauss(distance, kButtressWidth); });
+            }
+            if (at(node).childCount == 0)
+                return;
+            node = thickestOf(node);
+            passed += at(node).offset;
+            path += lengthTo(node);
+        }
+    }
+
+    /// Lowers the valleys by as much as the ridges rise, so that the wood stays as thick in the mean.
+    void level()
+    {
+        for (Table& table : m_reliefs.m_tables) {
+            float mean = 0.0F;
+            for (const float value : table)
+                mean += value / static_cast<float>(kAngles);
+            for (float& value : table)
+                value -= mean;
+        }
+    }
+
+    /// The tips that each dead internode carried when it died; 0 for one that died later than the one below.
+    std::vector<std::uint32_t> lostTips() const
+    {
+        std::vector<std::uint32_t> tips(m_tree.size(), 0);
+        const auto& death = m_tree.columns().death;
+        for (InternodeId id = m_tree.size(); id-- > 0;) {
+            if (m_tree.isAlive(id))
+                continue;
+            tips[id] = std::max(tips[id], 1U);
+            const InternodeId parent = m_tree.parent(id);
+            if (parent != kNoInternode && death[parent] == death[id])
+                tips[parent] += tips[id];
+        }
+        return tips;
+    }
+
+    void addHollows()
+    {
+        const std::vector<std::uint32_t> tips = lostTips();
+        const auto perTip = static_cast<std::uint32_t>(m_tree.parameters().wood.strandsPerTip);
+        std::vector<std::uint32_t> nodeOf; // By internode: its own node
+        for (InternodeId id = 0; id < m_tree.size(); ++id) {
+            const InternodeId parent = m_tree.parent(id);
+            if (tips[id] == 0 || parent == kNoInternode || !m_tree.isAlive(parent))
+                continue;
+            if (nodeOf.empty()) {
+                nodeOf.resize(m_tree.size(), kNone);
+                for (std::uint32_t node = 0; node < m_skeleton.nodes.size(); ++node) {
+                    if (at(node).along == 1.0F)
+                        nodeOf[at(node).internode] = node;
+                }
+            }
+            std::uint32_t node = nodeOf[parent];
+            const float along = m_tree.columns().along[id];
+            while (at(node).along > along && at(at(node).parent).internode == parent &&
+                   !m_skeleton.isBase(node))
+                node = at(node).parent;
+            if (isThick(node))
+                addHollow(node, id, static_cast<float>(tips[id] * perTip));
+        }
+    }
+
+    void addHollow(std::uint32_t node, InternodeId limb, float strands)
+    {
+        const float share = std::sqrt(strands / static_cast<float>(at(node).strands));
+        if (share < kSmallestHollow)
+            return;
+        const Vec3 heading = at(node).frame.conjugate() * m_index.heading(limb);
+        if (Vec2(heading.x(), heading.z()).norm() < 0.15F)
+            return; // It went on in the direction of the wood, which has closed over it.
+        const float angle = std::atan2(heading.z(), heading.x());
+        const float radius = std::min(share, kLargestHollow) * at(node).radius;
+        const auto cut = [&](std::uint32_t place, float path) {
+            const float here = std::max(at(place).radius, 1e-6F);
+            const float width = radius / here; // Seen from the middle, rad
+            // Sections are apart, and a hollow between two would not be seen.
+            const float height = std::max(radius, 0.5F * lengthTo(place));
+            add(place, angle, [&](float distance) {
+                const float hollow = gauss(distance, 0.7F * width) * gauss(path, 0.7F * height);
+                const float rim = gauss(distance, kHollowRimWidth * 0.7F * width) *
+                                  gauss(path, kHollowRimWidth * 0.7F * height);
+                return kHollow * width * (kHollowRim * rim - hollow);
+            });
+        };
+        const float reach = kHollowReach * std::max(radius, 0.5F * lengthTo(node));
+        cut(node, 0.0F);
+        float path = 0.0F;
+        for (std::uint32_t place = node; !m_skeleton.isBase(place);) {
+            path += lengthTo(place);
+            place = at(place).parent;
+            if (path > reach)
+                break;
+            cut(place, path);
+        }
+        path = 0.0F;
+        for (std::uint32_t place = node; at(place).childCount > 0;) {
+            place = thickestOf(place);
+            path += lengthTo(place);
+            if (path > reach || !isThick(place))
+                break;
+            cut(place, path);
+        }
+    }
+
+    const ReliefSources& m_sources;
+    const Tree& m_tree;
+    const TreeIndex& m_index;
+    const StrandSkeleton& m_skeleton;
+    StrandReliefs& m_reliefs;
+    float m_strength;
+    float m_flare;
+};
+
+StrandReliefs::StrandReliefs(const ReliefSources& sources)
+{
+    if (sources.tree.parameters().wood.flutes > 0.0)
+        Builder(sources, *this).build();
+}
+
+StrandReliefs::Table& StrandReliefs::tableOf(std::uint32_t node)
+{
+    if (m_tableOf[node] == kNone) {
+        m_tableOf[node] = static_cast<std::uint32_t>(m_tables.size());
+        m_tables.emplace_back().fill(0.0F);
+    }
+    return m_tables[m_tableOf[node]];
+}
+
+} // namespace espalier
