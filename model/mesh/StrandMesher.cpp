@@ -2,6 +2,7 @@
 #include "model/mesh/StrandMesher.h"
 
 #include "model/base/Parallel.h"
+#include "model/mesh/FlatTriangles.h"
 #include "model/mesh/LoopStrip.h"
 #include "model/mesh/PlanarPatch.h"
 #include "model/mesh/StrandBark.h"
@@ -359,6 +360,7 @@ BranchMesh meshStrands(const StrandLayouts& layouts, const TreeParameters& param
     if (mayHaveVoids(tubes))
         removeVoids(mesh.indices, sections.vertices());
     mesh.vertices = sections.vertices();
+    raiseFlatTriangles(mesh.indices, mesh.vertices);
     mesh.origins = sections.origins();
     dressStrands(layouts, tubes, sections, parameters, mesh);
     return mesh;

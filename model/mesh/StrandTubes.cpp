@@ -2,6 +2,7 @@
 #include "model/mesh/StrandTubes.h"
 
 #include "model/base/Parallel.h"
+#include "model/mesh/LoopThinning.h"
 
 #include <tbb/enumerable_thread_specific.h>
 
@@ -42,6 +43,7 @@ public:
           m_skeleton(layouts.skeleton()),
           m_alpha(static_cast<float>(wood.alpha)),
           m_tolerance(std::max(options.tolerance, WoodMeshOptions::kFinest)),
+          m_thinning(static_cast<float>(options.tolerance - WoodMeshOptions{}.tolerance)),
           m_result(result),
           m_sections(layouts.skeleton().nodes.size())
     {
@@ -53,6 +55,8 @@ public:
         forEachNode([this](std::uint32_t node) { outline(node); });
         forEachNode([this](std::uint32_t node) { divide(node); });
         forEachNode([this](std::uint32_t node) { chooseSteps(node); });
+        if (m_thinning > 0.0F)
+            forEachNode([this](std::uint32_t node) { thin(node); });
     }
 
 private:
@@ -311,6 +315,35 @@ private:
         return std::max(least, static_cast<int>(std::ceil(std::clamp(rings, 1.0F, float{kMostSteps}))));
     }
 
+    void thin(std::uint32_t node)
+    {
+        StrandTubes::Node& n = m_result.nodes[node];
+        const StrandNode& upper = m_skeleton.nodes[node];
+        thin(n.whole, node, 0);
+        for (StrandTube& tube : n.tubes) {
+            thin(tube.below, upper.parent, upper.offset);
+            thin(tube.above, node, 0);
+        }
+    }
+    /// @p offset: of the outline's strands among those of @p node.
+    void thin(BundleOutline& outline, std::uint32_t node, std::uint32_t offset) const
+    {
+        const std::span<const Vec2> places = m_layouts.unturned(node).subspan(offset);
+        std::vector<Vec2> points;
+        for (SectionLoop& loop : outline.loops) {
+            // The ends of cavities are triangles across them, which need room beside those of a fork.
+            if (loop.isCavity())
+                continue;
+            points.clear();
+            for (const std::uint32_t strand : loop.strands)
+                points.push_back(places[strand]);
+            std::size_t count = 0;
+            for (const std::uint32_t kept : thinLoop(points, m_thinning / m_layouts.scale(node)))
+                loop.strands[count++] = loop.strands[kept];
+            loop.strands.resize(count);
+        }
+    }
+
     static bool haveEqualLoops(const StrandTube& tube)
     {
         return std::ranges::equal(tube.below.loops, tube.above.loops, {}, &SectionLoop::strands,
@@ -359,6 +392,7 @@ private:
     const StrandSkeleton& m_skeleton;
     float m_alpha;
     double m_tolerance;
+    float m_thinning; ///< Tolerance of the outlines, m: where it is above 0, some strands are left out
     StrandTubes& m_result;
     std::vector<std::unique_ptr<NodeSection>> m_sections; ///< Those that are triangulated
     tbb::enumerable_thread_specific<Scratch> m_scratch;

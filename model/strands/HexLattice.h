@@ -11,9 +11,9 @@
 namespace espalier {
 
 /// The places of discs of radius 1 in their densest arrangement, from the centre outward: the first N slots
-/// are the roundest bundle of N strands. No two slots are nearer than 2. Slots are ordered by their distance
-/// from the origin. Of those at the same distance, opposite ones follow each other, so that a bundle's middle
-/// stays near the origin. A larger lattice begins with the slots of a smaller one.
+/// are a round bundle of N strands, of which 50 and more fill 70 % of the circle around them. No two slots
+/// are nearer than 2. Slots are ordered by their distance from the origin, which lies between points of the
+/// lattice. A larger lattice begins with the slots of a smaller one.
 class HexLattice {
 public:
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();

@@ -10,11 +10,19 @@ namespace espalier {
 /// The strands as uniform cubic B-splines with their places at the nodes as control points (Strands 2024
 /// §5.4): twice continuously differentiable, and not through the places. At the ends of a strand the last
 /// control point is mirrored, so that it begins and ends at its first and last places.
+///
+/// Where nodes are nearer to each other than the wood is thick, the control points are means of the strand's
+/// line around them (see place).
 class StrandCurves {
 public:
     explicit StrandCurves(const StrandLayouts& layouts) : m_layouts(layouts), m_skeleton(layouts.skeleton())
     {
     }
+
+    /// World position of a strand at a node, m: the mean of its line within StrandLayouts::reach of the node.
+    /// In it the steps from slot to slot, the way from the section of a fork to those of its branches, and
+    /// the bend of a branch out of the wood below become smooth.
+    Vec3 place(std::uint32_t node, std::uint32_t strand) const;
 
     using Controls = std::array<Vec3, 4>;
     /// The control points for the part of a strand between the node below @p node and @p node; @p strand is
@@ -25,15 +33,15 @@ public:
         const std::uint32_t below = upper.parent;
         const std::uint32_t there = strand + upper.offset;
         Controls points;
-        points[1] = at(below, there);
-        points[2] = at(node, strand);
+        points[1] = place(below, there);
+        points[2] = place(node, strand);
         points[0] = m_skeleton.isBase(below)
                         ? Vec3(2.0F * points[1] - points[2])
-                        : at(m_skeleton.nodes[below].parent, there + m_skeleton.nodes[below].offset);
+                        : place(m_skeleton.nodes[below].parent, there + m_skeleton.nodes[below].offset);
         points[3] = Vec3(2.0F * points[2] - points[1]);
         if (upper.childCount > 0) {
             const std::uint32_t child = childWith(node, strand);
-            points[3] = at(child, strand - m_skeleton.nodes[child].offset);
+            points[3] = place(child, strand - m_skeleton.nodes[child].offset);
         }
         return points;
     }
@@ -61,10 +69,34 @@ public:
     }
 
 private:
-    Vec3 at(std::uint32_t node, std::uint32_t strand) const
+    static constexpr std::size_t kMostNodes = 16;
+
+    /// A part of a strand's line from a node away, through so many nodes at most.
+    struct Line {
+        std::array<Vec3, kMostNodes> points;
+        std::array<float, kMostNodes> paths; ///< m, along the tree
+        std::size_t count = 0;
+
+        void add(const Vec3& point, float path)
+        {
+            points[count] = point;
+            paths[count++] = path;
+        }
+        float length() const { return paths[count - 1]; }
+        /// Precondition: 0 <= @p path <= length().
+        Vec3 at(float path) const;
+    };
+
+    Vec3 raw(std::uint32_t node, std::uint32_t strand) const
     {
         return m_layouts.world(node, m_layouts.place(node, strand));
     }
+    float lengthTo(std::uint32_t node) const
+    {
+        return (m_layouts.centre(node) - m_layouts.centre(m_skeleton.nodes[node].parent)).norm();
+    }
+    Line lineAbove(std::uint32_t node, std::uint32_t strand, const Vec3& begin, float reach) const;
+    Line lineBelow(std::uint32_t node, std::uint32_t strand, const Vec3& begin, float reach) const;
 
     const StrandLayouts& m_layouts;
     const StrandSkeleton& m_skeleton;

@@ -29,6 +29,8 @@ constexpr float kDirectionRadii = 1.5F;
 constexpr int kDirectionNodes = 16;
 /// The shift of a branch onto the surface of the one below it fades over this many radii of that one.
 constexpr float kShiftRadii = 2.5F;
+/// How far strands are rounded, in radii of the wood.
+constexpr float kReachRadii = 1.5F;
 /// The trunk's flare ends at this height, in radii.
 constexpr float kFlareRadii = 3.5F;
 
@@ -392,10 +394,40 @@ StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Wid
             path += (m_skeleton.nodes[node].position - n.position).norm();
         }
     }
+    limitStubs();
     m_scales.resize(count);
     for (std::size_t i = 0; i < count; ++i)
         m_scales[i] = m_skeleton.nodes[i].radius / bundleRadius(m_skeleton.nodes[i].strands);
     placeCentres();
+    measureReaches();
+}
+
+/// Stubs that are hardly longer than the wood that they stand on is thick are not thicker than their strands
+/// in that wood: a disc on the bark would look like no branch.
+void StrandLayouts::limitStubs()
+{
+    std::vector<StrandNode>& nodes = m_skeleton.nodes;
+    std::vector<float> lengths(nodes.size(), 0.0F); // To the farthest tip, m
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+        if (nodes[i].parent != i)
+            lengths[nodes[i].parent] =
+                std::max(lengths[nodes[i].parent],
+                         lengths[i] + (nodes[i].position - nodes[nodes[i].parent].position).norm());
+    }
+    std::vector<float> limits(nodes.size(), std::numeric_limits<float>::max());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        StrandNode& node = nodes[i];
+        const StrandNode& parent = nodes[node.parent];
+        if (node.parent == i)
+            continue;
+        limits[i] = limits[node.parent];
+        if (2 * node.strands < parent.strands) {
+            const float length = lengths[i] + (node.position - parent.position).norm();
+            const float bySection = parent.radius / bundleRadius(parent.strands) * bundleRadius(node.strands);
+            limits[i] = std::max(bySection, length - parent.radius);
+        }
+        node.radius = std::min(node.radius, limits[i]);
+    }
 }
 
 void StrandLayouts::placeCentres()
@@ -435,6 +467,29 @@ void StrandLayouts::placeCentres()
     }
 }
 
+void StrandLayouts::measureReaches()
+{
+    const std::vector<StrandNode>& nodes = m_skeleton.nodes;
+    m_reaches.assign(nodes.size(), 0.0F);
+    std::vector<float> above(nodes.size(), std::numeric_limits<float>::max()); // To the nearest child
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        const std::uint32_t parent = nodes[i].parent;
+        if (parent == i)
+            continue;
+        const float length = (m_centres[i] - m_centres[parent]).norm();
+        above[parent] = std::min(above[parent], length);
+        m_reaches[i] = std::max(kReachRadii * nodes[i].radius, m_reaches[parent] - length);
+        if (m_skeleton.isBase(parent))
+            m_reaches[i] = kReachRadii * nodes[i].radius;
+    }
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        if (const std::uint32_t parent = nodes[i].parent;
+            parent == i || nodes[i].childCount == 0 ||
+            std::min(above[i], (m_centres[i] - m_centres[parent]).norm()) >= m_reaches[i])
+            m_reaches[i] = 0.0F;
+    }
+}
+
 StrandLayouts::Counts StrandLayouts::count() const
 {
     Counts counts;
@@ -464,7 +519,8 @@ std::size_t StrandLayouts::bytes() const
     return m_skeleton.nodes.capacity() * sizeof(StrandNode) +
            m_skeleton.children.capacity() * sizeof(std::uint32_t) + m_sections.capacity() * sizeof(Section) +
            m_places.capacity() * sizeof(Vec2) + m_slots.capacity() * sizeof(std::uint32_t) +
-           m_scales.capacity() * sizeof(float) + m_centres.capacity() * sizeof(Vec3);
+           m_scales.capacity() * sizeof(float) + m_centres.capacity() * sizeof(Vec3) +
+           m_reaches.capacity() * sizeof(float);
 }
 
 } // namespace espalier

@@ -60,6 +60,9 @@ public:
     /// World position of the middle of the section, m. Where a branch leaves a thick one, it lies on that
     /// one's surface, and approaches the branch's own line further up.
     const Vec3& centre(std::uint32_t node) const { return m_centres[node]; }
+    /// How far the wood's line is rounded to either side of a node, m: about as far as the wood is thick, and
+    /// near a fork as far as that is. 0 where the next nodes are farther.
+    float reach(std::uint32_t node) const { return m_reaches[node]; }
     /// World position of a point of the section.
     Vec3 world(std::uint32_t node, const Vec2& place) const
     {
@@ -92,7 +95,9 @@ private:
     };
     class Builder;
 
+    void limitStubs();
     void placeCentres();
+    void measureReaches();
 
     StrandSkeleton m_skeleton;
     std::shared_ptr<const HexLattice> m_lattice;
@@ -101,6 +106,7 @@ private:
     std::vector<std::uint32_t> m_slots;
     std::vector<float> m_scales;
     std::vector<Vec3> m_centres;
+    std::vector<float> m_reaches;
 };
 
 } // namespace espalier

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/strands/StrandSkeleton.h"
 
+#include "model/base/Parallel.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,9 +11,14 @@ namespace espalier {
 
 namespace {
 
+constexpr std::size_t kRoundedPerTask = 512;
 /// Attachments that are nearer to an end than this share of the internode count as there.
 constexpr float kAtBase = 0.001F;
 constexpr float kAtNode = 0.999F;
+/// Kinks of the wood's line are rounded over this many of its radii to either side, which is seen in so many
+/// places.
+constexpr float kRoundedRadii = 1.5F;
+constexpr int kRoundedSamples = 4;
 /// The sections of a branch turn to its direction over this many radii of the wood that it leaves.
 constexpr float kTiltRadii = 2.0F;
 
@@ -145,9 +152,72 @@ std::uint32_t thickestChild(const StrandSkeleton& skeleton, std::uint32_t node)
     return thickest;
 }
 
-Vec3 directionTo(const StrandNode& from, const StrandNode& to, const Vec3& otherwise)
+/// The place on the tree's line at @p distance, m, above a node, or below it if that is negative; at most
+/// as far as the line goes.
+Vec3 placeAlong(const StrandSkeleton& skeleton, std::uint32_t node, float distance)
 {
-    const Vec3 rise = to.position - from.position;
+    float left = std::abs(distance);
+    for (;;) {
+        const std::uint32_t next =
+            distance < 0.0F ? skeleton.nodes[node].parent : thickestChild(skeleton, node);
+        const Vec3& from = skeleton.nodes[node].position;
+        if (next == node)
+            return from;
+        const Vec3 step = skeleton.nodes[next].position - from;
+        const float length = step.norm();
+        if (length > left)
+            return from + left / length * step;
+        left -= length;
+        node = next;
+    }
+}
+
+/// Height of a node above the base of its root along the branches, m, but not more than @p most.
+float pathToBase(const StrandSkeleton& skeleton, std::uint32_t node, float most)
+{
+    float path = 0.0F;
+    while (path < most && !skeleton.isBase(node)) {
+        const StrandNode& n = skeleton.nodes[node];
+        path += (n.position - skeleton.nodes[n.parent].position).norm();
+        node = n.parent;
+    }
+    return std::min(path, most);
+}
+
+/// Rounds kinks that are sharper than the wood is thick, where sections would cut each other: each node moves
+/// to the mean of the line around it. Bases and tips stay.
+void roundKinks(StrandSkeleton& skeleton)
+{
+    std::vector<Vec3> rounded(skeleton.nodes.size());
+    parallelFor(rounded.size(), kRoundedPerTask, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto node = static_cast<std::uint32_t>(i);
+            const StrandNode& n = skeleton.nodes[i];
+            rounded[i] = n.position;
+            if (n.childCount == 0 || skeleton.isBase(node))
+                continue;
+            const float reach = pathToBase(skeleton, node, kRoundedRadii * n.radius);
+            Vec3 sum = n.position;
+            float weights = 1.0F;
+            for (int k = 1; k < kRoundedSamples; ++k) {
+                const float share = static_cast<float>(k) / kRoundedSamples;
+                const float weight = 1.0F - share;
+                sum += weight * (placeAlong(skeleton, node, share * reach) +
+                                 placeAlong(skeleton, node, -share * reach));
+                weights += 2.0F * weight;
+            }
+            rounded[i] = sum / weights;
+        }
+    });
+    for (std::size_t i = 0; i < rounded.size(); ++i)
+        skeleton.nodes[i].position = rounded[i];
+}
+
+/// Direction of the line at a node: from below it to above it, as far from it as the wood is thick.
+Vec3 directionAt(const StrandSkeleton& skeleton, std::uint32_t node, const Vec3& otherwise)
+{
+    const float reach = skeleton.nodes[node].radius;
+    const Vec3 rise = placeAlong(skeleton, node, reach) - placeAlong(skeleton, node, -reach);
     const float length = rise.norm();
     return length > 1e-7F ? Vec3(rise / length) : otherwise;
 }
@@ -167,11 +237,7 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
         StrandNode& node = nodes[i];
         const bool isBase = node.parent == i;
         const Vec3 heading = index.heading(node.internode);
-        const Vec3 arriving = isBase ? heading : directionTo(nodes[node.parent], node, heading);
-        const std::uint32_t next = thickestChild(skeleton, i);
-        Vec3 normal = next == i ? arriving : Vec3(arriving + directionTo(node, nodes[next], arriving));
-        if (normal.squaredNorm() < 1e-4F)
-            normal = arriving;
+        Vec3 normal = directionAt(skeleton, i, heading);
         // The whole foot of a trunk stands on the ground, also if the trunk leans.
         if (isBase)
             normal = heading.y() > 0.0F ? up() : heading;
@@ -206,6 +272,7 @@ StrandSkeleton strandSkeleton(const Tree& tree, const TreeIndex& index, const Wi
     NodeBuilder(tree, index, widths, skeleton).build();
     linkChildren(skeleton);
     countStrands(skeleton, static_cast<std::uint32_t>(tree.parameters().wood.strandsPerTip));
+    roundKinks(skeleton);
     transportFrames(index, skeleton);
     return skeleton;
 }

@@ -16,10 +16,10 @@ namespace espalier::test {
 
 namespace {
 
-BranchMesh strandMesh(const TreeBuilder& builder)
+BranchMesh strandMesh(const TreeBuilder& builder, const WoodMeshOptions& options = {})
 {
     return meshStrands(StrandLayouts(builder.tree, builder.index, Widths(builder.tree, builder.index)),
-                       builder.tree.parameters());
+                       builder.tree.parameters(), options);
 }
 
 void setWood(TreeBuilder& builder, const std::function<void(WoodParameters&)>& change)
@@ -109,6 +109,8 @@ private Q_SLOTS:
     void volume_isThatOfTheStrands();
     void mesh_isTheSameOnOneThreadAndMany();
     void textureCoordinates_areContinuousAcrossEdges();
+    void coarserMeshes_haveFewerTrianglesAndAreClosed_data();
+    void coarserMeshes_haveFewerTrianglesAndAreClosed();
     void alpha_movesTheSeparationUp();
     void severalRoots_areSurfacesEach();
 };
@@ -226,6 +228,30 @@ void StrandMesherTest::textureCoordinates_areContinuousAcrossEdges()
         wide += most - least > 0.5F ? area : 0.0;
     }
     QVERIFY2(wide < 0.02 * all, qPrintable(QString::number(wide / all)));
+}
+
+void StrandMesherTest::coarserMeshes_haveFewerTrianglesAndAreClosed_data()
+{
+    QTest::addColumn<int>("seed");
+    for (int seed = 0; seed < 12; ++seed)
+        QTest::addRow("%d", seed) << seed;
+}
+
+void StrandMesherTest::coarserMeshes_haveFewerTrianglesAndAreClosed()
+{
+    QFETCH(int, seed);
+    TreeBuilder builder =
+        raisedTree(300U + 100U * static_cast<std::uint32_t>(seed), static_cast<std::uint64_t>(seed) + 7);
+    Random random(static_cast<std::uint64_t>(seed), 0, 0, Purpose::Leaf);
+    if (seed % 2 == 1)
+        shapeAtRandom(builder, random);
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    for (const double tolerance : {0.001, 0.004, 0.1}) {
+        const BranchMesh mesh = strandMesh(builder, {.tolerance = tolerance});
+        verifyClosed(mesh, 1);
+        QVERIFY2(mesh.indices.size() <= before, qPrintable(QString::number(tolerance)));
+        before = mesh.indices.size();
+    }
 }
 
 void StrandMesherTest::alpha_movesTheSeparationUp()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/mesh/SurfaceCheck.h"
 
+#include "model/mesh/FlatTriangles.h"
 #include "model/mesh/PlanarPatch.h"
 #include "tests/support/TestClasses.h"
 
@@ -74,6 +75,7 @@ private Q_SLOTS:
     void box_isClosed();
     void faults_areFound_data();
     void faults_areFound();
+    void flatTriangles_getAnArea();
     void crossingBoxes_areCounted();
     void patch_joinsOutlinesOfTheSameStrands();
     void patch_hasEachOutlineEdgeOnce_data();
@@ -87,6 +89,34 @@ void SurfaceCheckTest::box_isClosed()
     QCOMPARE(faults.components, 1U);
     QCOMPARE(faults.selfIntersections, 0U);
     QVERIFY(std::abs(enclosedVolume(box()) - 8.0) < 1e-6);
+}
+
+void SurfaceCheckTest::flatTriangles_getAnArea()
+{
+    // A vertex in the middle of the edge from 0 to 1, with a triangle of no area beside that edge.
+    TriangleMesh mesh = box();
+    MeshVertex middle{};
+    middle.position = {0.0F, -1.0F, -1.0F};
+    mesh.vertices.push_back(middle);
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        if (mesh.indices[i] == 0 && mesh.indices[i + 1] == 2 && mesh.indices[i + 2] == 1) {
+            mesh.indices[i + 2] = 8;
+            break;
+        }
+    }
+    for (const VertexIndex index : {8U, 2U, 1U, 0U, 8U, 1U})
+        mesh.indices.push_back(index);
+    QCOMPARE(checkSurface(mesh).degenerate, 1U);
+    QCOMPARE(checkSurface(mesh).openEdges, 0U);
+    const TriangleMesh before = mesh;
+    raiseFlatTriangles(mesh.indices, mesh.vertices);
+    QVERIFY(checkSurface(mesh).isClosed());
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        QVERIFY((toVec3(mesh.vertices[i].position) - toVec3(before.vertices[i].position)).norm() < 1e-4F);
+    const TriangleMesh raised = mesh;
+    raiseFlatTriangles(mesh.indices, mesh.vertices);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        QCOMPARE(mesh.vertices[i].position, raised.vertices[i].position);
 }
 
 void SurfaceCheckTest::faults_areFound_data()
