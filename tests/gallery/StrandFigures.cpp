@@ -41,6 +41,7 @@ constexpr int kGap = 2;      ///< Between the pictures of a sheet, px
 struct Shot {
     QString recipe;   ///< File
     QStringList sets; ///< Parameters, as for --set
+    int operations = -1;      ///< How many of the recipe's operations are played; all if below 0
     double azimuth = 0.0;   ///< Degrees, 0 from the front
     double elevation = 0.0; ///< Degrees above the horizon
     std::optional<Box3> box; ///< What the picture frames, m; the whole tree if there is none
@@ -52,6 +53,7 @@ Shot shotOf(const QJsonObject& json)
     shot.recipe = json.value(QStringLiteral("recipe")).toString();
     for (const QJsonValue value : json.value(QStringLiteral("set")).toArray())
         shot.sets.append(value.toString());
+    shot.operations = json.value(QStringLiteral("operations")).toInt(-1);
     shot.azimuth = json.value(QStringLiteral("azimuth")).toDouble();
     shot.elevation = json.value(QStringLiteral("elevation")).toDouble();
     if (const QJsonArray box = json.value(QStringLiteral("box")).toArray(); box.size() == 6) {
@@ -88,7 +90,7 @@ public:
 private:
     void show(const Shot& shot)
     {
-        const QString key = shot.recipe + shot.sets.join(QLatin1Char(' '));
+        const QString key = shot.recipe + shot.sets.join(QLatin1Char(' ')) + QString::number(shot.operations);
         if (key == m_key)
             return;
         Result<Recipe> recipe = readRecipe(shot.recipe);
@@ -100,6 +102,8 @@ private:
                 fail(added.error().message);
         }
         overrides.applyTo(*recipe);
+        if (shot.operations >= 0)
+            recipe->operations.erase(recipe->operations.begin() + shot.operations, recipe->operations.end());
         m_scene.reset();
         m_document = std::make_unique<TreeDocument>();
         RecipePlayer player(*m_document, std::move(*recipe));
