@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the pictures that show what strands do: the figures of Strands 2024, one sheet each, from the samples.
-// Arguments: a table of sheets (tests/gallery/strand-figures.json), the folder that its file names are relative to,
-// and names of sheets if not all of them are wanted. scripts/pictures.sh runs it.
+// Draws the pictures that show what strands do: the figures of Strands 2024, one sheet each, from the
+// samples. Arguments: a table of sheets (tests/gallery/strand-figures.json), the folder that its file names
+// are relative to, and names of sheets if not all of them are wanted. scripts/pictures.sh runs it.
 #include "app/cli/ParameterOverrides.h"
 #include "commands/recipe/RecipePlayer.h"
-#include "model/io/FileWriter.h"
 #include "model/base/Vector.h"
+#include "model/io/FileWriter.h"
 #include "model/mesh/TreeCounts.h"
 #include "views/render/GlResources.h"
 #include "views/render/OffscreenRenderer.h"
@@ -39,11 +39,11 @@ constexpr int kGap = 2;      ///< Between the pictures of a sheet, px
 
 /// One tree, seen from one side.
 struct Shot {
-    QString recipe;   ///< File
-    QStringList sets; ///< Parameters, as for --set
-    int operations = -1;      ///< How many of the recipe's operations are played; all if below 0
-    double azimuth = 0.0;   ///< Degrees, 0 from the front
-    double elevation = 0.0; ///< Degrees above the horizon
+    QString recipe;          ///< File
+    QStringList sets;        ///< Parameters, as for --set
+    int operations = -1;     ///< How many of the recipe's operations are played; all if below 0
+    double azimuth = 0.0;    ///< Degrees, 0 from the front
+    double elevation = 0.0;  ///< Degrees above the horizon
     std::optional<Box3> box; ///< What the picture frames, m; the whole tree if there is none
 };
 
