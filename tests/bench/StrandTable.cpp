@@ -47,16 +47,20 @@ Times measure(const TreeDocument& document, std::size_t threads, int runs)
     const Widths widths(document.tree(), document.index());
     Times best;
     for (int i = 0; i < runs; ++i) {
-        using Clock = std::chrono::steady_clock;
-        const auto begin = Clock::now();
+        const auto now = [threads] {
+            return threads == 1
+                       ? test::cpuTime()
+                       : std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+                             .count();
+        };
+        const double begin = now();
         const StrandLayouts layouts(document.tree(), document.index(), widths);
-        const auto middle = Clock::now();
+        const double middle = now();
         const BranchMesh mesh = meshStrands(layouts, document.parameters());
-        const auto end = Clock::now();
+        const double end = now();
         if (mesh.indices.empty())
             std::abort();
-        const Times times{std::chrono::duration<double>(middle - begin).count(),
-                          std::chrono::duration<double>(end - middle).count()};
+        const Times times{middle - begin, end - middle};
         best.profiles = i == 0 ? times.profiles : std::min(best.profiles, times.profiles);
         best.mesh = i == 0 ? times.mesh : std::min(best.mesh, times.mesh);
     }
