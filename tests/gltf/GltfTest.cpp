@@ -65,8 +65,15 @@ void GltfTest::sample_isValid_data()
     const QDir folder(QStringLiteral(SOURCE_DIR "/resources/recipes"));
     const QStringList names = folder.entryList({QStringLiteral("*.json")});
     QVERIFY(names.size() >= 16);
-    for (const QString& name : names)
-        QTest::newRow(qPrintable(name)) << folder.filePath(name);
+    // Meshes of strands differ from each other in what glTF does not see: two of them, the smallest, are
+    // enough.
+    const QStringList strands{QStringLiteral("joshua.json"), QStringLiteral("slabtrunk.json")};
+    for (const QString& name : names) {
+        const Result<Recipe> recipe = readRecipe(folder.filePath(name));
+        QVERIFY2(recipe, qPrintable(name));
+        if (recipe->parameters.wood.mesher == WoodMesherKind::Tubes || strands.contains(name))
+            QTest::newRow(qPrintable(name)) << folder.filePath(name);
+    }
 }
 
 void GltfTest::sample_isValid()

@@ -50,7 +50,10 @@ inline void ViewportFixture::init()
     m_document = std::make_unique<TreeDocument>();
     m_document->reset(7, smallTree());
     m_settings = std::make_unique<ViewSettings>();
+    // A processor draws the pictures: shadows and smooth edges would take most of a test's time.
+    m_settings->setValues({.shadowsShown = false});
     m_view = std::make_unique<Viewport>(*m_document, *m_settings);
+    m_view->setBestSamples(1);
     m_view->resize(640, 480);
     m_view->show();
     m_view->activateWindow();
