@@ -367,6 +367,14 @@
         <source>Press a branch and hold: its youngest growth goes, step by step.</source>
         <translation>Auf einen Ast drücken und halten: Sein jüngster Zuwachs verschwindet, Schritt für Schritt.</translation>
     </message>
+    <message>
+        <source>Fibres</source>
+        <translation>Fasern</translation>
+    </message>
+    <message>
+        <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
+        <translation>Zeigt die Stränge, aus denen das Holz besteht, als Linien, jeden Ast in seiner Farbe.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -468,6 +476,18 @@
         <translation>für weitere Parametersätze ist kein Platz</translation>
     </message>
     <message>
+        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <translation>--set verlangt gruppe.name=wert, nicht &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--set knows no parameter &quot;%1&quot;</source>
+        <translation>--set kennt keinen Parameter &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>--fibres wants --png FILE</source>
+        <translation>--fibres verlangt --png DATEI</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -478,7 +498,7 @@ espalier --demo [RECIPE]
 
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
@@ -499,10 +519,11 @@ espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     written; the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
+                [--transparent [--ground-shadow]] [--fibres]
+                [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
+    its shadow, as black of some opacity. --fibres: the strands of the wood.
 
 espalier info FILE
     Says as JSON what is in a project.
@@ -523,7 +544,7 @@ espalier --demo [REZEPT]
 
 espalier replay REZEPT|PROJEKT... [-o AUSGABE]... [--png DATEI] [--size BxH]
                 [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--stats DATEI] [--profiles DATEI] [--threads N] [--seed N]
                 [--strict] [--set GRUPPE.NAME=WERT]...
     Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
@@ -546,10 +567,12 @@ espalier export PROJEKT [-o AUSGABE]... [--set GRUPPE.NAME=WERT]...
     was geschrieben wird; das Projekt bleibt, wie es ist.
 
 espalier render PROJEKT --png DATEI [--size BxH] [--camera ...]
-                [--transparent [--ground-shadow]] [--set GRUPPE.NAME=WERT]...
+                [--transparent [--ground-shadow]] [--fibres]
+                [--set GRUPPE.NAME=WERT]...
     Nimmt ein Bild auf. Das verlangt eine Anzeige; eine virtuelle genügt.
     --transparent: der Baum allein, mit nicht vormultipliziertem Alpha;
     --ground-shadow behält seinen Schatten, als Schwarz mit etwas Deckkraft.
+    --fibres: die Stränge des Holzes als Linien.
 
 espalier info DATEI
     Sagt als JSON, was in einem Projekt ist.
@@ -561,14 +584,6 @@ AUSGABE endet auf .espalier (Projekt) oder auf die Endung eines Formats:
 3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
 geschrieben werden konnte.
 </translation>
-    </message>
-    <message>
-        <source>--set wants group.name=value, not &quot;%1&quot;</source>
-        <translation>--set verlangt gruppe.name=wert, nicht &quot;%1&quot;</translation>
-    </message>
-    <message>
-        <source>--set knows no parameter &quot;%1&quot;</source>
-        <translation>--set kennt keinen Parameter &quot;%1&quot;</translation>
     </message>
 </context>
 <context>
@@ -2131,14 +2146,6 @@ geschrieben werden konnte.
         <translation>Apikaldominanz: Auxin aus belichteten Endknospen.</translation>
     </message>
     <message>
-        <source>Reach of the inhibition</source>
-        <translation>Hemmreichweite</translation>
-    </message>
-    <message>
-        <source>Lost at each internode: more lets buds break nearer to the tip.</source>
-        <translation>Verlust an jedem Internodium: mehr lässt Knospen näher an der Spitze austreiben.</translation>
-    </message>
-    <message>
         <source>Decay of the inhibitor on its way down.</source>
         <translation>Abnahme des Hemmstoffs auf dem Weg nach unten.</translation>
     </message>
@@ -2319,10 +2326,6 @@ geschrieben werden konnte.
         <translation>Wie weit die Wülste einzelner Stränge geglättet werden: 0 zeigt jeden von ihnen.</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Achse</translation>
     </message>
@@ -2377,6 +2380,22 @@ geschrieben werden konnte.
     <message>
         <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
         <translation>Ein Ziehen verdreht alles, was der Ast trägt, nicht nur den Ast selbst. Umschalt bewirkt das Gegenteil, solange es gedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Fading of the inhibition</source>
+        <translation>Abklingen der Hemmung</translation>
+    </message>
+    <message>
+        <source>The share that is lost at each internode: more lets buds break nearer to the tip.</source>
+        <translation>Der Anteil, der an jedem Internodium verloren geht: Mehr lässt Knospen näher an der Spitze austreiben.</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Wülste</translation>
+    </message>
+    <message>
+        <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
+        <translation>Wie weit sich der Stamm unter seinen Ästen und zu den Wurzeln hin wölbt und wie tief die Höhlungen verlorener Äste sind. Bei 0 ist das Holz rund.</translation>
     </message>
 </context>
 <context>
@@ -3796,6 +3815,10 @@ geschrieben werden konnte.
     <message>
         <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
         <translation>Operationen des Rezepts, die nichts zu tun fanden oder nicht alles, was sie nennen (%1 von %2): %3</translation>
+    </message>
+    <message>
+        <source>Making the wood of strands</source>
+        <translation>Das Holz aus Strängen entsteht</translation>
     </message>
 </context>
 <context>

@@ -367,6 +367,14 @@
         <source>Press a branch and hold: its youngest growth goes, step by step.</source>
         <translation>Appuyer sur une branche et maintenir&#xa0;: ce qui a poussé en dernier s’en va, étape par étape.</translation>
     </message>
+    <message>
+        <source>Fibres</source>
+        <translation>Fibres</translation>
+    </message>
+    <message>
+        <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
+        <translation>Montre les brins dont le bois est fait sous forme de lignes, chaque branche dans sa couleur.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -468,6 +476,18 @@
         <translation>il n’y a plus de place pour d’autres jeux de paramètres</translation>
     </message>
     <message>
+        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <translation>--set attend groupe.nom=valeur, pas «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>--set knows no parameter &quot;%1&quot;</source>
+        <translation>--set ne connaît pas le paramètre «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>--fibres wants --png FILE</source>
+        <translation>--fibres demande --png FICHIER</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -478,7 +498,7 @@ espalier --demo [RECIPE]
 
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
@@ -499,10 +519,11 @@ espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     written; the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
+                [--transparent [--ground-shadow]] [--fibres]
+                [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
+    its shadow, as black of some opacity. --fibres: the strands of the wood.
 
 espalier info FILE
     Says as JSON what is in a project.
@@ -513,61 +534,55 @@ OUT ends in .espalier (project) or in the ending of a format:
 %1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
+        <translation>Espalier : peindre des arbres et les voir naître.
 
 espalier [PROJET]
     Ouvre la fenêtre.
 
 espalier --demo [RECETTE]
-    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
+    Ouvre la fenêtre et y peint un arbre ; ensuite il est à vous.
 
 espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--stats FICHIER] [--profiles FICHIER] [--threads N] [--seed N]
                 [--strict] [--set GROUPE.NOM=VALEUR]...
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
     D’un projet, tout ce qui a été fait à son arbre est refait.
-    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
+    De plusieurs recettes, chacune continue l’arbre de la précédente : la
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
-    --profiles&#xa0;: la place des brins dans chaque section, en JSON.
-    Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
+    --profiles : la place des brins dans chaque section, en JSON.
+    Ce que les opérations ne trouvent pas dans l’arbre est affiché ; avec
     --strict, c’est une erreur, et rien n’est écrit.
     --set donne une valeur à un paramètre pour tout le rejeu, quoi que disent
-    les recettes&#xa0;: --set growth.shedding=0.1 --set leaves.visible=false. Les
+    les recettes : --set growth.shedding=0.1 --set leaves.visible=false. Les
     angles sont en degrés.
 
 espalier import SQUELETTE.csv -o SORTIE...
-    Fait un arbre d’un arbre mesuré&#xa0;: des lignes d’id, parent, deux bouts et
+    Fait un arbre d’un arbre mesuré : des lignes d’id, parent, deux bouts et
     rayon.
 
 espalier export PROJET [-o SORTIE]... [--set GROUPE.NOM=VALEUR]...
     Écrit un projet dans d’autres formats. --set change des paramètres pour ce
-    qui est écrit&#xa0;; le projet reste tel quel.
+    qui est écrit ; le projet reste tel quel.
 
 espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
-                [--transparent [--ground-shadow]] [--set GROUPE.NOM=VALEUR]...
-    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
-    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
+                [--transparent [--ground-shadow]] [--fibres]
+                [--set GROUPE.NOM=VALEUR]...
+    Prend une image. Il faut un affichage ; un affichage virtuel convient.
+    --transparent : l’arbre seul, avec un alpha non prémultiplié ;
     --ground-shadow garde son ombre, en noir plus ou moins opaque.
+    --fibres : les brins du bois, en lignes.
 
 espalier info FICHIER
     Dit en JSON ce que contient un projet.
 
 espalier --help, --version
 
-SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
+SORTIE se termine par .espalier (projet) ou par le suffixe d’un format :
 %1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
 une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 </translation>
-    </message>
-    <message>
-        <source>--set wants group.name=value, not &quot;%1&quot;</source>
-        <translation>--set attend groupe.nom=valeur, pas «&#xa0;%1&#xa0;»</translation>
-    </message>
-    <message>
-        <source>--set knows no parameter &quot;%1&quot;</source>
-        <translation>--set ne connaît pas le paramètre «&#xa0;%1&#xa0;»</translation>
     </message>
 </context>
 <context>
@@ -2130,14 +2145,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Dominance apicale&#xa0;: auxine des bourgeons terminaux éclairés.</translation>
     </message>
     <message>
-        <source>Reach of the inhibition</source>
-        <translation>Portée de l’inhibition</translation>
-    </message>
-    <message>
-        <source>Lost at each internode: more lets buds break nearer to the tip.</source>
-        <translation>Perte à chaque entre-nœud&#xa0;: davantage laisse débourrer plus près de l’extrémité.</translation>
-    </message>
-    <message>
         <source>Decay of the inhibitor on its way down.</source>
         <translation>Décroissance de l’inhibiteur en descendant.</translation>
     </message>
@@ -2318,10 +2325,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À quel point le relief des brins isolés est lissé&#xa0;: 0 montre chacun d’eux.</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Modèle</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Axe</translation>
     </message>
@@ -2376,6 +2379,22 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
         <translation>Un glissement torsade tout ce que la branche porte, pas seulement la branche elle-même. Maj fait l’inverse tant qu’elle est enfoncée.</translation>
+    </message>
+    <message>
+        <source>Fading of the inhibition</source>
+        <translation>Atténuation de l’inhibition</translation>
+    </message>
+    <message>
+        <source>The share that is lost at each internode: more lets buds break nearer to the tip.</source>
+        <translation>La part qui se perd à chaque entre-nœud : plus elle est grande, plus les bourgeons débourrent près de l’extrémité.</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Cannelures</translation>
+    </message>
+    <message>
+        <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
+        <translation>À quel point le tronc se renfle sous ses branches et vers ses racines, et la profondeur des creux laissés par les branches perdues. À 0, le bois est rond.</translation>
     </message>
 </context>
 <context>
@@ -3795,6 +3814,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
         <translation>Opérations de la recette qui n’ont rien trouvé à faire, ou pas tout ce qu’elles nomment (%1 sur %2)&#xa0;: %3</translation>
+    </message>
+    <message>
+        <source>Making the wood of strands</source>
+        <translation>Création du bois en brins</translation>
     </message>
 </context>
 <context>

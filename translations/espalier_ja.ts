@@ -367,6 +367,14 @@
         <source>Press a branch and hold: its youngest growth goes, step by step.</source>
         <translation>枝を押し続けると、新しく伸びた部分から 1 ステップずつ消えていきます。</translation>
     </message>
+    <message>
+        <source>Fibres</source>
+        <translation>繊維</translation>
+    </message>
+    <message>
+        <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
+        <translation>木を構成するストランドを線で表示します。枝ごとに色が変わります。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -468,6 +476,18 @@
         <translation>これ以上パラメーターの組を加える余地がありません</translation>
     </message>
     <message>
+        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <translation>--set には group.name=value の形で指定します (&quot;%1&quot; は使えません)</translation>
+    </message>
+    <message>
+        <source>--set knows no parameter &quot;%1&quot;</source>
+        <translation>--set に &quot;%1&quot; というパラメーターはありません</translation>
+    </message>
+    <message>
+        <source>--fibres wants --png FILE</source>
+        <translation>--fibres には --png ファイル が必要です</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -478,7 +498,7 @@ espalier --demo [RECIPE]
 
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
@@ -499,10 +519,11 @@ espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     written; the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
+                [--transparent [--ground-shadow]] [--fibres]
+                [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
+    its shadow, as black of some opacity. --fibres: the strands of the wood.
 
 espalier info FILE
     Says as JSON what is in a project.
@@ -523,7 +544,7 @@ espalier --demo [RECIPE]
 
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--set GROUP.NAME=VALUE]...
     ウィンドウなしでレシピを実行し、結果を書き出します。
@@ -545,10 +566,12 @@ espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     パラメーターだけを変え、プロジェクトはそのまま残ります。
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
+                [--transparent [--ground-shadow]] [--fibres]
+                [--set GROUP.NAME=VALUE]...
     画像を保存します。ディスプレイが必要ですが、仮想のものでかまいません。
     --transparent: 木だけを、ストレートアルファで保存します。
     --ground-shadow を付けると、影が半透明の黒で残ります。
+    --fibres: 木のストランドを線で表示します。
 
 espalier info FILE
     プロジェクトの内容を JSON で表示します。
@@ -559,14 +582,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 %1終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
 正しくないときは 3、出力を書き込めないときは 4 です。
 </translation>
-    </message>
-    <message>
-        <source>--set wants group.name=value, not &quot;%1&quot;</source>
-        <translation>--set には group.name=value の形で指定します (&quot;%1&quot; は使えません)</translation>
-    </message>
-    <message>
-        <source>--set knows no parameter &quot;%1&quot;</source>
-        <translation>--set に &quot;%1&quot; というパラメーターはありません</translation>
     </message>
 </context>
 <context>
@@ -2129,14 +2144,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>頂芽優勢。光の当たる頂芽からのオーキシン。</translation>
     </message>
     <message>
-        <source>Reach of the inhibition</source>
-        <translation>抑制の減衰</translation>
-    </message>
-    <message>
-        <source>Lost at each internode: more lets buds break nearer to the tip.</source>
-        <translation>節間ごとに抑制が失われる割合です。大きいほど、先端に近い芽から開きます。</translation>
-    </message>
-    <message>
         <source>Decay of the inhibitor on its way down.</source>
         <translation>下へ向かう抑制物質の減衰。</translation>
     </message>
@@ -2317,10 +2324,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ストランド 1 本 1 本の筋をどれだけならすかです。0 ではすべての筋が見えます。</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>モデル</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>軸</translation>
     </message>
@@ -2375,6 +2378,22 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
         <translation>ドラッグすると、その枝だけでなく、枝についているものもすべてねじれます。Shift を押している間は逆になります。</translation>
+    </message>
+    <message>
+        <source>Fading of the inhibition</source>
+        <translation>抑制の減衰</translation>
+    </message>
+    <message>
+        <source>The share that is lost at each internode: more lets buds break nearer to the tip.</source>
+        <translation>節間ごとに失われる割合。大きいほど、芽は先端の近くで開きます。</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>うね</translation>
+    </message>
+    <message>
+        <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
+        <translation>大枝の下や根元で幹がどれだけ盛り上がるか、失った枝の跡がどれだけ深くくぼむかを決めます。0 では木は丸くなります。</translation>
     </message>
 </context>
 <context>
@@ -3794,6 +3813,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
         <translation>レシピの操作 %2 個のうち %1 個で、することがないか、指定したものがすべては見つかりませんでした: %3</translation>
+    </message>
+    <message>
+        <source>Making the wood of strands</source>
+        <translation>ストランドの木を作成中</translation>
     </message>
 </context>
 <context>

@@ -367,6 +367,14 @@
         <source>Press a branch and hold: its youngest growth goes, step by step.</source>
         <translation>Nacisnąć gałąź i przytrzymać: krok po kroku znikają jej najmłodsze przyrosty.</translation>
     </message>
+    <message>
+        <source>Fibres</source>
+        <translation>Włókna</translation>
+    </message>
+    <message>
+        <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
+        <translation>Pokazuje pasma, z których składa się drewno, jako linie, każdą gałąź w jej kolorze.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -468,6 +476,18 @@
         <translation>nie ma miejsca na więcej zestawów parametrów</translation>
     </message>
     <message>
+        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <translation>--set wymaga grupa.nazwa=wartość, a nie „%1”</translation>
+    </message>
+    <message>
+        <source>--set knows no parameter &quot;%1&quot;</source>
+        <translation>--set nie zna parametru „%1”</translation>
+    </message>
+    <message>
+        <source>--fibres wants --png FILE</source>
+        <translation>--fibres wymaga --png PLIK</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -478,7 +498,7 @@ espalier --demo [RECIPE]
 
 espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
@@ -499,10 +519,11 @@ espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     written; the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
-                [--transparent [--ground-shadow]] [--set GROUP.NAME=VALUE]...
+                [--transparent [--ground-shadow]] [--fibres]
+                [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity.
+    its shadow, as black of some opacity. --fibres: the strands of the wood.
 
 espalier info FILE
     Says as JSON what is in a project.
@@ -523,7 +544,7 @@ espalier --demo [PRZEPIS]
 
 espalier replay PRZEPIS|PROJEKT... [-o WYNIK]... [--png PLIK] [--size SxW]
                 [--camera front|side|top|three-quarter]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--stats PLIK] [--profiles PLIK] [--threads N] [--seed N]
                 [--strict] [--set GRUPA.NAZWA=WARTOŚĆ]...
     Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
@@ -546,11 +567,12 @@ espalier export PROJEKT [-o WYNIK]... [--set GRUPA.NAZWA=WARTOŚĆ]...
     co zostaje zapisane; projekt pozostaje bez zmian.
 
 espalier render PROJEKT --png PLIK [--size SxW] [--camera ...]
-                [--transparent [--ground-shadow]]
+                [--transparent [--ground-shadow]] [--fibres]
                 [--set GRUPA.NAZWA=WARTOŚĆ]...
     Tworzy obraz. Wymaga ekranu; wystarczy wirtualny.
     --transparent: samo drzewo, z prostym kanałem alfa; --ground-shadow
     zachowuje jego cień jako czerń o pewnym kryciu.
+    --fibres: pasma drewna jako linie.
 
 espalier info PLIK
     Podaje jako JSON, co jest w projekcie.
@@ -561,14 +583,6 @@ WYNIK kończy się na .espalier (projekt) lub na rozszerzenie formatu:
 %1Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
 da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 </translation>
-    </message>
-    <message>
-        <source>--set wants group.name=value, not &quot;%1&quot;</source>
-        <translation>--set wymaga grupa.nazwa=wartość, a nie „%1”</translation>
-    </message>
-    <message>
-        <source>--set knows no parameter &quot;%1&quot;</source>
-        <translation>--set nie zna parametru „%1”</translation>
     </message>
 </context>
 <context>
@@ -2131,14 +2145,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Dominacja apikalna: auksyna z oświetlonych pąków szczytowych.</translation>
     </message>
     <message>
-        <source>Reach of the inhibition</source>
-        <translation>Zanik hamowania</translation>
-    </message>
-    <message>
-        <source>Lost at each internode: more lets buds break nearer to the tip.</source>
-        <translation>Tyle ubywa na każdym międzywęźlu: więcej pozwala pąkom pękać bliżej wierzchołka.</translation>
-    </message>
-    <message>
         <source>Decay of the inhibitor on its way down.</source>
         <translation>Zanik inhibitora w drodze ku dołowi.</translation>
     </message>
@@ -2319,10 +2325,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Jak mocno wygładzane są grzbiety pojedynczych pasm: 0 pokazuje każdy z nich.</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Model</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <translation>Oś</translation>
     </message>
@@ -2377,6 +2379,22 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
         <translation>Przeciągnięcie skręca wszystko, co gałąź niesie, a nie tylko ją samą. Przytrzymany Shift działa odwrotnie.</translation>
+    </message>
+    <message>
+        <source>Fading of the inhibition</source>
+        <translation>Zanikanie hamowania</translation>
+    </message>
+    <message>
+        <source>The share that is lost at each internode: more lets buds break nearer to the tip.</source>
+        <translation>Część, która ginie w każdym międzywęźlu: większa pozwala pąkom rozwijać się bliżej wierzchołka.</translation>
+    </message>
+    <message>
+        <source>Flutes</source>
+        <translation>Żłobienia</translation>
+    </message>
+    <message>
+        <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
+        <translation>Jak bardzo pień wybrzusza się pod konarami i ku korzeniom oraz jak głębokie są zagłębienia po utraconych konarach. Przy 0 drewno jest okrągłe.</translation>
     </message>
 </context>
 <context>
@@ -3796,6 +3814,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
         <translation>Operacje przepisu, które nie znalazły nic do zrobienia albo nie wszystko, co wymieniają (%1 z %2): %3</translation>
+    </message>
+    <message>
+        <source>Making the wood of strands</source>
+        <translation>Tworzenie drewna z pasm</translation>
     </message>
 </context>
 <context>
