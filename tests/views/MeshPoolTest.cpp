@@ -107,6 +107,9 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
         const auto isAsPlaced = [&](const LeafInstance& there, const LeafInstance& placed) {
             LeafInstance moved = there;
             moved.position = placed.position;
+            // Near the ground a leaf turns by steps until it lies above, so a hair's breadth counts.
+            if (placed.position[1] < 2.0F * (placed.length + placed.width))
+                moved.rotation = placed.rotation;
             return moved == placed &&
                    (toVec3(there.position) - toVec3(placed.position)).norm() <= 10.0F * tolerance * thickest;
         };
