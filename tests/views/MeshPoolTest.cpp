@@ -107,9 +107,12 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
         const auto isAsPlaced = [&](const LeafInstance& there, const LeafInstance& placed) {
             LeafInstance moved = there;
             moved.position = placed.position;
-            // Near the ground a leaf turns by steps until it lies above, so a hair's breadth counts.
-            if (placed.position[1] < 2.0F * (placed.length + placed.width))
+            // Near the ground a leaf turns by steps until it lies above, or is hidden, so a hair's breadth
+            // counts.
+            if (placed.position[1] < 2.0F * (placed.length + placed.width)) {
                 moved.rotation = placed.rotation;
+                moved.length = placed.length;
+            }
             return moved == placed &&
                    (toVec3(there.position) - toVec3(placed.position)).norm() <= 10.0F * tolerance * thickest;
         };
