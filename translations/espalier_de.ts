@@ -2391,7 +2391,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Flutes</source>
-        <translation>Wülste</translation>
+        <translation>Riefen</translation>
     </message>
     <message>
         <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>

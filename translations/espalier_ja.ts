@@ -2389,7 +2389,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
     <message>
         <source>Flutes</source>
-        <translation>うね</translation>
+        <translation>縦溝</translation>
     </message>
     <message>
         <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>

@@ -28,14 +28,7 @@ constexpr double kAtRest = 0.999;
 /// nodes.
 constexpr float kDirectionRadii = 1.5F;
 constexpr int kDirectionNodes = 16;
-/// The shift of a branch onto the surface of the one below it fades over this many radii of that one.
-constexpr float kShiftRadii = 2.5F;
-/// A shift below this share of that length counts as none.
-constexpr float kLeastShift = 0.003F;
-/// How far strands are rounded, in radii of the wood.
-constexpr float kReachRadii = 1.5F;
-/// The trunk's flare ends at this height, in radii.
-constexpr float kFlareRadii = 3.5F;
+
 } // namespace
 
 /// Makes the layouts, tips first.
@@ -85,10 +78,11 @@ private:
         std::vector<std::uint32_t> order;
     };
 
+    /// A trunk's foot has the profile of its first node, so that a hollow reaches the ground.
     const StrandProfile* profileAt(std::uint32_t node) const
     {
         const StrandNode& n = m_skeleton.nodes[node];
-        return n.along == 1.0F ? m_tree.profileOf(n.internode) : nullptr;
+        return n.along == 1.0F || m_skeleton.isBase(node) ? m_tree.profileOf(n.internode) : nullptr;
     }
     float twistAt(std::uint32_t node) const
     {
@@ -467,134 +461,21 @@ StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Wid
     m_keys.resize(count);
     Builder(tree, last, progress, *this).build();
 
-    // Radii: of fixed strands, or those of the branches; trunks flare.
-    const auto fixed = static_cast<float>(tree.parameters().wood.strandRadius);
-    const auto flare = static_cast<float>(tree.parameters().widths.flare);
-    for (StrandNode& node : m_skeleton.nodes) {
-        if (fixed > 0.0F)
-            node.radius = fixed * bundleRadius(node.strands);
-    }
-    for (const std::uint32_t base : m_skeleton.bases) {
-        const float radius = m_skeleton.nodes[base].radius;
-        const float end = kFlareRadii * radius;
-        float path = 0.0F;
-        for (std::uint32_t node = base; path < end;) {
-            StrandNode& n = m_skeleton.nodes[node];
-            const float rest = 1.0F - path / end;
-            n.radius += flare * radius * rest * rest;
-            const auto above = m_skeleton.childrenOf(node);
-            if (above.empty())
-                break;
-            node = *std::ranges::max_element(above, {},
-                                             [&](std::uint32_t c) { return m_skeleton.nodes[c].strands; });
-            path += (m_skeleton.nodes[node].position - n.position).norm();
-        }
-    }
-    limitStubs();
-    m_scales.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        m_scales[i] = m_skeleton.nodes[i].radius / bundleRadius(m_skeleton.nodes[i].strands);
-    placeCentres();
-    measureReaches();
+    m_bundles = placeBundles(m_skeleton, tree.parameters(), [this](std::uint32_t child) {
+        const StrandNode& node = m_skeleton.nodes[child];
+        const Section& below = m_sections[node.parent];
+        Vec2 sum = Vec2::Zero();
+        for (std::uint32_t strand = 0; strand < node.strands; ++strand)
+            sum += m_places[below.first + node.offset + strand];
+        return Vec2(below.turn * Vec2(sum / static_cast<float>(node.strands)));
+    });
     m_reliefs = StrandReliefs(ReliefSources{
         .tree = tree,
         .index = index,
         .skeleton = m_skeleton,
-        .scales = m_scales,
+        .scales = m_bundles.scales,
         .place = [this](std::uint32_t node, std::uint32_t strand) { return place(node, strand); },
         .hasProfile = [this](std::uint32_t node) { return profileScale(node) > 0.0F; }});
-}
-
-/// Stubs that are hardly longer than the wood that they stand on is thick are not thicker than their strands
-/// in that wood: a disc on the bark would look like no branch.
-void StrandLayouts::limitStubs()
-{
-    std::vector<StrandNode>& nodes = m_skeleton.nodes;
-    std::vector<float> lengths(nodes.size(), 0.0F); // To the farthest tip, m
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-        if (nodes[i].parent != i)
-            lengths[nodes[i].parent] =
-                std::max(lengths[nodes[i].parent],
-                         lengths[i] + (nodes[i].position - nodes[nodes[i].parent].position).norm());
-    }
-    std::vector<float> limits(nodes.size(), std::numeric_limits<float>::max());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        StrandNode& node = nodes[i];
-        const StrandNode& parent = nodes[node.parent];
-        if (node.parent == i)
-            continue;
-        limits[i] = limits[node.parent];
-        if (2 * node.strands < parent.strands) {
-            const float length = lengths[i] + (node.position - parent.position).norm();
-            const float bySection = parent.radius / bundleRadius(parent.strands) * bundleRadius(node.strands);
-            limits[i] = std::max(bySection, length - parent.radius);
-        }
-        node.radius = std::min(node.radius, limits[i]);
-    }
-}
-
-void StrandLayouts::placeCentres()
-{
-    const std::vector<StrandNode>& nodes = m_skeleton.nodes;
-    // The middle of each branch's strands in the section below it, against the middle of that section.
-    std::vector<Vec3> shifts(nodes.size(), Vec3(Vec3::Zero()));
-    parallelFor(nodes.size(), kNodesPerTask * 8, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const StrandNode& node = nodes[i];
-            const std::uint32_t parent = node.parent;
-            if (parent == i || nodes[parent].childCount < 2)
-                continue;
-            Vec2 sum = Vec2::Zero();
-            for (std::uint32_t strand = 0; strand < node.strands; ++strand)
-                sum += m_places[m_sections[parent].first + node.offset + strand];
-            const Vec2 middle = m_sections[parent].turn * Vec2(sum / static_cast<float>(node.strands));
-            shifts[i] = nodes[parent].frame * (m_scales[parent] * Vec3(middle.x(), 0.0F, middle.y()));
-        }
-    });
-    m_centres.resize(nodes.size());
-    std::vector<float> reach(nodes.size(), 0.0F);
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        const StrandNode& node = nodes[i];
-        if (node.parent == i) {
-            m_centres[i] = node.position;
-            reach[i] = kShiftRadii * node.radius;
-            continue;
-        }
-        const StrandNode& parent = nodes[node.parent];
-        const bool isMain = 2 * node.strands >= parent.strands;
-        reach[i] =
-            isMain ? std::max(reach[node.parent], kShiftRadii * node.radius) : kShiftRadii * parent.radius;
-        const float length = (node.position - parent.position).norm();
-        Vec3 shift = m_centres[node.parent] - parent.position + shifts[i];
-        shift *= std::exp(-length / std::max(reach[i], 1e-6F));
-        // What is not seen ends, so a change at a fork reaches only the wood near it.
-        if (shift.squaredNorm() < kLeastShift * kLeastShift * reach[i] * reach[i])
-            shift.setZero();
-        m_centres[i] = node.position + shift;
-    }
-}
-
-void StrandLayouts::measureReaches()
-{
-    const std::vector<StrandNode>& nodes = m_skeleton.nodes;
-    m_reaches.assign(nodes.size(), 0.0F);
-    std::vector<float> above(nodes.size(), std::numeric_limits<float>::max()); // To the nearest child
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        const std::uint32_t parent = nodes[i].parent;
-        if (parent == i)
-            continue;
-        const float length = (m_centres[i] - m_centres[parent]).norm();
-        above[parent] = std::min(above[parent], length);
-        m_reaches[i] = std::max(kReachRadii * nodes[i].radius, m_reaches[parent] - length);
-        if (m_skeleton.isBase(parent))
-            m_reaches[i] = kReachRadii * nodes[i].radius;
-    }
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-        if (const std::uint32_t parent = nodes[i].parent;
-            parent == i || nodes[i].childCount == 0 ||
-            std::min(above[i], (m_centres[i] - m_centres[parent]).norm()) >= m_reaches[i])
-            m_reaches[i] = 0.0F;
-    }
 }
 
 StrandLayouts::Counts StrandLayouts::count() const
@@ -626,8 +507,7 @@ std::size_t StrandLayouts::bytes() const
     return m_skeleton.nodes.capacity() * sizeof(StrandNode) +
            m_skeleton.children.capacity() * sizeof(std::uint32_t) + m_sections.capacity() * sizeof(Section) +
            m_places.capacity() * sizeof(Vec2) + m_keys.capacity() * sizeof(Keys) +
-           m_slots.capacity() * sizeof(std::uint32_t) + m_scales.capacity() * sizeof(float) +
-           m_centres.capacity() * sizeof(Vec3) + m_reaches.capacity() * sizeof(float) + m_reliefs.bytes();
+           m_slots.capacity() * sizeof(std::uint32_t) + m_bundles.bytes() + m_reliefs.bytes();
 }
 
 } // namespace espalier

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/base/WorkProgress.h"
+#include "model/strands/BundlePlaces.h"
 #include "model/strands/HexLattice.h"
 #include "model/strands/StrandReliefs.h"
 #include "model/strands/StrandSkeleton.h"
@@ -58,19 +59,20 @@ public:
     const HexLattice& lattice() const { return *m_lattice; }
 
     /// Length of a strand radius at a node, m.
-    float scale(std::uint32_t node) const { return m_scales[node]; }
+    float scale(std::uint32_t node) const { return m_bundles.scales[node]; }
     /// World position of the middle of the section, m. Where a branch leaves a thick one, it lies on that
     /// one's surface, and approaches the branch's own line further up.
-    const Vec3& centre(std::uint32_t node) const { return m_centres[node]; }
+    const Vec3& centre(std::uint32_t node) const { return m_bundles.centres[node]; }
     /// How far the wood's line is rounded to either side of a node, m: about as far as the wood is thick, and
     /// near a fork as far as that is. 0 where the next nodes are farther.
-    float reach(std::uint32_t node) const { return m_reaches[node]; }
+    float reach(std::uint32_t node) const { return m_bundles.reaches[node]; }
     /// World position of a point of the section, moved as the reliefs of the wood say.
     Vec3 world(std::uint32_t node, const Vec2& place) const
     {
-        const Vec2 moved = m_reliefs.moved(node, place, m_skeleton.nodes[node].radius / m_scales[node]);
-        return m_centres[node] +
-               m_skeleton.nodes[node].frame * (m_scales[node] * Vec3(moved.x(), 0.0F, moved.y()));
+        const Vec2 moved =
+            m_reliefs.moved(node, place, m_skeleton.nodes[node].radius / m_bundles.scales[node]);
+        return m_bundles.centres[node] +
+               m_skeleton.nodes[node].frame * (m_bundles.scales[node] * Vec3(moved.x(), 0.0F, moved.y()));
     }
     const StrandReliefs& reliefs() const { return m_reliefs; }
     /// Coordinates of the node's profile times this are coordinates of its layout; 0 without a profile.
@@ -99,10 +101,6 @@ private:
     };
     class Builder;
 
-    void limitStubs();
-    void placeCentres();
-    void measureReaches();
-
     StrandSkeleton m_skeleton;
     std::shared_ptr<const HexLattice> m_lattice;
     std::vector<Section> m_sections;
@@ -114,9 +112,7 @@ private:
         std::uint64_t places = 0;
     };
     std::vector<Keys> m_keys;
-    std::vector<float> m_scales;
-    std::vector<Vec3> m_centres;
-    std::vector<float> m_reaches;
+    BundlePlaces m_bundles;
     StrandReliefs m_reliefs;
 };
 
