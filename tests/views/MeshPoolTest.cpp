@@ -106,13 +106,12 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
         placer.place(mesher.internodes(), leaves);
         const auto isAsPlaced = [&](const LeafInstance& there, const LeafInstance& placed) {
             LeafInstance moved = there;
-            moved.position = placed.position;
-            // Near the ground a leaf turns by steps until it lies above, or is hidden, so a hair's breadth
-            // counts.
-            if (placed.position[1] < 2.0F * (placed.length + placed.width)) {
+            // How far a leaf near the ground turns up, in steps, depends on where exactly it stands.
+            if (tolerance > 0.0F && placed.position[1] < 2.0F * (placed.width + placed.length)) {
                 moved.rotation = placed.rotation;
                 moved.length = placed.length;
             }
+            moved.position = placed.position;
             return moved == placed &&
                    (toVec3(there.position) - toVec3(placed.position)).norm() <= 10.0F * tolerance * thickest;
         };
