@@ -80,15 +80,27 @@ void ProfileCanvas::showSection(const ProfileSection& section, const StrandProfi
         drop();
         setFault({});
     }
-    if (isFirst || (m_profile != profile && !m_stroke)) {
+    const bool isChanged = isFirst || (m_profile != profile && !m_stroke);
+    if (isChanged) {
         if (!m_faulty.empty())
             setFault({});
         m_profile = profile;
         m_axis = profile.boundaries.empty() ? std::vector<MedialSegment>() : medialAxis(profile);
     }
-    if (isFirst)
+    if (isFirst || (isChanged && isCutOff()))
         fit();
     redraw();
+}
+
+bool ProfileCanvas::isCutOff() const
+{
+    const auto isOutside = [this](const Vec2& point) {
+        return 2.0 * m_scale * double{std::abs(point.x())} > width() ||
+               2.0 * m_scale * double{std::abs(point.y())} > height();
+    };
+    return std::ranges::any_of(m_profile.boundaries, [&](const StrandProfile::Loop& loop) {
+        return std::ranges::any_of(loop, isOutside);
+    });
 }
 
 void ProfileCanvas::clear()

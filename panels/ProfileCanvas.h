@@ -96,6 +96,8 @@ private:
     void move(const QPointF& place);
     void end();
     void drop();
+    /// Whether the profile reaches beyond the canvas.
+    bool isCutOff() const;
     void offer(StrandProfile profile, StrandProfile::Loop drawn);
     void setFault(const QString& sentence, StrandProfile::Loop line = {});
     std::optional<Point> pointAt(const QPointF& place, double reach) const;

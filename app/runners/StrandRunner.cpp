@@ -51,6 +51,7 @@ bool StrandRunner::isWanted() const
 void StrandRunner::stop()
 {
     m_rest.stop();
+    m_tell.stop();
     if (m_progress)
         m_progress->cancel();
 }

@@ -14,8 +14,9 @@
 namespace espalier {
 
 /// Makes the strands, or their fibres, for a window whenever the tree has come to rest, on a worker thread
-/// from a copy of the tree. What has not changed since the last ones is taken over from them. If the tree
-/// changes meanwhile, the work stops, and begins again when the tree is at rest.
+/// from a copy of the tree. What has not changed since the last ones is taken over from them; fibres of a
+/// tree whose wood is tubes are made anew. If the tree changes meanwhile, the work stops, and begins again
+/// when the tree is at rest.
 class StrandRunner : public QObject {
     Q_OBJECT
 

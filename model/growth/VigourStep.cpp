@@ -276,6 +276,7 @@ TreeDelta vigourStepToward(const Tree& tree, const TreeIndex& index, const Voxel
         std::vector<InternodeId> spared;
         for (const EnabledBud& bud : enabled)
             spared.push_back(bud.bud.node);
+        std::ranges::sort(spared);
         pruneShaded(growing, flux, space, p, 0.0, spared);
     }
 

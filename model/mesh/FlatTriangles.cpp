@@ -18,15 +18,18 @@ constexpr float kRaise = 1e-5F;
 constexpr std::size_t kPerTask = 1 << 13;
 constexpr int kMostRounds = 4; ///< A moved vertex can flatten a neighbour
 
-/// A unit vector at right angles to @p edge; an axis if that has no length.
-Vec3 acrossOf(const Vec3& edge, VertexIndex vertex)
+/// A unit vector at right angles to @p edge that does not lead down; an axis if the edge has no length.
+/// Another one in each round.
+Vec3 acrossOf(const Vec3& edge, VertexIndex vertex, int round)
 {
-    const float length = edge.norm();
-    if (length <= 0.0F)
-        return Vec3::Unit(static_cast<Eigen::Index>(vertex % 3));
+    if (edge.norm() <= 0.0F)
+        return Vec3::Unit(static_cast<Eigen::Index>((vertex + static_cast<VertexIndex>(round)) % 3));
     Eigen::Index axis = 0;
     edge.cwiseAbs().minCoeff(&axis);
-    return Vec3(edge.cross(Vec3(Vec3::Unit(axis)))).normalized();
+    Vec3 across = edge.cross(Vec3(Vec3::Unit(axis))).normalized();
+    if (round % 2 == 1)
+        across = edge.cross(across).normalized();
+    return across.y() < 0.0F ? Vec3(-across) : across;
 }
 
 /// Finds and raises them.
@@ -122,9 +125,7 @@ private:
         const auto apex = static_cast<std::size_t>(std::ranges::max_element(lengths) - lengths.begin());
         const VertexIndex vertex = m_indices[i + apex];
         raised.push_back({vertex, m_vertices[vertex].position});
-        Vec3 move = acrossOf(Vec3(corners[(apex + 2) % 3] - corners[(apex + 1) % 3]),
-                             vertex + static_cast<VertexIndex>(round));
-        move.y() = std::abs(move.y());
+        const Vec3 move = acrossOf(Vec3(corners[(apex + 2) % 3] - corners[(apex + 1) % 3]), vertex, round);
         const float step = kRaise * m_diagonal * (1.0F + static_cast<float>(vertex % 7) / 7.0F);
         m_vertices[vertex].position = toArray(Vec3(corners[apex] + step * move));
         return vertex;

@@ -13,6 +13,8 @@ namespace espalier {
 namespace {
 
 constexpr std::size_t kBundlesPerTask = 256;
+/// Thinner strands would coincide in the precision of positions, m: the parameter counts as 0.
+constexpr double kLeastStrandRadius = 1e-5;
 /// The shift of a branch onto the surface of the one below it fades over this many radii of that one.
 constexpr float kShiftRadii = 2.5F;
 /// A shift below this share of that length counts as none.
@@ -24,7 +26,8 @@ constexpr float kFlareRadii = 3.5F;
 
 void setRadii(StrandSkeleton& skeleton, const TreeParameters& parameters)
 {
-    const auto fixed = static_cast<float>(parameters.wood.strandRadius);
+    const double wanted = parameters.wood.strandRadius;
+    const auto fixed = static_cast<float>(wanted >= kLeastStrandRadius ? wanted : 0.0);
     const auto flare = static_cast<float>(parameters.widths.flare);
     for (StrandNode& node : skeleton.nodes) {
         if (fixed > 0.0F)

@@ -9,10 +9,12 @@ namespace espalier {
 
 namespace {
 
-/// A branch with less than this share of the strands of its fork parts at once.
-constexpr std::uint32_t kLeastJoined = 8;
+/// A branch parts at once if its fork has more than so many times its strands.
+constexpr std::uint32_t kMostTimesItsStrands = 8;
 /// Of the way along each branch, this share leads along the wood below; a branch that turns aside parts.
 constexpr float kLeastAscent = 0.5F;
+/// Wood of fewer strands separates as if it had so many.
+constexpr std::uint32_t kManyStrands = 80;
 /// Nodes of a joined bundle are at least this share of its radius apart.
 constexpr float kLeastGap = 0.02F;
 
@@ -88,12 +90,13 @@ private:
                                          [&](std::uint32_t child) { return m_strands[child]; });
     }
 
-    /// Length of a strand radius at a node, m.
+    /// Length of a strand radius at a node, m: of one of many. In radii of few thick strands, α would join
+    /// the twigs of a seedling as by webs.
     float scaleAt(std::uint32_t node) const
     {
         if (m_wood.strandRadius > 0.0)
             return static_cast<float>(m_wood.strandRadius);
-        return m_nodes[node].radius / bundleRadius(m_strands[node]);
+        return m_nodes[node].radius / bundleRadius(std::max(m_strands[node], kManyStrands));
     }
 
     bool joinAt(std::uint32_t node)
@@ -106,7 +109,7 @@ private:
         std::ranges::stable_sort(branches, std::greater(),
                                  [&](std::uint32_t child) { return m_strands[child]; });
         for (std::size_t i = 1; i < branches.size(); ++i) {
-            if (kLeastJoined * m_strands[branches[i]] < m_strands[node])
+            if (kMostTimesItsStrands * m_strands[branches[i]] < m_strands[node])
                 break;
             if (joinTwo(node, branches.front(), branches[i])) {
                 branches.front() = m_children[node].front();
@@ -189,7 +192,8 @@ private:
             // nothing.
             const float wa = m_nodes[na].radius * m_nodes[na].radius;
             const float wb = m_nodes[nb].radius * m_nodes[nb].radius;
-            places.push_back({Vec3((wa * a.at(path) + wb * b.at(path)) / (wa + wb)),
+            const float share = wa + wb > 0.0F ? wa / (wa + wb) : 0.5F;
+            places.push_back({Vec3(share * a.at(path) + (1.0F - share) * b.at(path)),
                               std::hypot(m_nodes[na].radius, m_nodes[nb].radius),
                               m_strands[na] + m_strands[nb]});
         }

@@ -9,9 +9,9 @@ namespace {
 
 /// The mean is taken over so many places to either side.
 constexpr int kMeanSamples = 3;
-/// The mean of a strand below a fork includes the branch that it passes into if that has at least this share
-/// of the strands. Those of thin branches would draw spikes out of the bark.
-constexpr std::uint32_t kThickShare = 8;
+/// The mean of a strand below a fork includes the branch that it passes into unless the fork has more than so
+/// many times its strands. Those of thin branches would draw spikes out of the bark.
+constexpr std::uint32_t kMostTimesTheBranch = 8;
 
 } // namespace
 
@@ -33,7 +33,7 @@ StrandCurves::Line StrandCurves::lineAbove(std::uint32_t node, std::uint32_t str
     while (line.count < kMostNodes && line.length() < reach && m_skeleton.nodes[node].childCount > 0) {
         const std::uint32_t child = childWith(node, strand);
         const StrandNode& c = m_skeleton.nodes[child];
-        if (kThickShare * c.strands < m_skeleton.nodes[node].strands)
+        if (kMostTimesTheBranch * c.strands < m_skeleton.nodes[node].strands)
             break;
         strand -= c.offset;
         node = child;

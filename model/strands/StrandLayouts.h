@@ -24,7 +24,8 @@ namespace espalier {
 /// how far a node comes toward that arrangement from the one above it. A profile draws the strands of its own
 /// node alone.
 ///
-/// A node with one child, no profile and no twist of its own has the layout of the child.
+/// A node with one child, no profile and no twist of its own has the layout of the child, once packing is at
+/// rest.
 class StrandLayouts {
 public:
     /// Arrangements that have not changed since @p last, of this tree or another one, are taken from there.

@@ -147,10 +147,22 @@ void editAtRandom(TreeBuilder& builder, Random& random)
         break;
     case 5:
         setWood(builder, [&](WoodParameters& wood) {
-            if (random.uniform() < 0.5)
-                wood.alpha = random.uniform(3.0, 12.0);
-            else
+            switch (static_cast<int>(random.uniform(0.0, 5.0))) {
+            case 0:
+                wood.alpha = random.uniform(3.0, 100.0);
+                break;
+            case 1:
                 wood.smoothing = random.uniform();
+                break;
+            case 2:
+                wood.flutes = random.uniform();
+                break;
+            case 3:
+                wood.strandsPerTip = 1 + static_cast<int>(random.uniform(0.0, 4.0));
+                break;
+            default:
+                wood.strandRadius = random.uniform() < 0.5 ? 0.0 : random.uniform(0.001, 0.005);
+            }
         });
         return;
     default:
@@ -194,7 +206,7 @@ private Q_SLOTS:
     void textureCoordinates_areContinuousAcrossEdges();
     void coarserMeshes_haveFewerTrianglesAndAreClosed_data();
     void coarserMeshes_haveFewerTrianglesAndAreClosed();
-    void alpha_movesTheSeparationUp();
+    void greaterAlpha_needsFewerInnerWalls();
     void severalRoots_areSurfacesEach();
 };
 
@@ -407,9 +419,8 @@ void StrandMesherTest::coarserMeshes_haveFewerTrianglesAndAreClosed()
     }
 }
 
-void StrandMesherTest::alpha_movesTheSeparationUp()
+void StrandMesherTest::greaterAlpha_needsFewerInnerWalls()
 {
-    // A fork of two equal branches: the lowest vertex between them lies higher, the greater α is.
     TreeBuilder builder = raisedTree(2000, 4);
     std::vector<std::size_t> sizes;
     for (const double alpha : {3.0, 20.0, 100.0}) {

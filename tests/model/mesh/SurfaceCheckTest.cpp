@@ -75,6 +75,7 @@ private Q_SLOTS:
     void box_isClosed();
     void faults_areFound_data();
     void faults_areFound();
+    void flatTriangles_getAnArea_data();
     void flatTriangles_getAnArea();
     void crossingBoxes_areCounted();
     void patch_joinsOutlinesOfTheSameStrands();
@@ -91,8 +92,20 @@ void SurfaceCheckTest::box_isClosed()
     QVERIFY(std::abs(enclosedVolume(box()) - 8.0) < 1e-6);
 }
 
+void SurfaceCheckTest::flatTriangles_getAnArea_data()
+{
+    QTest::addColumn<float>("aboutX");
+    QTest::addColumn<float>("aboutZ");
+    for (const float aboutX : {0.0F, 0.3F, 45.0F, 90.0F, 135.0F}) {
+        for (const float aboutZ : {0.0F, 1.0F, 45.0F, 90.0F, 200.0F})
+            QTest::addRow("%g, %g", double{aboutX}, double{aboutZ}) << aboutX << aboutZ;
+    }
+}
+
 void SurfaceCheckTest::flatTriangles_getAnArea()
 {
+    QFETCH(float, aboutX);
+    QFETCH(float, aboutZ);
     // A vertex in the middle of the edge from 0 to 1, with a triangle of no area beside that edge.
     TriangleMesh mesh = box();
     MeshVertex middle{};
@@ -106,6 +119,12 @@ void SurfaceCheckTest::flatTriangles_getAnArea()
     }
     for (const VertexIndex index : {8U, 2U, 1U, 0U, 8U, 1U})
         mesh.indices.push_back(index);
+    // In all directions of that edge.
+    constexpr float kDegree = std::numbers::pi_v<float> / 180.0F;
+    const Rotation turn = Eigen::AngleAxisf(aboutX * kDegree, Vec3(Vec3::UnitX())) *
+                          Eigen::AngleAxisf(aboutZ * kDegree, Vec3(Vec3::UnitZ()));
+    for (MeshVertex& vertex : mesh.vertices)
+        vertex.position = toArray(Vec3(turn * toVec3(vertex.position)));
     QCOMPARE(checkSurface(mesh).degenerate, 1U);
     QCOMPARE(checkSurface(mesh).openEdges, 0U);
     const TriangleMesh before = mesh;
