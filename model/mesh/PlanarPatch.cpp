@@ -186,6 +186,8 @@ void PlanarPatch::traceFaces()
                 face.push_back(edge);
                 edge = m_next[m_partner[before]];
                 // An outline that visits a strand twice can have joined edges on both sides here.
+                const std::uint32_t entered = edge;
+                const std::size_t length = face.size();
                 while (m_partner[edge] != kNoStrand) {
                     face.push_back(edge);
                     edge = m_before[m_partner[edge]];
@@ -193,6 +195,11 @@ void PlanarPatch::traceFaces()
                         break;
                     face.push_back(m_next[edge]);
                     edge = m_next[m_partner[edge]];
+                    // All around the strand is joined: there is nothing to go on along.
+                    if (edge == entered) {
+                        face.resize(length);
+                        break;
+                    }
                 }
             }
         } while (edge != first && !isDone[edge]);

@@ -306,7 +306,9 @@ private:
         const float share = std::sqrt(strands / static_cast<float>(at(node).strands));
         if (share < kSmallestHollow)
             return;
-        const Vec3 heading = at(node).frame.conjugate() * m_index.heading(limb);
+        // The index need not know the frames of the dead.
+        const Rotation grown = m_index.rotation(m_tree.parent(limb)) * m_tree.columns().rotation[limb];
+        const Vec3 heading = at(node).frame.conjugate() * (grown * up());
         if (Vec2(heading.x(), heading.z()).norm() < 0.15F)
             return; // It went on in the direction of the wood, which has closed over it.
         const float angle = std::atan2(heading.z(), heading.x());

@@ -178,6 +178,10 @@ void StrandReliefsTest::lostLimb_leavesAHollowWithARim()
     for (int degree = 0; degree < 120; ++degree)
         rim = std::max(rim, change(fork, static_cast<float>(radians(degree))));
     QVERIFY2(rim > 0.01F, qPrintable(QString::number(rim)));
+    // An index that was made after the loss gives the same hollow.
+    const TreeIndex fresh(builder.tree);
+    const StrandLayouts again(builder.tree, fresh, Widths(builder.tree, fresh));
+    QCOMPARE(again.reliefs().relief(fork, angle), layouts.reliefs().relief(fork, angle));
     // Far from it the wood is as it was.
     QVERIFY(std::abs(change(nodeOf(layouts, kFork - 12), 0.0F)) < 0.01F);
     // Undo heals it.
