@@ -265,7 +265,7 @@ TreeDelta vigourStepToward(const Tree& tree, const TreeIndex& index, const Voxel
     GrowingTree growing(tree, index, workspace);
     Competition competition(growing, space, options.perception, options.competitors, markers);
     competition.admit();
-    const std::vector<EnabledBud> enabled = competition.enabled();
+    std::vector<EnabledBud> enabled = competition.enabled();
     if (enabled.empty())
         return growing.takeDelta();
     const VigourFlux flux(growing, space, p, {.competitors = options.competitors, .years = kYearsUnderBrush});
@@ -277,7 +277,11 @@ TreeDelta vigourStepToward(const Tree& tree, const TreeIndex& index, const Voxel
         for (const EnabledBud& bud : enabled)
             spared.push_back(bud.bud.node);
         std::ranges::sort(spared);
-        pruneShaded(growing, flux, space, p, 0.0, spared);
+        const std::vector<std::uint8_t> isShed = pruneShaded(growing, flux, space, p, 0.0, spared);
+        // A branch below the ground is shed with all that it carries.
+        std::erase_if(enabled, [&](const EnabledBud& bud) {
+            return bud.bud.node < isShed.size() && isShed[bud.bud.node] != 0;
+        });
     }
 
     std::vector<VigorousShoot> shoots;
