@@ -2984,10 +2984,6 @@ geschrieben werden konnte.
         <source>its outline has no area</source>
         <translation>der Umriss hat keine Fläche</translation>
     </message>
-    <message>
-        <source>its wood is too thin for its size</source>
-        <translation>das Holz ist zu dünn für seine Größe</translation>
-    </message>
 </context>
 <context>
     <name>SunTool</name>

@@ -2983,10 +2983,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>its outline has no area</source>
         <translation>son contour n’a pas de surface</translation>
     </message>
-    <message>
-        <source>its wood is too thin for its size</source>
-        <translation>son bois est trop mince pour sa taille</translation>
-    </message>
 </context>
 <context>
     <name>SunTool</name>

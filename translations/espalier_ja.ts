@@ -2982,10 +2982,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>its outline has no area</source>
         <translation>輪郭が何も囲んでいません</translation>
     </message>
-    <message>
-        <source>its wood is too thin for its size</source>
-        <translation>大きさに対して木の部分が薄すぎます</translation>
-    </message>
 </context>
 <context>
     <name>SunTool</name>

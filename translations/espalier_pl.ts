@@ -2983,10 +2983,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>its outline has no area</source>
         <translation>jego kontur nie obejmuje żadnego pola</translation>
     </message>
-    <message>
-        <source>its wood is too thin for its size</source>
-        <translation>jego drewno jest zbyt cienkie jak na swoje rozmiary</translation>
-    </message>
 </context>
 <context>
     <name>SunTool</name>

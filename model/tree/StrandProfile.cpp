@@ -157,16 +157,8 @@ QString profileFault(const StrandProfile& profile)
     if (bool itself = false; crosses(profile, itself))
         return itself ? ProfileText::tr("its outline crosses itself")
                       : ProfileText::tr("its outlines cross each other");
-    const float area = areaOf(profile);
-    if (!(area >= kLeastProfileArea))
+    if (!(areaOf(profile) >= kLeastProfileArea))
         return ProfileText::tr("its outline has no area");
-    Eigen::AlignedBox2f box;
-    for (const StrandProfile::Loop& loop : profile.boundaries) {
-        for (const Vec2& point : loop)
-            box.extend(point);
-    }
-    if (area < kLeastProfileShare * box.diagonal().squaredNorm())
-        return ProfileText::tr("its wood is too thin for its size");
     return {};
 }
 

@@ -39,9 +39,6 @@ inline constexpr std::size_t kMostAttractors = 64;
 inline constexpr float kFarthestProfilePoint = 100.0F; ///< The greatest coordinate
 /// The least area of a profile, the area of its cavities taken away.
 inline constexpr float kLeastProfileArea = 1e-4F;
-/// Of the square of the diagonal of all outlines, the area of the wood must be this share: strands of a
-/// needle would spread over many times the thickness of the branch.
-inline constexpr float kLeastProfileShare = 0.005F;
 
 /// Whether the profile contains a point, by the even-odd rule.
 bool isInside(const StrandProfile& profile, const Vec2& point);
