@@ -122,7 +122,7 @@ void StrandReliefsTest::ridge_isBelowItsLimbAndFades()
         QVERIFY(here > 0.0F && here < above);
         above = here;
     }
-    // Above the limb nothing of it is left.
+    // Above the limb the wood has no ridge of that limb.
     const std::uint32_t next = nodeOf(layouts, kFork + 1);
     QVERIFY(std::abs(layouts.reliefs().relief(next, angle)) < 0.03F);
 }
