@@ -36,7 +36,6 @@ std::uint64_t ownKey(const StrandLayouts& layouts, std::uint32_t node, std::uint
     for (const float number : n.frame.coeffs())
         hash.add(number);
     hash.add(layouts.isDisc(node));
-    hash.add(layouts.turn(node).angle());
     hash.add(layouts.scale(node));
     hash.add(layouts.reach(node));
     addVector(hash, layouts.centre(node));
@@ -117,7 +116,7 @@ StrandKeys strandKeys(const StrandLayouts& layouts, const WoodParameters& wood,
                 continue;
             ContentHash hash;
             hash.add(common.value());
-            const std::span<const Vec2> places = layouts.unturned(node);
+            const std::span<const Vec2> places = layouts.places(node);
             hash.addAll(std::span(reinterpret_cast<const float*>(places.data()), 2 * places.size()));
             if (layouts.isDisc(node))
                 hash.addAll(layouts.slots(node));

@@ -345,7 +345,7 @@ void StrandSections::take(std::uint32_t node, const StrandReuse& reuse, const La
 std::vector<Vec2> StrandSections::plane(const Loop& loop) const
 {
     std::vector<Vec2> points;
-    const std::span<const Vec2> places = m_layouts.unturned(loop.node);
+    const std::span<const Vec2> places = m_layouts.places(loop.node);
     for (const std::uint32_t strand : strands(loop))
         points.push_back(places[strand]);
     return points;

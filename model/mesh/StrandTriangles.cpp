@@ -383,7 +383,7 @@ private:
         }
     }
 
-    std::span<const Vec2> placesOf(std::uint32_t node) const { return m_layouts.unturned(node); }
+    std::span<const Vec2> placesOf(std::uint32_t node) const { return m_layouts.places(node); }
 
     void patchAbove(std::uint32_t node, Scratch& scratch, Chunk& made)
     {

@@ -378,7 +378,7 @@ private:
     /// @p offset: of the outline's strands among those of @p node.
     void thin(BundleOutline& outline, std::uint32_t node, std::uint32_t offset) const
     {
-        const std::span<const Vec2> places = m_layouts.unturned(node).subspan(offset);
+        const std::span<const Vec2> places = m_layouts.places(node).subspan(offset);
         std::vector<Vec2> points;
         for (SectionLoop& loop : outline.loops) {
             // The ends of cavities are triangles across them, which need room beside those of a fork.

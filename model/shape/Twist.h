@@ -21,9 +21,9 @@ inline constexpr double kMostTwist = radians(180);
 std::vector<InternodeId> twistedInternodes(const Tree& tree, const TreeIndex& index, InternodeId id,
                                            TwistScope scope);
 
-/// Turns the strands of each of these internodes against those above it by @p angle, rad, within ±kMostTwist,
-/// in place of the twist that it has (Strands 2024 §5.4); 0 takes the twist away. Above 0, strands wind to
-/// the left on their way up; seen from the tip, they turn clockwise.
+/// Turns the section of each of these internodes against the one below it by @p angle, rad, within
+/// ±kMostTwist, in place of the twist that it has (Strands 2024 §5.4); 0 takes the twist away. Above 0,
+/// strands wind to the left on their way up; seen from the tip, they turn clockwise.
 TreeDelta twist(const Tree& tree, const TreeIndex& index, InternodeId id, TwistScope scope, double angle);
 
 } // namespace espalier

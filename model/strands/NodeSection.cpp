@@ -41,7 +41,7 @@ void NodeSection::set(const StrandLayouts& layouts, std::uint32_t node, float al
             m_strandAt[slots[strand]] = strand;
         return;
     }
-    const std::span<const Vec2> places = layouts.unturned(node);
+    const std::span<const Vec2> places = layouts.places(node);
     m_triangles = delaunay(places);
     std::erase_if(m_triangles, [&](const std::array<std::uint32_t, 3>& corners) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -117,7 +117,7 @@ std::vector<SectionLoop> NodeSection::boundary(std::span<const std::uint32_t> la
 
 void NodeSection::measure(SectionLoop& loop) const
 {
-    const std::span<const Vec2> places = m_layouts->unturned(m_node);
+    const std::span<const Vec2> places = m_layouts->places(m_node);
     float twice = 0.0F;
     for (std::size_t i = 0; i < loop.strands.size(); ++i) {
         const Vec2& a = places[loop.strands[i]];

@@ -84,11 +84,6 @@ private:
         const StrandNode& n = m_skeleton.nodes[node];
         return n.along == 1.0F || m_skeleton.isBase(node) ? m_tree.profileOf(n.internode) : nullptr;
     }
-    float twistAt(std::uint32_t node) const
-    {
-        const StrandNode& n = m_skeleton.nodes[node];
-        return n.along == 1.0F ? m_tree.content().sparse.twist.at(n.internode).value_or(0.0F) : 0.0F;
-    }
     bool isDynamic() const { return m_wood.packing == StrandPacking::Pbd; }
     /// Whether nodes with one child have layouts of their own, since packing goes on there.
     bool goesOn() const { return isDynamic() || m_share < 1.0F; }
@@ -172,29 +167,17 @@ private:
         const std::uint32_t child = m_skeleton.children[m_skeleton.nodes[node].firstChild];
         Section& section = m_layouts.m_sections[node];
         const Section& above = m_layouts.m_sections[child];
-        const Eigen::Rotation2Df twist(twistAt(node));
         section.first = above.first;
         section.firstSlot = above.firstSlot;
         section.isDisc = above.isDisc;
-        section.turn = twist * above.turn;
-        section.latticeTurn = twist * above.latticeTurn;
     }
 
-    /// The sections of nodes between owners are completed late, so their turns are summed here.
-    Section sectionAbove(std::uint32_t node) const
+    /// The section of the owner: those of nodes between owners are completed late.
+    const Section& sectionOf(std::uint32_t node) const { return m_layouts.m_sections[m_owner[node]]; }
+    std::span<const Vec2> ownedPlaces(std::uint32_t node) const
     {
-        Section section = m_layouts.m_sections[m_owner[node]];
-        section.turn = turnAt(node, section.turn);
-        section.latticeTurn = turnAt(node, section.latticeTurn);
-        return section;
-    }
-    Eigen::Rotation2Df turnAt(std::uint32_t node, const Eigen::Rotation2Df& ofOwner) const
-    {
-        float angle = ofOwner.angle();
-        for (std::uint32_t n = node; n != m_owner[node];
-             n = m_skeleton.children[m_skeleton.nodes[n].firstChild])
-            angle += twistAt(n);
-        return Eigen::Rotation2Df(angle);
+        return std::span<const Vec2>(m_layouts.m_places)
+            .subspan(sectionOf(node).first, m_skeleton.nodes[node].strands);
     }
 
     /// The unit vector in the section of @p node from which the branch of @p child comes.
@@ -228,8 +211,6 @@ private:
             continueBundle(node);
         } else {
             keys.slots = above.value();
-            if (n.childCount > 1)
-                section.latticeTurn = sectionAbove(scratch.order.front()).latticeTurn;
             if (const StrandLayouts* last = lastWith(node, &Keys::slots))
                 std::ranges::copy(last->slots(m_before[node]),
                                   m_layouts.m_slots.begin() + static_cast<std::ptrdiff_t>(section.firstSlot));
@@ -238,19 +219,15 @@ private:
             else
                 mergeBundles(node, scratch);
         }
-        section.turn = Eigen::Rotation2Df(0.0F);
         const StrandProfile* const profile = profileAt(node);
         section.isDisc = profile == nullptr && !goesOn();
-        keys.places = placesKey(node, above, profile);
+        keys.places = placesKey(above, profile);
         if (const StrandLayouts* last = lastWith(node, &Keys::places)) {
-            std::ranges::copy(last->unturned(m_before[node]), placesOf(node).begin());
+            std::ranges::copy(last->places(m_before[node]), placesOf(node).begin());
             section.profileScale = last->m_sections[m_before[node]].profileScale;
         } else {
             place(node, profile, scratch);
         }
-        const Eigen::Rotation2Df twist(twistAt(node));
-        section.turn = twist;
-        section.latticeTurn = twist * section.latticeTurn;
     }
 
     /// The last layouts, if they had the same key at the node.
@@ -268,18 +245,14 @@ private:
         ContentHash hash;
         hash.add(m_skeleton.nodes[node].strands);
         for (const std::uint32_t child : scratch.order) {
-            const Section above = sectionAbove(child);
             const Keys& keys = m_layouts.m_keys[m_owner[child]];
             hash.add(m_skeleton.nodes[child].strands);
             hash.add(m_skeleton.nodes[child].offset);
-            hash.add(above.latticeTurn.angle());
             // The thickest branch hands down its slots; the places of the others count.
             const bool isMain = child == scratch.order.front();
             hash.add(keys.slots);
-            if (!isMain || goesOn()) {
+            if (!isMain || goesOn())
                 hash.add(keys.places);
-                hash.add(above.turn.angle());
-            }
             if (!isMain) {
                 const Vec2 side = sideOf(node, child);
                 hash.add(side.x());
@@ -289,9 +262,8 @@ private:
         return hash;
     }
 
-    std::uint64_t placesKey(std::uint32_t node, ContentHash hash, const StrandProfile* profile) const
+    std::uint64_t placesKey(ContentHash hash, const StrandProfile* profile) const
     {
-        hash.add(m_layouts.m_sections[node].latticeTurn.angle());
         hash.add(m_wood.packing);
         hash.add(m_wood.steps);
         hash.add(profile != nullptr);
@@ -340,10 +312,8 @@ private:
 
     void continueBundle(std::uint32_t node)
     {
-        const Section above = sectionAbove(m_skeleton.children[m_skeleton.nodes[node].firstChild]);
-        Section& section = m_layouts.m_sections[node];
-        section.firstSlot = above.firstSlot;
-        section.latticeTurn = above.latticeTurn;
+        const std::uint32_t child = m_skeleton.children[m_skeleton.nodes[node].firstChild];
+        m_layouts.m_sections[node].firstSlot = sectionOf(child).firstSlot;
     }
 
     /// Sorts the children of a node: those with the most strands first.
@@ -361,22 +331,13 @@ private:
         if (!scratch.merge)
             scratch.merge.emplace(*m_layouts.m_lattice);
         const std::uint32_t main = scratch.order.front();
-        const Section mainSection = sectionAbove(main);
-        Section& section = m_layouts.m_sections[node];
-        const Eigen::Rotation2Df toLattice = section.latticeTurn.inverse();
         scratch.merge->begin(
-            std::span(m_layouts.m_slots).subspan(mainSection.firstSlot, m_skeleton.nodes[main].strands),
+            std::span(m_layouts.m_slots).subspan(sectionOf(main).firstSlot, m_skeleton.nodes[main].strands),
             m_skeleton.nodes[main].offset);
-        for (const std::uint32_t child : std::span(scratch.order).subspan(1)) {
-            const Section above = sectionAbove(child);
-            scratch.places.clear();
-            for (std::uint32_t i = 0; i < m_skeleton.nodes[child].strands; ++i)
-                scratch.places.push_back(toLattice * (above.turn * m_layouts.m_places[above.first + i]));
-            scratch.merge->add(scratch.places, m_skeleton.nodes[child].offset,
-                               toLattice * sideOf(node, child));
-        }
+        for (const std::uint32_t child : std::span(scratch.order).subspan(1))
+            scratch.merge->add(ownedPlaces(child), m_skeleton.nodes[child].offset, sideOf(node, child));
         scratch.merge->finish(
-            std::span(m_layouts.m_slots).subspan(section.firstSlot, m_skeleton.nodes[node].strands));
+            std::span(m_layouts.m_slots).subspan(sectionOf(node).firstSlot, m_skeleton.nodes[node].strands));
     }
 
     /// Projects the strands of the children into the section: the thickest stays, the others are displaced
@@ -385,11 +346,9 @@ private:
     {
         scratch.target.clear(); // What is placed already
         for (const std::uint32_t child : scratch.order) {
-            const Section above = sectionAbove(child);
-            const std::uint32_t count = m_skeleton.nodes[child].strands;
-            const std::span<Vec2> own = places.subspan(m_skeleton.nodes[child].offset, count);
-            for (std::uint32_t i = 0; i < count; ++i)
-                own[i] = above.turn * m_layouts.m_places[above.first + i];
+            const std::span<Vec2> own =
+                places.subspan(m_skeleton.nodes[child].offset, m_skeleton.nodes[child].strands);
+            std::ranges::copy(ownedPlaces(child), own.begin());
             if (!scratch.target.empty()) {
                 const Vec2 side = sideOf(node, child);
                 const float distance = mergeDistance(scratch.target, own, side);
@@ -403,8 +362,7 @@ private:
     Vec2 slotPlace(const Section& section, std::uint32_t strand, std::uint32_t count) const
     {
         const HexLattice& lattice = *m_layouts.m_lattice;
-        return section.latticeTurn *
-               (lattice.position(m_layouts.m_slots[section.firstSlot + strand]) - lattice.centroid(count));
+        return lattice.position(m_layouts.m_slots[section.firstSlot + strand]) - lattice.centroid(count);
     }
 
     void approachSlots(const Section& section, std::span<Vec2> places) const
@@ -467,7 +425,7 @@ StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Wid
         Vec2 sum = Vec2::Zero();
         for (std::uint32_t strand = 0; strand < node.strands; ++strand)
             sum += m_places[below.first + node.offset + strand];
-        return Vec2(below.turn * Vec2(sum / static_cast<float>(node.strands)));
+        return Vec2(sum / static_cast<float>(node.strands));
     });
     m_reliefs = StrandReliefs(ReliefSources{
         .tree = tree,
@@ -491,7 +449,7 @@ StrandLayouts::Counts StrandLayouts::count() const
         counts.particles += node.strands;
         if (owner(i) != i)
             continue;
-        const std::span<const Vec2> places = unturned(i);
+        const std::span<const Vec2> places = this->places(i);
         grid.sort(places);
         // Rounding leaves neighbours of a lattice a little nearer than 2.
         grid.forEachPair(places, 2.0F - 1e-4F, [&](std::uint32_t a, std::uint32_t b) {

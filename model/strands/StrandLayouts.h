@@ -24,8 +24,8 @@ namespace espalier {
 /// how far a node comes toward that arrangement from the one above it. A profile draws the strands of its own
 /// node alone.
 ///
-/// A node with one child, no profile and no twist of its own has the layout of the child, once packing is at
-/// rest.
+/// A node with one child and no profile of its own has the layout of the child, once packing is at rest.
+/// Twists turn the frames of the nodes, not what lies in them.
 class StrandLayouts {
 public:
     /// Arrangements that have not changed since @p last, of this tree or another one, are taken from there.
@@ -39,15 +39,12 @@ public:
     /// Place of one of the strands at a node.
     Vec2 place(std::uint32_t node, std::uint32_t strand) const
     {
-        const Section& section = m_sections[node];
-        return section.turn * m_places[section.first + strand];
+        return m_places[m_sections[node].first + strand];
     }
-    /// Places of all its strands before the node's turn, and the turn.
-    std::span<const Vec2> unturned(std::uint32_t node) const
+    std::span<const Vec2> places(std::uint32_t node) const
     {
         return std::span(m_places).subspan(m_sections[node].first, strandCount(node));
     }
-    const Eigen::Rotation2Df& turn(std::uint32_t node) const { return m_sections[node].turn; }
     /// The node whose layout this one shares; itself if it has its own.
     std::uint32_t owner(std::uint32_t node) const { return m_sections[node].owner; }
     /// Whether the strands are the first slots of a lattice around the origin, without a profile.
@@ -97,8 +94,6 @@ private:
         bool isDisc = true;
         bool ownsSlots = false;
         float profileScale = 0.0F;
-        Eigen::Rotation2Df turn{0.0F};        ///< Of the places
-        Eigen::Rotation2Df latticeTurn{0.0F}; ///< Of the lattice that the slots belong to
     };
     class Builder;
 

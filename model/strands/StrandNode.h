@@ -27,7 +27,8 @@ struct StrandNode {
 
 /// The nodes that strands run through, parents before children: the base of each root, the node of each
 /// living internode, and the places between at which branches are attached. Frames are transported from the
-/// base upward in parallel, so that they add no twist (Strands 2024 §5.1).
+/// base upward in parallel, so that they add no twist (Strands 2024 §5.1); those that the user has given turn
+/// the frames of their nodes and all above (§5.4), and profiles with them.
 ///
 /// Strands are numbered within each node: those of its first child come first, and so on; a node without
 /// children begins as many as the parameters say.

@@ -230,7 +230,18 @@ struct Tilt {
     float reach = 0.0F;       ///< m, over which the sections turn; 0 for a trunk
 };
 
-void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
+/// By how much the section of a node is turned against the one below it.
+Rotation twistOf(const Tree& tree, const StrandNode& node)
+{
+    const float* const twist =
+        node.along == 1.0F ? tree.content().sparse.twist.find(node.internode) : nullptr;
+    if (twist == nullptr)
+        return Rotation::Identity();
+    // Strands that wind to the left turn clockwise, seen from the tip.
+    return Rotation(Eigen::AngleAxisf(-*twist, up()));
+}
+
+void transportFrames(const Tree& tree, const TreeIndex& index, StrandSkeleton& skeleton)
 {
     std::vector<StrandNode>& nodes = skeleton.nodes;
     std::vector<Tilt> tilts(nodes.size());
@@ -253,7 +264,8 @@ void transportFrames(const TreeIndex& index, StrandSkeleton& skeleton)
             normal = heading.y() > 0.0F ? up() : heading;
         normal.normalize();
         const Rotation below = isBase ? index.rotation(node.internode) : upright[node.parent];
-        upright[i] = (Rotation::FromTwoVectors(below * up(), heading) * below).normalized();
+        upright[i] =
+            (Rotation::FromTwoVectors(below * up(), heading) * below * twistOf(tree, node)).normalized();
         node.frame = (Rotation::FromTwoVectors(upright[i] * up(), normal) * upright[i]).normalized();
         if (!isBase) {
             const StrandNode& support = nodes[node.parent];
@@ -311,7 +323,7 @@ StrandSkeleton strandSkeleton(const Tree& tree, const TreeIndex& index, const Wi
     linkChildren(skeleton);
     countStrands(skeleton, static_cast<std::uint32_t>(tree.parameters().wood.strandsPerTip));
     roundKinks(skeleton);
-    transportFrames(index, skeleton);
+    transportFrames(tree, index, skeleton);
     return skeleton;
 }
 

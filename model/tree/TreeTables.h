@@ -87,7 +87,7 @@ const char* ofAddedVigour(const float& value);
 //   width         diameter that the user has set, m (TreeSketch §3.3); no effect while the internode is dead
 //   rootPosition  world position of a root, m; roots without one stand at the origin
 //   profile       index of the profile that the strands at the node are packed into (Strands 2024 §5.3)
-//   twist         rad, by which the strands at the node are turned against those above it (§5.4)
+//   twist         rad, by which the section of strands at the node is turned against the one below it (§5.4)
 //   addedVigour   years of growth that the subtree has been given and not used yet (§4, invigoration)
 #define ESPALIER_SPARSE_COLUMNS(COLUMN)                                                                      \
     COLUMN(float, width, std::nullopt, faults::ofDiameter, Edits::Allowed)                                   \

@@ -100,7 +100,7 @@ QString difference(const StrandWood& wood, const StrandWood& other)
 {
     const StrandSkeleton& skeleton = wood.layouts->skeleton();
     for (std::uint32_t node = 0; node < skeleton.nodes.size(); ++node) {
-        if (!std::ranges::equal(wood.layouts->unturned(node), other.layouts->unturned(node)))
+        if (!std::ranges::equal(wood.layouts->places(node), other.layouts->places(node)))
             return QStringLiteral("places at node %1").arg(node);
     }
     const BranchMesh& a = *wood.mesh;

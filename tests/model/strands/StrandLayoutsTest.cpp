@@ -30,7 +30,8 @@ private Q_SLOTS:
     void frames_ofAClosedBendReturn();
     void frames_turnAsLittleAsTheBranch();
     void twist_keepsRadiiAndDistances();
-    void twist_turnsWhatIsBelow();
+    void twist_turnsTheNodeAndAllAbove();
+    void twist_turnsProfiles();
     void profile_drawsItsOwnNodeAlone_data();
     void profile_drawsItsOwnNodeAlone();
     void profile_ofABaseInternode_holdsTenThousandStrands();
@@ -174,7 +175,7 @@ void StrandLayoutsTest::strands_doNotOverlapAtRest()
         QVERIFY(layouts.count().deepest <= 0.05);
         for (std::uint32_t i = 0; i < layouts.skeleton().nodes.size(); ++i) {
             if (layouts.owner(i) == i && layouts.strandCount(i) > 1)
-                QVERIFY(nearestPair(layouts.unturned(i)) >= 1.9F);
+                QVERIFY(nearestPair(layouts.places(i)) >= 1.9F);
         }
     });
 }
@@ -227,7 +228,7 @@ void StrandLayoutsTest::samples_keepTheInvariants()
         QVERIFY(std::isfinite(layouts.scale(i)) && layouts.scale(i) > 0.0F);
         if (layouts.owner(i) != i || layouts.strandCount(i) < 50)
             continue;
-        const float radius = radiusOf(layouts.unturned(i));
+        const float radius = radiusOf(layouts.places(i));
         QVERIFY2(static_cast<float>(layouts.strandCount(i)) / (radius * radius) >= kLeastFill,
                  qPrintable(QStringLiteral("%1: %2").arg(layouts.strandCount(i)).arg(double{radius})));
     }
@@ -398,20 +399,44 @@ void StrandLayoutsTest::twist_keepsRadiiAndDistances()
     }
 }
 
-void StrandLayoutsTest::twist_turnsWhatIsBelow()
+void StrandLayoutsTest::twist_turnsTheNodeAndAllAbove()
 {
     TreeBuilder grown(1, strandParameters(5));
     const InternodeId tip = grown.growAxis(0, kTerminalSlot, continuing(0.1), 6);
     const StrandLayouts before = layoutsOf(grown);
     grown.apply(twistChange(grown.tree, 3, 0.7F));
     const StrandLayouts after = layoutsOf(grown);
-    const Eigen::Rotation2Df turn(0.7F);
     for (InternodeId id = 0; id <= tip; ++id) {
         const std::uint32_t node = nodeOf(after, id);
+        const Vec3 heading = before.skeleton().nodes[node].frame * up();
         for (std::uint32_t s = 0; s < 5; ++s) {
-            const Vec2 expected = id <= 3 ? Vec2(turn * before.place(node, s)) : before.place(node, s);
-            QVERIFY((after.place(node, s) - expected).norm() < 1e-5F);
+            const Vec3& centre = before.centre(node);
+            const Vec3 from = before.world(node, before.place(node, s)) - centre;
+            const Vec3 to = after.world(node, after.place(node, s)) - centre;
+            // Seen from the tip, it turns clockwise.
+            const Vec3 expected = id < 3 ? from : Vec3(Eigen::AngleAxisf(-0.7F, heading) * from);
+            QVERIFY((to - expected).norm() < 1e-5F);
         }
+    }
+}
+
+void StrandLayoutsTest::twist_turnsProfiles()
+{
+    TreeBuilder grown(1, strandParameters(5));
+    grown.growAxis(0, kTerminalSlot, continuing(0.1), 6);
+    for (InternodeId id = 1; id <= 4; ++id)
+        grown.apply(profileChange(grown.tree, id, profileOf(ProfileShape::Elongated)));
+    const StrandLayouts before = layoutsOf(grown);
+    for (InternodeId id = 1; id <= 4; ++id)
+        grown.apply(twistChange(grown.tree, id, 0.3F));
+    const StrandLayouts after = layoutsOf(grown);
+    for (InternodeId id = 1; id <= 4; ++id) {
+        // Strands keep their places in the profile, which turns with them.
+        const std::uint32_t node = nodeOf(after, id);
+        QVERIFY(placesAt(before, node) == placesAt(after, node));
+        const Rotation& from = before.skeleton().nodes[node].frame;
+        const Rotation& to = after.skeleton().nodes[node].frame;
+        QVERIFY(std::abs(from.angularDistance(to) - 0.3F * static_cast<float>(id)) < 1e-4F);
     }
 }
 
