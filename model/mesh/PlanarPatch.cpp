@@ -161,46 +161,21 @@ void PlanarPatch::traceFaces()
     m_faces.clear();
     m_holes.clear();
     std::vector<bool> isDone(m_points.size(), false); // The edge that begins at the point
+    const auto isWhole = [&](std::uint32_t edge) { return edge < m_firstPart; };
+    // Edges of parts are passed from their end to their beginning.
+    const auto startOf = [&](std::uint32_t edge) { return isWhole(edge) ? edge : m_next[edge]; };
     const auto follow = [&](std::uint32_t first) {
         Face face;
         std::uint32_t edge = first;
         do {
             isDone[edge] = true;
-            if (edge < m_firstPart) {
-                face.push_back(edge);
-                const std::uint32_t end = m_next[edge];
-                if (m_partner[end] == kNoStrand) {
-                    edge = end;
-                    continue;
-                }
-                face.push_back(end);
-                edge = m_before[m_partner[end]];
-            } else {
-                // Backward: the edge is passed from its end to its beginning.
-                face.push_back(m_next[edge]);
-                const std::uint32_t before = m_before[edge];
-                if (m_partner[before] == kNoStrand) {
-                    edge = before;
-                    continue;
-                }
-                face.push_back(edge);
-                edge = m_next[m_partner[before]];
-                // An outline that visits a strand twice can have joined edges on both sides here.
-                const std::uint32_t entered = edge;
-                const std::size_t length = face.size();
-                while (m_partner[edge] != kNoStrand) {
-                    face.push_back(edge);
-                    edge = m_before[m_partner[edge]];
-                    if (m_partner[edge] == kNoStrand)
-                        break;
-                    face.push_back(m_next[edge]);
-                    edge = m_next[m_partner[edge]];
-                    // All around the strand is joined: there is nothing to go on along.
-                    if (edge == entered) {
-                        face.resize(length);
-                        break;
-                    }
-                }
+            face.push_back(startOf(edge));
+            edge = isWhole(edge) ? m_next[edge] : m_before[edge];
+            // Across joined edges, several of them where outlines visit a strand twice. They do not lead
+            // around in a circle, since no two lead to the same edge.
+            while (m_partner[edge] != kNoStrand) {
+                face.push_back(startOf(edge));
+                edge = isWhole(edge) ? m_before[m_partner[edge]] : m_next[m_partner[edge]];
             }
         } while (edge != first && !isDone[edge]);
         return face;

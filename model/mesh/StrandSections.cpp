@@ -18,6 +18,10 @@ constexpr float kWiden = -0.52F;
 constexpr float kMostSmoothings = 6.0F;
 /// How far above a fork its branches have their first sections, in radii of the wood below.
 constexpr float kEntryRadii = 1.5F;
+/// The bark lies one strand radius outside the middles of strands, but by this share less with each further
+/// loop of a section: where two loops have a strand in common, their vertices must not coincide.
+constexpr float kLessMargin = 0.01F;
+constexpr std::size_t kMostLessMargins = 20;
 
 } // namespace
 
@@ -85,9 +89,12 @@ private:
         const float scale = m_layouts.scale(span.lower) +
                             span.t * (m_layouts.scale(span.upper) - m_layouts.scale(span.lower));
         slice.radius = radiusOf(slice, tube, span);
-        for (const Loop& loop : slice.loops) {
+        for (std::size_t i = 0; i < slice.loops.size(); ++i) {
+            const Loop& loop = slice.loops[i];
+            const float margin =
+                scale * (1.0F - kLessMargin * static_cast<float>(std::min(i, kMostLessMargins)));
             if (loop.hasStrands)
-                writeLoop(slice, loop, frame * up(), scale);
+                writeLoop(slice, loop, frame * up(), margin);
             else
                 writeRing(slice, loop, tube, frame);
         }
@@ -129,7 +136,8 @@ private:
         return from + slice.along * (n.radius - from);
     }
 
-    void writeLoop(const Slice& slice, const Loop& loop, const Vec3& axis, float scale)
+    /// @p margin: of the bark around the middles of strands, m.
+    void writeLoop(const Slice& slice, const Loop& loop, const Vec3& axis, float margin)
     {
         const std::span<const std::uint32_t> strands = m_sections.strands(loop);
         m_points.clear();
@@ -142,7 +150,7 @@ private:
             Vec3 outward = axis.cross(along);
             const float length = outward.norm();
             outward = length > 1e-9F ? Vec3(outward / length) : Vec3(Vec3::Zero());
-            set(loop.first + static_cast<VertexIndex>(i), m_points[i] + scale * outward);
+            set(loop.first + static_cast<VertexIndex>(i), m_points[i] + margin * outward);
         }
     }
 

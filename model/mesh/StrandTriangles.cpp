@@ -110,7 +110,6 @@ private:
         std::vector<VertexIndex> numbers; ///< Of the patch's points
         std::vector<VertexIndex> loops;   ///< The first vertex of the outline of each of them
         std::vector<std::uint32_t> shifted;
-        std::vector<bool> isMatched;
 
         void begin()
         {
@@ -252,30 +251,43 @@ private:
         scratch.strip.join(loopOf(lower.loops.front(), offset, shifted),
                            loopOf(upper.loops.front(), 0, shifted), position, made.triangles);
         made.links.push_back({lower.loops.front().first, upper.loops.front().first});
-        std::vector<bool>& isMatched = scratch.isMatched;
-        isMatched.assign(upper.loops.size(), false);
-        for (std::size_t i = 1; i < lower.loops.size(); ++i) {
-            const VertexLoop low = loopOf(lower.loops[i], offset, shifted);
-            std::size_t match = 0;
-            for (std::size_t j = 1; j < upper.loops.size() && match == 0; ++j) {
-                const std::span<const std::uint32_t> there = m_sections.strands(upper.loops[j]);
-                if (!isMatched[j] && std::ranges::any_of(low.strands, [&](std::uint32_t strand) {
-                        return std::ranges::find(there, strand) != there.end();
-                    }))
-                    match = j;
-            }
-            if (match == 0) {
-                capCavity(lower.loops[i], true, scratch, made);
+        if (lower.loops.size() > 1 || upper.loops.size() > 1)
+            joinCavities(lower, upper, offset, scratch, made);
+    }
+
+    void joinCavities(const StrandSections::Slice& lower, const StrandSections::Slice& upper,
+                      std::uint32_t offset, Scratch& scratch, Chunk& made)
+    {
+        const auto position = [&](VertexIndex vertex) { return m_sections.position(vertex); };
+        std::vector<std::vector<std::uint32_t>> shifted;
+        std::vector<std::span<const std::uint32_t>> lows;
+        std::vector<std::span<const std::uint32_t>> ups;
+        for (const StrandSections::Loop& loop : std::span(lower.loops).subspan(1)) {
+            const std::span<const std::uint32_t> strands = m_sections.strands(loop);
+            for (std::uint32_t& strand : shifted.emplace_back(strands.begin(), strands.end()))
+                strand -= offset;
+        }
+        for (const std::vector<std::uint32_t>& strands : shifted)
+            lows.emplace_back(strands);
+        for (const StrandSections::Loop& loop : std::span(upper.loops).subspan(1))
+            ups.push_back(m_sections.strands(loop));
+        const std::vector<std::size_t> matches = matchCavities(lows, ups);
+        std::vector<bool> isMatched(ups.size(), false);
+        for (std::size_t i = 0; i < lows.size(); ++i) {
+            const StrandSections::Loop& low = lower.loops[i + 1];
+            if (matches[i] == kNoCavity) {
+                capCavity(low, true, scratch, made);
                 continue;
             }
-            isMatched[match] = true;
-            std::vector<std::uint32_t> none;
-            scratch.strip.join(low, loopOf(upper.loops[match], 0, none), position, made.triangles);
-            made.links.push_back({lower.loops[i].first, upper.loops[match].first});
+            isMatched[matches[i]] = true;
+            const StrandSections::Loop& up = upper.loops[matches[i] + 1];
+            scratch.strip.join({low.first, low.count, lows[i]}, {up.first, up.count, ups[matches[i]]},
+                               position, made.triangles);
+            made.links.push_back({low.first, up.first});
         }
-        for (std::size_t j = 1; j < upper.loops.size(); ++j) {
+        for (std::size_t j = 0; j < ups.size(); ++j) {
             if (!isMatched[j])
-                capCavity(upper.loops[j], false, scratch, made);
+                capCavity(upper.loops[j + 1], false, scratch, made);
         }
     }
 

@@ -7,6 +7,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -66,6 +67,10 @@ public:
             });
         };
         forEachDivided([this](std::uint32_t node) { divide(node); });
+        forEachDivided([this](std::uint32_t node) {
+            for (const std::uint32_t child : m_skeleton.childrenOf(node))
+                dropEndingCavities(child);
+        });
         forEachDivided([this](std::uint32_t node) { chooseSteps(node); });
         if (m_thinning > 0.0F)
             forEachNode([this](std::uint32_t node) { thin(node); });
@@ -319,17 +324,90 @@ private:
         }
     }
 
+    static bool endsCavity(const StrandTube& tube)
+    {
+        if (tube.below.loops.size() < 2 && tube.above.loops.size() < 2)
+            return false; // Only their outer loops
+        const auto goOn = cavitiesThatGoOn(tube);
+        return std::ranges::any_of(
+            goOn, [](const std::vector<bool>& end) { return std::ranges::find(end, false) != end.end(); });
+    }
+
+    /// Takes the cavities out of the patches at the ends of the tubes to @p child that end right there: the
+    /// triangles which would close them could have an edge in common with those of the patch.
+    void dropEndingCavities(std::uint32_t child)
+    {
+        StrandTubes::Node& n = m_result.nodes[child];
+        const bool isPatchedBelow = !m_result.nodes[m_skeleton.nodes[child].parent].continuesAbove;
+        for (StrandTube& tube : n.tubes) {
+            if (!endsCavity(tube))
+                continue;
+            const auto [below, above] = cavitiesThatGoOn(tube);
+            if (isPatchedBelow)
+                keepLoops(tube.below.loops, below);
+            if (!n.continuesBelow)
+                keepLoops(tube.above.loops, above);
+        }
+    }
+
+    /// The loops at the two ends of a tube that do not end between them.
+    static std::array<std::vector<bool>, 2> cavitiesThatGoOn(const StrandTube& tube)
+    {
+        std::array<std::vector<bool>, 2> goOn{std::vector<bool>(tube.below.loops.size()),
+                                              std::vector<bool>(tube.above.loops.size())};
+        std::array<std::vector<std::span<const std::uint32_t>>, 2> ends;
+        std::array<std::vector<std::size_t>, 2> numbers; // Of those loops
+        const auto collect = [&](std::size_t end, const BundleOutline& outline) {
+            for (std::size_t i = 0; i < outline.loops.size(); ++i) {
+                goOn[end][i] = !outline.loops[i].isCavity();
+                if (!goOn[end][i]) {
+                    ends[end].emplace_back(outline.loops[i].strands);
+                    numbers[end].push_back(i);
+                }
+            }
+        };
+        collect(0, tube.below);
+        collect(1, tube.above);
+        const std::vector<std::size_t> matches = matchCavities(ends[0], ends[1]);
+        for (std::size_t i = 0; i < matches.size(); ++i) {
+            if (matches[i] == kNoCavity)
+                continue;
+            goOn[0][numbers[0][i]] = true;
+            goOn[1][numbers[1][matches[i]]] = true;
+        }
+        return goOn;
+    }
+
+    static void keepLoops(std::vector<SectionLoop>& loops, const std::vector<bool>& isKept)
+    {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            if (isKept[i])
+                std::swap(loops[kept++], loops[i]);
+        }
+        loops.resize(kept);
+    }
+
     void chooseSteps(std::uint32_t node)
     {
         const auto children = m_skeleton.childrenOf(node);
         int steps = 1;
         for (const std::uint32_t child : children)
             steps = std::max(steps, stepsTo(child));
-        // Two patches on one outline could share an edge across it: then it has two sections.
+        // Two patches on one outline, or a patch and the end of a cavity, could share an edge across it: then
+        // it has two sections.
         StrandTubes::Node& n = m_result.nodes[node];
-        const bool isDoubled =
-            !children.empty() && !n.continuesAbove && (!n.continuesBelow || m_skeleton.isBase(node));
-        if (isDoubled)
+        const bool isPatchedBelow = !n.continuesBelow || m_skeleton.isBase(node);
+        const bool isDoubled = !children.empty() && !n.continuesAbove &&
+                               (isPatchedBelow || std::ranges::any_of(n.tubes, [](const StrandTube& t) {
+                                    return endsCavity(t);
+                                }));
+        const bool endsCavityAbove =
+            n.continuesAbove && isPatchedBelow && std::ranges::any_of(children, [&](std::uint32_t child) {
+                return std::ranges::any_of(m_result.nodes[child].tubes,
+                                           [](const StrandTube& tube) { return endsCavity(tube); });
+            });
+        if (isDoubled || endsCavityAbove)
             steps = std::max(steps, 3);
         // So has a tube between two patches.
         const bool isBetween = !n.continuesAbove && std::ranges::any_of(children, [&](std::uint32_t child) {

@@ -25,6 +25,22 @@ std::uint64_t keyOf(std::uint32_t from, std::uint32_t to)
 
 } // namespace
 
+std::vector<std::size_t> matchCavities(std::span<const std::span<const std::uint32_t>> lower,
+                                       std::span<const std::span<const std::uint32_t>> upper)
+{
+    std::vector<std::size_t> matches(lower.size(), kNoCavity);
+    std::vector<bool> isMatched(upper.size(), false);
+    for (std::size_t i = 0; i < lower.size(); ++i) {
+        for (std::size_t j = 0; j < upper.size() && matches[i] == kNoCavity; ++j) {
+            if (!isMatched[j] && std::ranges::find_first_of(lower[i], upper[j]) != lower[i].end())
+                matches[i] = j;
+        }
+        if (matches[i] != kNoCavity)
+            isMatched[matches[i]] = true;
+    }
+    return matches;
+}
+
 void NodeSection::set(const StrandLayouts& layouts, std::uint32_t node, float alpha)
 {
     m_layouts = &layouts;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,12 @@ struct SectionLoop {
 
     bool isCavity() const { return area < 0.0F; }
 };
+
+inline constexpr std::size_t kNoCavity = std::numeric_limits<std::size_t>::max();
+/// For each cavity of a section, given by its strands, the number of the one that goes on from it in the next
+/// section: the first that shares a strand with it and with none before it; kNoCavity if it ends.
+std::vector<std::size_t> matchCavities(std::span<const std::span<const std::uint32_t>> lower,
+                                       std::span<const std::span<const std::uint32_t>> upper);
 
 /// The cross-section of one node as an α-shape of its strands: triangles of neighbours, of which those with
 /// an edge longer than α are left out (Strands 2024 §5.5). Where the strands have the slots of a lattice, the
