@@ -19,6 +19,14 @@ using Loop = StrandSections::Loop;
 constexpr std::uint64_t kParts = 64;
 /// Of what is uneven in u, 1/e is left after so many perimeters along the branch.
 constexpr float kEvenAfter = 0.3F;
+/// Bark that is stretched or squeezed more than so much over this share of the outline, as where strands come to
+/// the surface between others, evens out sooner.
+constexpr float kSoonEvenAfter = 0.06F;
+constexpr float kStretchShare = 0.08F;
+constexpr float kLeastDensity = 0.7F;
+constexpr float kMostDensity = 1.5F;
+/// Parts of a repeat below this one are left out; so bark is rather finer than coarser than its scale.
+constexpr float kSpareRepeat = 0.25F;
 
 /// Assigns u and v. For one thread; several of them can share @p repeats.
 class BarkCoordinates {
@@ -54,7 +62,7 @@ public:
 
 private:
     /// How often the texture repeats along @p length, m.
-    float repeatsOf(float length) const { return std::max(1.0F, std::round(length / m_scale)); }
+    float repeatsOf(float length) const { return std::max(1.0F, std::ceil(length / m_scale - kSpareRepeat)); }
     static float perimeterOf(float radius) { return 2.0F * std::numbers::pi_v<float> * radius; }
 
     Vec3 at(VertexIndex vertex) const { return toVec3(m_mesh.vertices[vertex].position); }
@@ -245,17 +253,22 @@ private:
             return;
         }
         spanFixed(loop, strands, repeats);
-        relax(loop, repeats, rise / length);
+        const auto weightAfter = [&](float even) { return 1.0F - std::exp(-rise / length / even); };
+        relax(loop, repeats,
+              std::max(weightAfter(kEvenAfter), std::min(weightToBear(loop, repeats), weightAfter(kSoonEvenAfter))));
+    }
+
+    /// The share of the loop's length from one vertex to the next known one.
+    float shareTo(std::uint32_t from, std::uint32_t to) const
+    {
+        const float share = m_arc[to] - m_arc[from];
+        return share > 0.0F || m_fixed.size() > 1 ? share + (share < 0.0F ? 1.0F : 0.0F) : 1.0F;
     }
 
     /// Between vertices whose u is known, u rises with the length of the loop; around the whole loop by @p
     /// repeats.
     void spanFixed(const Loop& loop, std::span<const std::uint32_t> strands, float repeats)
     {
-        const auto shareTo = [&](std::uint32_t from, std::uint32_t to) {
-            const float share = m_arc[to] - m_arc[from];
-            return share > 0.0F || m_fixed.size() > 1 ? share + (share < 0.0F ? 1.0F : 0.0F) : 1.0F;
-        };
         m_rises.clear();
         float sum = 0.0F;
         std::size_t widest = 0;
@@ -290,10 +303,35 @@ private:
         }
     }
 
+    /// How far u must be drawn toward even spacing so that the bark is nowhere stretched or squeezed too much.
+    float weightToBear(const Loop& loop, float repeats) const
+    {
+        float weight = 0.0F;
+        std::uint32_t end = 0; // Of the stretch of bark that begins at i, counted on around the loop
+        const auto arcAt = [&](std::uint32_t i) {
+            return m_arc[i % loop.count] + static_cast<float>(i / loop.count);
+        };
+        const auto uAt = [&](std::uint32_t i) {
+            return m_mesh.vertices[loop.first + i % loop.count].uv[0] +
+                   repeats * static_cast<float>(i / loop.count);
+        };
+        for (std::uint32_t i = 0; i < loop.count; ++i) {
+            end = std::max(end, i + 1);
+            while (arcAt(end) - arcAt(i) < kStretchShare)
+                ++end;
+            const float density = (uAt(end) - uAt(i)) / (repeats * (arcAt(end) - arcAt(i)));
+            if (density < kLeastDensity)
+                weight = std::max(weight, (kLeastDensity - density) / (1.0F - density));
+            else if (density > kMostDensity)
+                weight = std::max(weight, (density - kMostDensity) / (density - 1.0F));
+        }
+        return weight;
+    }
+
     /// Draws u toward even spacing, so that bark which strands have squeezed together or pulled apart widens
-    /// or narrows again further up; the mean turn around the branch stays that of the strands. @p rise: from
-    /// the slice below, in lengths of the loop.
-    void relax(const Loop& loop, float repeats, float rise)
+    /// or narrows again further up; the mean turn around the branch stays that of the strands. @p weight: how
+    /// far, 0...1.
+    void relax(const Loop& loop, float repeats, float weight)
     {
         const std::uint32_t first = m_fixed.front();
         const auto evenAt = [&](std::uint32_t i) {
@@ -303,7 +341,6 @@ private:
         for (std::uint32_t i = 0; i < loop.count; ++i)
             sum += u(loop.first + i) - evenAt(i);
         const auto turn = static_cast<float>(sum / loop.count);
-        const float weight = 1.0F - std::exp(-rise / kEvenAfter);
         for (std::uint32_t i = 0; i < loop.count; ++i)
             u(loop.first + i) += weight * (turn + evenAt(i) - u(loop.first + i));
     }

@@ -27,16 +27,18 @@ public:
     {
         const StrandSections::Block& block = m_sections.block(node);
         m_first = block.first;
+        m_isBase = m_skeleton.isBase(node);
+        m_endOfFoot = m_isBase ? endOf(block.whole.front()) - block.first : 0;
         m_sums.assign(block.count, Vec3(Vec3::Zero()));
         const StrandTriangles::Node& own = m_triangles.nodes[node];
-        add(own.first, own.count);
+        add(own.first, own.count, block);
         for (const std::uint32_t child : m_skeleton.childrenOf(node)) {
             const StrandTriangles::Node& above = m_triangles.nodes[child];
-            add(above.first, above.toBelow);
+            add(above.first, above.toBelow, block);
         }
         if (!m_skeleton.isBase(node)) {
             const StrandTriangles::Node& below = m_triangles.nodes[m_skeleton.nodes[node].parent];
-            add(below.first + below.count - below.toAbove, below.toAbove);
+            add(below.first + below.count - below.toAbove, below.toAbove, block);
         }
         for (std::uint32_t i = 0; i < block.count; ++i) {
             const float length = m_sums[i].norm();
@@ -46,8 +48,18 @@ public:
     }
 
 private:
+    static VertexIndex endOf(const Slice& slice) { return slice.loops.back().first + slice.loops.back().count; }
+
+    /// Whether a triangle closes a trunk toward the ground: the bark at its edge must not look downward.
+    bool isSole(std::span<const VertexIndex> corners, const StrandSections::Block& block) const
+    {
+        return m_isBase && std::ranges::all_of(corners, [&](VertexIndex i) {
+                   return i - m_first < m_endOfFoot || (block.hasApex && i == block.apex);
+               });
+    }
+
     /// Adds the normals of triangles to the vertices of the node.
-    void add(std::uint32_t first, std::uint32_t count)
+    void add(std::uint32_t first, std::uint32_t count, const StrandSections::Block& block)
     {
         const auto size = static_cast<VertexIndex>(m_sums.size());
         for (std::size_t t = first; t < std::size_t{first} + count; ++t) {
@@ -55,6 +67,8 @@ private:
                                      m_mesh.indices[3 * t + 2]};
             // Numbers below the first one wrap around, and are great.
             if (std::ranges::none_of(corners, [&](VertexIndex i) { return i - m_first < size; }))
+                continue;
+            if (isSole(corners, block))
                 continue;
             const Vec3 p = m_sections.position(corners[0]);
             const Vec3 normal =
@@ -101,6 +115,8 @@ private:
     const StrandTriangles& m_triangles;
     BranchMesh& m_mesh;
     VertexIndex m_first = 0;
+    bool m_isBase = false;
+    VertexIndex m_endOfFoot = 0; ///< Of the outline at the ground, from m_first on
     std::vector<Vec3> m_sums;
 };
 
