@@ -19,8 +19,8 @@ using Loop = StrandSections::Loop;
 constexpr std::uint64_t kParts = 64;
 /// Of what is uneven in u, 1/e is left after so many perimeters along the branch.
 constexpr float kEvenAfter = 0.3F;
-/// Bark that is stretched or squeezed more than so much over this share of the outline, as where strands come to
-/// the surface between others, evens out sooner.
+/// Bark that is stretched or squeezed more than so much over this share of the outline, as where strands come
+/// to the surface between others, evens out sooner.
 constexpr float kSoonEvenAfter = 0.06F;
 constexpr float kStretchShare = 0.08F;
 constexpr float kLeastDensity = 0.7F;
@@ -255,7 +255,8 @@ private:
         spanFixed(loop, strands, repeats);
         const auto weightAfter = [&](float even) { return 1.0F - std::exp(-rise / length / even); };
         relax(loop, repeats,
-              std::max(weightAfter(kEvenAfter), std::min(weightToBear(loop, repeats), weightAfter(kSoonEvenAfter))));
+              std::max(weightAfter(kEvenAfter),
+                       std::min(weightToBear(loop, repeats), weightAfter(kSoonEvenAfter))));
     }
 
     /// The share of the loop's length from one vertex to the next known one.
@@ -303,7 +304,8 @@ private:
         }
     }
 
-    /// How far u must be drawn toward even spacing so that the bark is nowhere stretched or squeezed too much.
+    /// How far u must be drawn toward even spacing so that the bark is nowhere stretched or squeezed too
+    /// much.
     float weightToBear(const Loop& loop, float repeats) const
     {
         float weight = 0.0F;

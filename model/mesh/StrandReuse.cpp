@@ -39,7 +39,8 @@ std::uint64_t ownKey(const StrandLayouts& layouts, std::uint32_t node, std::uint
     hash.add(layouts.scale(node));
     hash.add(layouts.reach(node));
     addVector(hash, layouts.centre(node));
-    hash.addAll(layouts.reliefs().around(node));
+    for (const std::span<const float> part : layouts.reliefs().content(node))
+        hash.addAll(part);
     return hash.value();
 }
 

@@ -74,10 +74,20 @@ private:
     Vec3 pointOf(std::uint32_t strand, const Slice& slice) const
     {
         if (slice.along <= 1.0F && !m_skeleton.isBase(m_node))
-            return StrandCurves::point(m_curves.controls(m_node, strand), slice.along);
+            return pointOf(m_node, strand, slice.along);
         const std::uint32_t child = m_curves.childWith(m_node, strand);
         const float t = m_skeleton.isBase(m_node) ? slice.along : slice.along - 1.0F;
-        return StrandCurves::point(m_curves.controls(child, strand - m_skeleton.nodes[child].offset), t);
+        return pointOf(child, strand - m_skeleton.nodes[child].offset, t);
+    }
+    /// On the way from the node below (0) to @p node (1), whose number the strand has.
+    Vec3 pointOf(std::uint32_t node, std::uint32_t strand, float t) const
+    {
+        const Vec3 point = StrandCurves::point(m_curves.controls(node, strand), t);
+        if (!m_layouts.reliefs().hasHollow(node))
+            return point;
+        const StrandNode& n = m_skeleton.nodes[node];
+        const float length = (n.position - m_skeleton.nodes[n.parent].position).norm();
+        return point + m_layouts.sunk(node, (t - 1.0F) * length, m_layouts.place(node, strand));
     }
 
     void writeSlice(Slice& slice, const StrandTube* tube)

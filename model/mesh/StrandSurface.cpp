@@ -48,7 +48,10 @@ public:
     }
 
 private:
-    static VertexIndex endOf(const Slice& slice) { return slice.loops.back().first + slice.loops.back().count; }
+    static VertexIndex endOf(const Slice& slice)
+    {
+        return slice.loops.back().first + slice.loops.back().count;
+    }
 
     /// Whether a triangle closes a trunk toward the ground: the bark at its edge must not look downward.
     bool isSole(std::span<const VertexIndex> corners, const StrandSections::Block& block) const

@@ -430,6 +430,8 @@ private:
         const float length = (m_layouts.centre(child) - m_layouts.centre(upper.parent)).norm();
         const float bend = ((upper.frame * up()) - (lower.frame * up())).norm();
         const float rings = std::sqrt(length * bend / (8.0F * kCurveSlack * static_cast<float>(m_tolerance)));
+        if (m_layouts.reliefs().hasHollow(child))
+            return kMostSteps;
         int least = 1;
         const bool isFork = !m_result.nodes[upper.parent].continuesAbove;
         if (isFork)

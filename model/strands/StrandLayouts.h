@@ -64,13 +64,16 @@ public:
     /// How far the wood's line is rounded to either side of a node, m: about as far as the wood is thick, and
     /// near a fork as far as that is. 0 where the next nodes are farther.
     float reach(std::uint32_t node) const { return m_bundles.reaches[node]; }
-    /// World position of a point of the section, moved as the reliefs of the wood say.
+    /// World position of a point of the section, moved as the ridges of the wood say.
     Vec3 world(std::uint32_t node, const Vec2& place) const
     {
-        const Vec2 moved =
-            m_reliefs.moved(node, place, m_skeleton.nodes[node].radius / m_bundles.scales[node]);
-        return m_bundles.centres[node] +
-               m_skeleton.nodes[node].frame * (m_bundles.scales[node] * Vec3(moved.x(), 0.0F, moved.y()));
+        return m_bundles.centres[node] + turned(node, m_reliefs.moved(node, place, radiusOf(node)));
+    }
+    /// How far hollows move that point, m, on the way from the node below to this one; @p path above the
+    /// node, m, 0 or less.
+    Vec3 sunk(std::uint32_t node, float path, const Vec2& place) const
+    {
+        return turned(node, m_reliefs.sunk(node, path, place, radiusOf(node)));
     }
     const StrandReliefs& reliefs() const { return m_reliefs; }
     /// Coordinates of the node's profile times this are coordinates of its layout; 0 without a profile.
@@ -96,6 +99,17 @@ private:
         float profileScale = 0.0F;
     };
     class Builder;
+
+    /// Of the bundle, in strand radii.
+    float radiusOf(std::uint32_t node) const
+    {
+        return m_skeleton.nodes[node].radius / m_bundles.scales[node];
+    }
+    /// From the coordinates of the section to those of the world, without the middle.
+    Vec3 turned(std::uint32_t node, const Vec2& place) const
+    {
+        return m_skeleton.nodes[node].frame * (m_bundles.scales[node] * Vec3(place.x(), 0.0F, place.y()));
+    }
 
     StrandSkeleton m_skeleton;
     std::shared_ptr<const HexLattice> m_lattice;

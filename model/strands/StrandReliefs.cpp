@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
+#include <utility>
 
 namespace espalier {
 
@@ -32,14 +34,16 @@ constexpr float kSmallestRoot = 0.015F;
 constexpr float kButtressWidth = 0.3F;
 constexpr float kButtressGap = 0.65F;
 /// Hollows of limbs: the smallest that leaves one and the largest that counts, in radii of the wood; their
-/// depth in radii of the limb; the height of the rim in depths, and how much wider than the hollow it is.
+/// depth and their height along the wood in radii of the limb; the height of the rim in depths, where it is
+/// and how wide, in widths of the hollow; and how far all that reaches.
 constexpr float kSmallestHollow = 0.12F;
 constexpr float kLargestHollow = 0.7F;
-constexpr float kHollow = 1.3F;
-constexpr float kHollowRim = 0.5F;
-constexpr float kHollowRimWidth = 1.7F;
-/// Hollows reach this many radii of the limb along the wood.
-constexpr float kHollowReach = 3.0F;
+constexpr float kHollow = 2.2F;
+constexpr float kHollowHeight = 1.3F;
+constexpr float kHollowRim = 0.35F;
+constexpr float kHollowRimAt = 1.25F;
+constexpr float kHollowRimWidth = 0.35F;
+constexpr float kHollowReach = 2.5F;
 
 constexpr float kLowest = -0.45F;
 constexpr float kHighest = 0.8F;
@@ -88,7 +92,8 @@ public:
             addButtresses(base);
         level();
         addHollows();
-        for (Table& table : m_reliefs.m_tables) {
+        listHollows();
+        for (Table& table : m_reliefs.m_ridges.tables) {
             for (float& value : table)
                 value = std::clamp(m_strength * value, kLowest, kHighest);
         }
@@ -129,9 +134,7 @@ private:
         // A profile is drawn as it is meant.
         if (!isThick(node) || m_sources.hasProfile(node))
             return;
-        if (m_reliefs.m_tableOf.empty())
-            m_reliefs.m_tableOf.resize(m_skeleton.nodes.size(), kNone);
-        Table& table = m_reliefs.tableOf(node);
+        Table& table = m_reliefs.m_ridges.of(node, m_skeleton.nodes.size());
         for (std::size_t i = 0; i < kAngles; ++i) {
             const float here =
                 2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(kAngles);
@@ -250,7 +253,7 @@ private:
     /// Lowers the valleys by as much as the ridges rise, so that the wood stays as thick in the mean.
     void level()
     {
-        for (Table& table : m_reliefs.m_tables) {
+        for (Table& table : m_reliefs.m_ridges.tables) {
             float mean = 0.0F;
             for (const float value : table)
                 mean += value / static_cast<float>(kAngles);
@@ -313,19 +316,18 @@ private:
             return; // It went on in the direction of the wood, which has closed over it.
         const float angle = std::atan2(heading.z(), heading.x());
         const float radius = std::min(share, kLargestHollow) * at(node).radius;
+        const float reach = kHollowReach * kHollowHeight * radius;
         const auto cut = [&](std::uint32_t place, float path) {
-            const float here = std::max(at(place).radius, 1e-6F);
-            const float width = radius / here; // Seen from the middle, rad
-            // Sections are apart, and a hollow between two would not be seen.
-            const float height = std::max(radius, 0.5F * lengthTo(place));
-            add(place, angle, [&](float distance) {
-                const float hollow = gauss(distance, 0.7F * width) * gauss(path, 0.7F * height);
-                const float rim = gauss(distance, kHollowRimWidth * 0.7F * width) *
-                                  gauss(path, kHollowRimWidth * 0.7F * height);
-                return kHollow * width * (kHollowRim * rim - hollow);
-            });
+            // A profile is drawn as it is meant.
+            if (!isThick(place) || m_sources.hasProfile(place))
+                return;
+            const float width = radius / std::max(at(place).radius, 1e-6F);
+            m_found.emplace_back(place, Hollow{.angle = angle,
+                                               .path = path,
+                                               .width = width,
+                                               .height = kHollowHeight * radius,
+                                               .depth = std::min(m_strength * kHollow * width, -kLowest)});
         };
-        const float reach = kHollowReach * std::max(radius, 0.5F * lengthTo(node));
         cut(node, 0.0F);
         float path = 0.0F;
         for (std::uint32_t place = node; !m_skeleton.isBase(place);) {
@@ -335,14 +337,28 @@ private:
                 break;
             cut(place, path);
         }
+        // Cross-sections belong to the node above them.
         path = 0.0F;
-        for (std::uint32_t place = node; at(place).childCount > 0;) {
+        for (std::uint32_t place = node; at(place).childCount > 0 && path < reach;) {
             place = thickestOf(place);
             path += lengthTo(place);
-            if (path > reach || !isThick(place))
-                break;
-            cut(place, path);
+            cut(place, -path);
         }
+    }
+
+    /// Sorts the hollows by node.
+    void listHollows()
+    {
+        if (m_found.empty())
+            return;
+        std::ranges::stable_sort(m_found, {}, &std::pair<std::uint32_t, Hollow>::first);
+        m_reliefs.m_firstHollows.assign(m_skeleton.nodes.size() + 1, 0);
+        for (const auto& [node, hollow] : m_found) {
+            m_reliefs.m_hollows.push_back(hollow);
+            ++m_reliefs.m_firstHollows[node + 1];
+        }
+        std::partial_sum(m_reliefs.m_firstHollows.begin(), m_reliefs.m_firstHollows.end(),
+                         m_reliefs.m_firstHollows.begin());
     }
 
     const ReliefSources& m_sources;
@@ -350,6 +366,7 @@ private:
     const TreeIndex& m_index;
     const StrandSkeleton& m_skeleton;
     StrandReliefs& m_reliefs;
+    std::vector<std::pair<std::uint32_t, Hollow>> m_found; ///< With the nodes that they are near to
     float m_strength;
     float m_flare;
 };
@@ -360,13 +377,41 @@ StrandReliefs::StrandReliefs(const ReliefSources& sources)
         Builder(sources, *this).build();
 }
 
-StrandReliefs::Table& StrandReliefs::tableOf(std::uint32_t node)
+StrandReliefs::Table& StrandReliefs::Layer::of(std::uint32_t node, std::size_t nodes)
 {
-    if (m_tableOf[node] == kNone) {
-        m_tableOf[node] = static_cast<std::uint32_t>(m_tables.size());
-        m_tables.emplace_back().fill(0.0F);
+    if (tableOf.empty())
+        tableOf.resize(nodes, kNone);
+    if (tableOf[node] == kNone) {
+        tableOf[node] = static_cast<std::uint32_t>(tables.size());
+        tables.emplace_back().fill(0.0F);
     }
-    return m_tables[m_tableOf[node]];
+    return tables[tableOf[node]];
+}
+
+float StrandReliefs::depth(std::uint32_t node, float path, float angle) const
+{
+    float sum = 0.0F;
+    for (std::uint32_t i = m_firstHollows[node]; i < m_firstHollows[node + 1]; ++i) {
+        const Hollow& hollow = m_hollows[i];
+        const float aside = angleBetween(angle, hollow.angle) / hollow.width;
+        const float along = (path - hollow.path) / hollow.height;
+        const float q2 = aside * aside + along * along;
+        if (q2 > kHollowReach * kHollowReach)
+            continue;
+        sum += hollow.depth *
+               (kHollowRim * gauss(std::sqrt(q2) - kHollowRimAt, kHollowRimWidth) - std::exp(-q2 * q2));
+    }
+    return std::max(sum, kLowest);
+}
+
+std::array<std::span<const float>, 2> StrandReliefs::content(std::uint32_t node) const
+{
+    static_assert(sizeof(Hollow) == 5 * sizeof(float));
+    std::span<const float> hollows;
+    if (hasHollow(node))
+        hollows = {reinterpret_cast<const float*>(m_hollows.data() + m_firstHollows[node]),
+                   5 * std::size_t{m_firstHollows[node + 1] - m_firstHollows[node]}};
+    return {m_ridges.around(node), hollows};
 }
 
 } // namespace espalier

@@ -43,39 +43,39 @@ public:
     /// WoodParameters::flutes scales the reliefs.
     explicit StrandReliefs(const ReliefSources& sources);
 
-    /// A place in the section of a node, moved; in strand radii, like @p place. @p radius of the bundle
-    /// there.
+    /// A place in the section of a node, moved by ridges and buttresses; in strand radii, like @p place.
+    /// @p radius of the bundle there.
     Vec2 moved(std::uint32_t node, const Vec2& place, float radius) const
     {
-        if (m_tableOf.empty() || m_tableOf[node] == kNone)
-            return place;
-        const float distance = place.norm();
-        return (1.0F + relief(node, std::atan2(place.y(), place.x())) * std::min(distance / radius, 1.0F)) *
+        return place + m_ridges.shift(node, place, radius);
+    }
+    /// How far hollows move that place, in strand radii, on the way from the node below to this one; @p path
+    /// above the node, m, 0 or less. Hollows are about as short as wood is from node to node, so they belong
+    /// to cross-sections and not to nodes.
+    Vec2 sunk(std::uint32_t node, float path, const Vec2& place, float radius) const
+    {
+        if (!hasHollow(node))
+            return Vec2::Zero();
+        return depth(node, path, std::atan2(place.y(), place.x())) * std::min(place.norm() / radius, 1.0F) *
                place;
     }
-    /// How far the outline is moved at an angle (rad, from the first axis of the section toward the second),
-    /// as a share of the radius; −0.45...0.8, 0 where the outline is unchanged.
+    bool hasHollow(std::uint32_t node) const
+    {
+        return !m_firstHollows.empty() && m_firstHollows[node] < m_firstHollows[node + 1];
+    }
+
+    /// How far the outline at a node is moved in all at an angle (rad, from the first axis of the section
+    /// toward the second), as a share of the radius; 0 where the outline is unchanged.
     float relief(std::uint32_t node, float angle) const
     {
-        if (m_tableOf.empty() || m_tableOf[node] == kNone)
-            return 0.0F;
-        const Table& table = m_tables[m_tableOf[node]];
-        const float turns = angle / (2.0F * std::numbers::pi_v<float>);
-        const float place = (turns - std::floor(turns)) * static_cast<float>(kAngles);
-        const auto below = static_cast<std::size_t>(place);
-        const float share = place - static_cast<float>(below);
-        return (1.0F - share) * table[below % kAngles] + share * table[(below + 1) % kAngles];
+        return m_ridges.height(node, angle) + (hasHollow(node) ? depth(node, 0.0F, angle) : 0.0F);
     }
-    /// The relief of a node at angles that are evenly apart; empty for none.
-    std::span<const float> around(std::uint32_t node) const
-    {
-        if (m_tableOf.empty() || m_tableOf[node] == kNone)
-            return {};
-        return m_tables[m_tableOf[node]];
-    }
+    /// What the reliefs of a node are: its ridges at angles that are evenly apart, and its hollows.
+    std::array<std::span<const float>, 2> content(std::uint32_t node) const;
     std::size_t bytes() const
     {
-        return m_tableOf.capacity() * sizeof(std::uint32_t) + m_tables.capacity() * sizeof(Table);
+        return m_ridges.bytes() + m_firstHollows.capacity() * sizeof(std::uint32_t) +
+               m_hollows.capacity() * sizeof(Hollow);
     }
 
 private:
@@ -84,10 +84,56 @@ private:
     using Table = std::array<float, kAngles>;
     class Builder;
 
-    Table& tableOf(std::uint32_t node);
+    /// Functions of the angle, of the nodes that have one.
+    struct Layer {
+        std::vector<std::uint32_t> tableOf; ///< By node; empty without any
+        std::vector<Table> tables;
 
-    std::vector<std::uint32_t> m_tableOf; ///< By node; empty without any relief
-    std::vector<Table> m_tables;
+        bool has(std::uint32_t node) const { return !tableOf.empty() && tableOf[node] != kNone; }
+        float height(std::uint32_t node, float angle) const
+        {
+            if (!has(node))
+                return 0.0F;
+            const Table& table = tables[tableOf[node]];
+            const float turns = angle / (2.0F * std::numbers::pi_v<float>);
+            const float place = (turns - std::floor(turns)) * static_cast<float>(kAngles);
+            const auto below = static_cast<std::size_t>(place);
+            const float share = place - static_cast<float>(below);
+            return (1.0F - share) * table[below % kAngles] + share * table[(below + 1) % kAngles];
+        }
+        Vec2 shift(std::uint32_t node, const Vec2& place, float radius) const
+        {
+            if (!has(node))
+                return Vec2::Zero();
+            return height(node, std::atan2(place.y(), place.x())) * std::min(place.norm() / radius, 1.0F) *
+                   place;
+        }
+        std::span<const float> around(std::uint32_t node) const
+        {
+            return has(node) ? std::span<const float>(tables[tableOf[node]]) : std::span<const float>();
+        }
+        /// The table of one of @p nodes nodes, of zeros if it had none.
+        Table& of(std::uint32_t node, std::size_t nodes);
+        std::size_t bytes() const
+        {
+            return tableOf.capacity() * sizeof(std::uint32_t) + tables.capacity() * sizeof(Table);
+        }
+    };
+
+    /// A hollow near a node.
+    struct Hollow {
+        float angle = 0.0F;
+        float path = 0.0F;   ///< Of its middle above the node, m
+        float width = 0.0F;  ///< From its middle to its rim around the wood, rad
+        float height = 0.0F; ///< The same along the wood, m
+        float depth = 0.0F;  ///< As a share of the radius of the wood
+    };
+
+    float depth(std::uint32_t node, float path, float angle) const;
+
+    Layer m_ridges; ///< And buttresses
+    std::vector<Hollow> m_hollows;
+    std::vector<std::uint32_t> m_firstHollows; ///< By node, and their number; empty without any
 };
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/strands/StrandReliefs.h"
 
+#include "model/mesh/StrandMesher.h"
 #include "model/shape/Pruning.h"
 #include "tests/support/Strands.h"
 #include "tests/support/TestClasses.h"
@@ -20,6 +21,7 @@ private Q_SLOTS:
     void lostLimb_leavesAHollowWithARim();
     void lostTwig_leavesNone();
     void hollow_shrinksAsTheWoodThickens();
+    void hollow_isSeenInTheMesh();
     void profile_isShownAsDrawn();
     void places_keepTheirOrder();
 };
@@ -206,21 +208,54 @@ void StrandReliefsTest::lostTwig_leavesNone()
 
 void StrandReliefsTest::hollow_shrinksAsTheWoodThickens()
 {
-    TreeBuilder builder = treeWithLimb(60);
+    TreeBuilder builder = treeWithLimb(60, WoodParameters{}.flutes);
     const InternodeId limb = 31;
     builder.apply(prune(builder.tree, builder.index, std::span(&limb, 1)));
-    float deepest = -1.0F;
+    std::vector<float> depths;
     for (int round = 0; round < 4; ++round) {
         const StrandLayouts layouts = layoutsOf(builder);
         const std::uint32_t fork = nodeOf(layouts, kFork);
         const float depth = layouts.reliefs().relief(fork, angleOf(layouts, builder.index, fork, limb));
-        QVERIFY(depth < 0.0F && depth > deepest);
-        deepest = depth;
+        QVERIFY(depth < 0.0F);
+        depths.push_back(depth);
         InternodeId top = 30;
         while (builder.index.mainChild(top) != kNoInternode)
             top = builder.index.mainChild(top);
         growBranch(builder, top, kTerminalSlot, continuing(), 150);
     }
+    // No hollow is deeper than so much of the radius, so the first two can be as deep.
+    QVERIFY(std::ranges::is_sorted(depths));
+    QVERIFY(depths.back() < 0.0F && depths.back() > 0.7F * depths.front());
+}
+
+void StrandReliefsTest::hollow_isSeenInTheMesh()
+{
+    TreeBuilder builder = treeWithLimb(20, WoodParameters{}.flutes);
+    const InternodeId limb = 31;
+    builder.apply(prune(builder.tree, builder.index, std::span(&limb, 1)));
+    const StrandLayouts layouts = layoutsOf(builder);
+    const StrandNode& fork = layouts.skeleton().nodes[nodeOf(layouts, kFork)];
+    const Vec3 outward = builder.index.rotation(kFork) * (builder.tree.columns().rotation[limb] * up());
+    /// How far the bark is from the middle of the trunk at the height of the lost limb.
+    const auto barkToward = [&](const Vec3& side) {
+        const BranchMesh mesh = meshStrands(layouts, builder.tree.parameters());
+        float sum = 0.0F;
+        int count = 0;
+        for (const MeshVertex& vertex : mesh.vertices) {
+            const Vec3 from = toVec3(vertex.position) - fork.position;
+            const Vec3 flat(from.x(), 0.0F, from.z());
+            if (std::abs(from.y()) > 0.2F * fork.radius || flat.normalized().dot(side) < 0.99F)
+                continue;
+            sum += flat.norm();
+            ++count;
+        }
+        return sum / static_cast<float>(std::max(count, 1));
+    };
+    const float there = barkToward(outward.normalized());
+    const float opposite = barkToward(-outward.normalized());
+    QVERIFY(there > 0.0F && opposite > 0.0F);
+    QVERIFY2(there < opposite - 0.15F * fork.radius,
+             qPrintable(QStringLiteral("%1 %2 %3").arg(there).arg(opposite).arg(fork.radius)));
 }
 
 void StrandReliefsTest::profile_isShownAsDrawn()
