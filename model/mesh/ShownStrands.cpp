@@ -14,7 +14,7 @@ std::shared_ptr<const ShownStrands> makeShownStrands(const Tree& tree, bool with
     auto shown = std::make_shared<ShownStrands>();
     shown->hasFibres = withFibres;
     if (withFibres)
-        shown->fibres = strandFibres(*layouts);
+        shown->fibres = strandFibres(*layouts, tree, index);
     if (tree.parameters().wood.mesher == WoodMesherKind::Strands) {
         shown->lines = strandLines(*layouts, tree.size());
         shown->wood = meshStrands(std::move(layouts), tree.parameters(), {}, last, progress);
