@@ -125,6 +125,7 @@ private:
     TreeDocument& document() override { return m_document; }
     ViewSettings& viewSettings() override { return m_settings; }
     std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const override;
+    std::optional<PickedBranch> pickThick(const QPointF& screen, PointerDevice device) const override;
     std::vector<PickedBud> pickBuds(const QPointF& screen, PointerDevice device,
                                     double factor) const override;
     float branchRadius(InternodeId id) const override { return m_scene.mesh().tracker().meshedRadius(id); }
