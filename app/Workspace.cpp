@@ -100,8 +100,20 @@ void Workspace::showPopOut(PopOut popOut)
 
 void Workspace::showSheet(int index)
 {
+    const bool wasClear = m_viewport->isTreeClear();
     m_sheet = index;
     arrange();
+    // A tree that was in view stays so, and comes back to its place when the sheet is closed.
+    if (m_sheet >= 0 && wasClear && !m_viewport->isTreeClear()) {
+        if (!m_beside)
+            m_beside = {m_viewport->camera(), {}};
+        m_beside->shown = m_viewport->framed(m_viewport->camera());
+        m_viewport->flyTo(m_beside->shown);
+    } else if (m_sheet < 0 && m_beside) {
+        if (m_viewport->camera() == m_beside->shown)
+            m_viewport->flyTo(m_beside->before);
+        m_beside.reset();
+    }
 }
 
 void Workspace::showHistory(bool shown)

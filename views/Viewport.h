@@ -64,6 +64,11 @@ public:
     /// The camera, moved without turning until the part that bars leave free shows all of @p box, m.
     Camera framing(const Box3& box) const;
 
+    /// @p camera, moved likewise until all of the tree is shown.
+    Camera framed(const Camera& camera) const;
+    /// Whether the part that bars leave free shows all of the tree.
+    bool isTreeClear() const;
+
     /// The context for tools of this viewport.
     ToolContext& toolContext() { return *this; }
     /// Sets the tool, after finishing the gesture of the previous one. The first tool is a BrushTool. A pen's
@@ -153,7 +158,6 @@ private:
     void moveCamera(const Camera& camera);
     template <class Frame>
     Camera inClearRect(const Camera& camera, Frame&& frame) const;
-    Camera framed(const Camera& camera) const;
     void showAnew();
     void moveByKeys(double seconds);
     void redrawTree();
