@@ -17,7 +17,7 @@ namespace {
 constexpr int kColumnWidth = 196;
 constexpr int kColumnSpacing = 18;
 /// A section of more rows than this has two columns, so that the sheet leaves room for the tree below it.
-constexpr std::size_t kMostRows = 7;
+constexpr std::size_t kMostRows = 5;
 } // namespace
 
 ParameterPanel::ParameterPanel(TreeDocument& document, ParameterSheet sheet, QWidget* parent)

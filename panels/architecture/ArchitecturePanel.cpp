@@ -31,7 +31,7 @@ namespace {
 constexpr int kLeastCard = 166;
 constexpr int kMostCard = 330;
 constexpr int kDiagramWidth = 162;
-constexpr int kModelWidth = 136;
+constexpr int kModelWidth = 150;
 constexpr int kDiagramSpacing = 10;
 constexpr int kPanelMargin = 14;
 // In a window without room for more.
@@ -270,8 +270,16 @@ void ArchitecturePanel::setSpacing(int spacing, int margin)
 {
     QWidget* content = m_sideways->widget();
     content->layout()->setContentsMargins(margin, 14, margin, 8);
-    for (const QWidget* part : {std::as_const(content), m_treeSketch, m_vigour, m_more})
+    content->layout()->setSpacing(spacing);
+    for (const QWidget* part : {m_treeSketch, m_vigour, m_more})
         part->layout()->setSpacing(spacing);
+    // The sizes of what the panel shows next are needed now, from the inside outward.
+    const QList<QWidget*> widgets = content->findChildren<QWidget*>();
+    for (auto widget = widgets.rbegin(); widget != widgets.rend(); ++widget) {
+        if (QLayout* layout = (*widget)->layout())
+            layout->activate();
+        (*widget)->updateGeometry();
+    }
     content->layout()->activate();
 }
 
