@@ -174,16 +174,14 @@ void MainWindow::connectViewport()
     connect(&m_strandRunner, &StrandRunner::cancelled, &viewport,
             [&viewport] { viewport.showStrands(nullptr, ~std::uint64_t{0}); });
     connect(&m_strandRunner, &StrandRunner::progressed, &m_workspace->notice(), [this](double share) {
-        const QString text = tr("Making the wood of strands");
         Notice& notice = m_workspace->notice();
-        // Messages and questions stay.
-        if (!notice.isVisible() || notice.text() == text)
-            notice.showProgress(text, share, [this] { m_strandRunner.cancel(); });
+        // Messages, questions and the progress of other tasks stay.
+        if (notice.isHidden() || notice.showsProgressOf(m_strandRunner))
+            notice.showProgress(m_strandRunner, tr("Making the wood of strands"), share,
+                                [this] { m_strandRunner.cancel(); });
     });
-    connect(&m_strandRunner, &StrandRunner::ended, &m_workspace->notice(), [this] {
-        if (m_workspace->notice().text() == tr("Making the wood of strands"))
-            m_workspace->notice().finishProgress();
-    });
+    connect(&m_strandRunner, &StrandRunner::ended, &m_workspace->notice(),
+            [this] { m_workspace->notice().finishProgress(m_strandRunner); });
     const auto showFibres = [this] { m_strandRunner.setFibresShown(m_viewSettings.values().fibresShown); };
     connect(&m_viewSettings, &ViewSettings::changed, &viewport, showFibres);
     showFibres();

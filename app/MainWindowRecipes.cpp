@@ -70,7 +70,8 @@ void MainWindow::followRecipe()
 void MainWindow::showRecipeProgress()
 {
     if (m_recipeRunner.isRunning() && m_recipeRunner.pace() == RecipeRunner::Pace::Hurried)
-        m_workspace->notice().showProgress(tr("Growing %1").arg(m_files->file().displayName()),
+        m_workspace->notice().showProgress(m_recipeRunner,
+                                           tr("Growing %1").arg(m_files->file().displayName()),
                                            m_recipeRunner.moment()->progress, [this] { cancelAll(); });
 }
 

@@ -54,8 +54,7 @@ void MainWindow::connectTools()
             [this](const QString& why) { m_workspace->notice().showInformation(why); });
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
     connect(&m_recipeRunner, &RecipeRunner::finished, this, [this](bool whole) {
-        if (m_recipeRunner.pace() == RecipeRunner::Pace::Hurried && !m_workspace->notice().isWarning())
-            m_workspace->notice().finish();
+        m_workspace->notice().finishProgress(m_recipeRunner);
         if (whole)
             showRecipeWarnings();
         takeTool();

@@ -65,10 +65,16 @@ void MainWindow::cancelAll()
 
 void MainWindow::cancel()
 {
-    if (m_files->cancelOpening())
+    // A sketch may go on while the focus is elsewhere.
+    if (m_profiles->cancel() || m_files->cancelOpening())
         return;
     if (isBusy()) {
         cancelAll();
+        return;
+    }
+    // The library covers the tree and the tool, also if the focus is elsewhere.
+    if (QAction* library = m_actions[ActionId::Library]; library->isChecked()) {
+        library->setChecked(false);
         return;
     }
     if (m_workspace->viewport().keyForTool(Qt::Key_Escape))

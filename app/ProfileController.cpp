@@ -181,6 +181,17 @@ void ProfileController::chooseNone()
     m_repaint();
 }
 
+bool ProfileController::cancel()
+{
+    if (m_panel.canvas().cancelStroke())
+        return true;
+    if (!m_spanStart)
+        return false;
+    m_spanStart.reset();
+    m_panel.setSpan(ProfilePanel::Span::None);
+    return true;
+}
+
 void ProfileController::edit(const StrandProfile& profile)
 {
     if (!m_chosen || m_isBusy())
@@ -262,7 +273,7 @@ void ProfileController::doSpan(InternodeId id)
         // The command may move the kept profiles.
         setProfile(m_document, path, StrandProfile(*profile));
     } else if (const StrandProfile* const other = tree.profileOf(id); other == nullptr) {
-        m_panel.tell(tr("The other place has no profile to interpolate to."), true);
+        m_panel.tell(tr("The other place has no profile to blend with."), true);
     } else {
         blendProfiles(m_document, start, id, StrandProfile(*profile), StrandProfile(*other));
     }

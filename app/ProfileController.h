@@ -29,6 +29,10 @@ public:
     /// Whether the layout of the tree as it is now is shown.
     bool isUpToDate() const { return m_layouts != nullptr && m_layoutsStamp == m_stamp; }
 
+    /// Drops the sketch under way, or else ends the wait for the other end of a copy or blend; returns
+    /// false if there is neither.
+    bool cancel();
+
     // ProfileChoice
     std::optional<ShownSection> section() const override;
     void choose(InternodeId id) override;

@@ -26,6 +26,8 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <cmath>
+
 namespace espalier {
 
 namespace {
@@ -36,6 +38,20 @@ constexpr int kStatusHeight = 60;
 constexpr int kStatusMargin = 20;
 /// ms; the counts of a growing tree are not updated more often.
 constexpr int kCountInterval = 200;
+
+} // namespace
+
+namespace {
+
+/// Whether two cameras show the same but for rounding: a flight does not end exactly where it leads.
+bool isSameView(const Camera& camera, const Camera& other)
+{
+    constexpr float kRounding = 1e-3F;
+    return (camera.target() - other.target()).norm() < kRounding * other.distance() &&
+           std::abs(camera.distance() - other.distance()) < kRounding * other.distance() &&
+           std::abs(camera.azimuth() - other.azimuth()) < kRounding &&
+           std::abs(camera.elevation() - other.elevation()) < kRounding;
+}
 
 } // namespace
 
@@ -100,8 +116,20 @@ void Workspace::showPopOut(PopOut popOut)
 
 void Workspace::showSheet(int index)
 {
+    const bool wasClear = m_viewport->isTreeClear();
     m_sheet = index;
     arrange();
+    // A tree that was in view stays so, and comes back to its place when the sheet is closed.
+    if (m_sheet >= 0 && wasClear && !m_viewport->isTreeClear()) {
+        if (!m_beside)
+            m_beside = {m_viewport->camera(), {}};
+        m_beside->shown = m_viewport->framed(m_viewport->camera());
+        m_viewport->flyTo(m_beside->shown);
+    } else if (m_sheet < 0 && m_beside) {
+        if (isSameView(m_viewport->camera(), m_beside->shown))
+            m_viewport->flyTo(m_beside->before);
+        m_beside.reset();
+    }
 }
 
 void Workspace::showHistory(bool shown)

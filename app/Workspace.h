@@ -4,11 +4,13 @@
 #include "model/document/TreeDocument.h"
 #include "model/settings/ViewSettings.h"
 #include "panels/Bars.h"
+#include "views/camera/Camera.h"
 
 #include <QTimer>
 #include <QWidget>
 
 #include <array>
+#include <optional>
 
 class QLabel;
 class QPushButton;
@@ -113,6 +115,12 @@ private:
     QLabel* m_counts;
     QLabel* m_tip;
     QTimer m_countTimer;
+    /// The cameras before a sheet that would have covered the tree was opened, and since then.
+    struct Beside {
+        Camera before;
+        Camera shown;
+    };
+    std::optional<Beside> m_beside;
     PopOut m_popOut = PopOut::Brush;
     int m_sheet = -1;
     bool m_isHidden = false;

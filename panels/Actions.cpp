@@ -100,7 +100,7 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          "markers", true},
         {Leaves, Group::View, "leaves", QT_TRANSLATE_NOOP("Actions", "Leaves"),
          QT_TRANSLATE_NOOP("Actions", "Show the leaves."), "L", "leaves", true},
-        {Fibres, Group::View, "fibres", QT_TRANSLATE_NOOP("Actions", "Fibres"),
+        {Fibres, Group::View, "fibres", QT_TRANSLATE_NOOP("Actions", "Strand Lines"),
          QT_TRANSLATE_NOOP("Actions",
                            "Show the strands that the wood consists of as lines, each branch in its colour."),
          "Shift+F", "fibres", true},

@@ -70,7 +70,8 @@ void Notice::showWarning(const QString& text)
     present(text, true, {tr("Close")});
 }
 
-void Notice::showProgress(const QString& text, double progress, std::function<void()> cancel)
+void Notice::showProgress(const QObject& task, const QString& text, double progress,
+                          std::function<void()> cancel)
 {
     const bool cancellable = static_cast<bool>(cancel);
     m_answer = [cancel = std::move(cancel)](int) {
@@ -80,6 +81,7 @@ void Notice::showProgress(const QString& text, double progress, std::function<vo
     m_progress->setRange(0, progress < 0.0 ? 0 : kProgressSteps);
     m_progress->setValue(static_cast<int>(progress * kProgressSteps));
     present(text, false, cancellable ? QStringList{tr("Cancel")} : QStringList());
+    m_task = &task;
     m_progress->show();
     Q_EMIT resized();
 }
@@ -95,9 +97,9 @@ void Notice::ask(const QString& text, const QStringList& answers, std::function<
     present(text, false, answers);
 }
 
-void Notice::finishProgress()
+void Notice::finishProgress(const QObject& task)
 {
-    if (m_progress->isVisibleTo(this))
+    if (showsProgressOf(task))
         hide();
 }
 
@@ -105,6 +107,7 @@ void Notice::present(const QString& text, bool warning, const QStringList& answe
 {
     m_timer.stop();
     m_isWarning = warning;
+    m_task = nullptr;
     m_text->setText(text);
     m_text->setFixedWidth(
         std::clamp(m_text->fontMetrics().horizontalAdvance(text) + 4, kLeastText, kMostText));

@@ -26,16 +26,19 @@ public:
     void showInformation(const QString& text);
     /// Shows a sentence that stays until the user closes it.
     void showWarning(const QString& text);
-    /// Shows progress of 0...1, or that it takes an unknown time (below 0), and a button to cancel if @p
-    /// cancel is given; until the next notice or finish().
-    void showProgress(const QString& text, double progress, std::function<void()> cancel = {});
+    /// Shows that @p task has the progress 0...1, or that it takes an unknown time (below 0), and a button to
+    /// cancel if @p cancel is given; until the next notice, finish() or finishProgress(@p task).
+    void showProgress(const QObject& task, const QString& text, double progress,
+                      std::function<void()> cancel = {});
     /// Shows a question; each answer closes it. Another notice removes the question without an answer.
     void ask(const QString& text, const QString& yes, const QString& no, std::function<void(bool)> answer);
     /// Shows a question with one, two or three answers; @p answer gets the index of the chosen one.
     void ask(const QString& text, const QStringList& answers, std::function<void(int)> answer);
     void finish() { hide(); }
-    /// Closes the notice if it shows progress.
-    void finishProgress();
+    /// Closes the notice if it shows the progress of @p task.
+    void finishProgress(const QObject& task);
+    /// Whether the notice shows the progress of @p task.
+    bool showsProgressOf(const QObject& task) const { return m_task == &task && !isHidden(); }
 
     QString text() const;
     bool isWarning() const { return m_isWarning; }
@@ -58,6 +61,7 @@ private:
     std::array<QPushButton*, 3> m_buttons{};
     QTimer m_timer;
     bool m_isWarning = false;
+    const QObject* m_task = nullptr; ///< Whose progress is shown. Only compared, because it may have gone
     std::function<void(int)> m_answer;
 };
 

@@ -15,6 +15,9 @@ namespace espalier {
 
 namespace {
 constexpr int kColumnWidth = 196;
+constexpr int kColumnSpacing = 18;
+/// A section of more rows than this has two columns, so that the sheet leaves room for the tree below it.
+constexpr std::size_t kMostRows = 5;
 } // namespace
 
 ParameterPanel::ParameterPanel(TreeDocument& document, ParameterSheet sheet, QWidget* parent)
@@ -23,7 +26,7 @@ ParameterPanel::ParameterPanel(TreeDocument& document, ParameterSheet sheet, QWi
     auto* content = new QWidget;
     auto* columns = new QHBoxLayout(content);
     columns->setContentsMargins(20, 14, 20, 12);
-    columns->setSpacing(18);
+    columns->setSpacing(kColumnSpacing);
     for (const ParameterSection& section : parameterSections()) {
         if (section.sheet != sheet)
             continue;
@@ -38,13 +41,29 @@ ParameterPanel::ParameterPanel(TreeDocument& document, ParameterSheet sheet, QWi
 
 QWidget* ParameterPanel::makeSection(const ParameterSection& section, QWidget* parent)
 {
+    const std::size_t rows = section.parameters.size();
+    const std::size_t columnCount = rows > kMostRows ? 2 : 1;
+    const std::size_t rowsOfColumn = (rows + columnCount - 1) / columnCount;
     auto* box = new QWidget(parent);
-    box->setFixedWidth(kColumnWidth);
-    auto* lines = new QVBoxLayout(box);
-    lines->setContentsMargins(0, 0, 0, 0);
-    lines->setSpacing(2);
-    lines->addWidget(barHeading(parameterTr(section.title), box));
-    for (const ParameterText& text : section.parameters) {
+    box->setFixedWidth(static_cast<int>(columnCount) * (kColumnWidth + kColumnSpacing) - kColumnSpacing);
+    auto* whole = new QVBoxLayout(box);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->setSpacing(2);
+    whole->addWidget(barHeading(parameterTr(section.title), box));
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(kColumnSpacing);
+    whole->addLayout(columns);
+    whole->addStretch();
+    QVBoxLayout* lines = nullptr;
+    for (std::size_t i = 0; i < rows; ++i) {
+        if (i % rowsOfColumn == 0) {
+            if (lines != nullptr)
+                lines->addStretch();
+            lines = new QVBoxLayout;
+            lines->setSpacing(2);
+            columns->addLayout(lines, 1);
+        }
+        const ParameterText& text = section.parameters[i];
         m_rows.push_back(new ParameterRow(m_editor, text, box));
         lines->addWidget(m_rows.back());
         if (LookChoice* look = m_rows.back()->look()) {

@@ -215,7 +215,24 @@ void ParameterRow::choose(double value)
     m_value = value;
     m_editor.begin();
     m_editor.show(key(), value);
-    m_editor.finish(accessibleName());
+    m_editor.finish(undoText(value));
+}
+
+/// What the undo step is called that gives the parameter @p value: of a choice, the chosen one too.
+QString ParameterRow::undoText(double value) const
+{
+    if (m_scale.info().quantity != Quantity::Choice)
+        return accessibleName();
+    return tr("%1: %2").arg(accessibleName(),
+                            choiceNames(m_scale.info().choices).value(static_cast<int>(value)));
+}
+
+void ParameterRow::hideLabel()
+{
+    for (QLabel* label : findChildren<QLabel*>())
+        label->hide();
+    if (m_choice)
+        m_choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
 void ParameterRow::chooseDrawn(int drawn)
@@ -225,7 +242,7 @@ void ParameterRow::chooseDrawn(int drawn)
     LookChoice::takeImagesAway(parameters, *LookChoice::kindOf(key()));
     setParameter(parameters, key(), drawn);
     m_editor.show(parameters);
-    m_editor.finish(accessibleName());
+    m_editor.finish(undoText(drawn));
 }
 
 void ParameterRow::reset()

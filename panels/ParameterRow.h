@@ -31,6 +31,8 @@ public:
     double value() const { return m_value; }
     /// The list of looks, or null if the row is not one.
     LookChoice* look() const { return m_look; }
+    /// Shows the choice alone, below a heading that says the same as the label.
+    void hideLabel();
 
 protected:
     bool event(QEvent* event) override;
@@ -47,6 +49,7 @@ private:
     void edit(double value);
     void choose(double value);
     void chooseDrawn(int drawn);
+    QString undoText(double value) const;
     void reset();
 
     ParameterEditor& m_editor;

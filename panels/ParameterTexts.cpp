@@ -15,9 +15,9 @@ namespace {
 using enum ParameterText::Scale;
 
 constexpr ParameterText kModel[] = {
-    {"growth.model", QT_TRANSLATE_NOOP("Parameters", "Model"), "",
+    {"growth.model", QT_TRANSLATE_NOOP("Parameters", "Growth model"), "",
      QT_TRANSLATE_NOOP("Parameters",
-                       "Treesketch: buds compete for space and light. Vigour: light decides how "
+                       "TreeSketch: buds compete for space and light. Vigour: light decides how "
                        "fast each shoot grows, month by month."),
      Linear, 2, "", 1.0, "",
      QT_TRANSLATE_NOOP("Parameters",
@@ -364,7 +364,7 @@ constexpr ParameterText kBark[] = {
 using enum ParameterSection::Look;
 
 constexpr ParameterSection kSections[] = {
-    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Model"), kModel, Model},
+    {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Growth model"), kModel, Model},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Tropism"), kTropism, Diagram},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Gravimorphism"), kGravimorphism, Diagram},
     {ParameterSheet::Architecture, QT_TRANSLATE_NOOP("Parameters", "Branching"), kBranching, Diagram},
@@ -392,27 +392,28 @@ constexpr ParameterSection kSections[] = {
 
 // The names of the choices in ParameterInfo, as a person reads them.
 [[maybe_unused]] constexpr const char* kChoices[] = {
-    QT_TRANSLATE_NOOP("Parameters", "ovate"),      QT_TRANSLATE_NOOP("Parameters", "lanceolate"),
-    QT_TRANSLATE_NOOP("Parameters", "lobed"),      QT_TRANSLATE_NOOP("Parameters", "needles"),
-    QT_TRANSLATE_NOOP("Parameters", "furrowed"),   QT_TRANSLATE_NOOP("Parameters", "smooth"),
-    QT_TRANSLATE_NOOP("Parameters", "plated"),     QT_TRANSLATE_NOOP("Parameters", "birch"),
-    QT_TRANSLATE_NOOP("Parameters", "cordate"),    QT_TRANSLATE_NOOP("Parameters", "palmate"),
-    QT_TRANSLATE_NOOP("Parameters", "pinnate"),    QT_TRANSLATE_NOOP("Parameters", "willow"),
-    QT_TRANSLATE_NOOP("Parameters", "fascicle"),   QT_TRANSLATE_NOOP("Parameters", "frond"),
-    QT_TRANSLATE_NOOP("Parameters", "cherry"),     QT_TRANSLATE_NOOP("Parameters", "mottled"),
-    QT_TRANSLATE_NOOP("Parameters", "fibrous"),    QT_TRANSLATE_NOOP("Parameters", "ringed"),
-    QT_TRANSLATE_NOOP("Parameters", "shoot"),      QT_TRANSLATE_NOOP("Parameters", "spiral"),
-    QT_TRANSLATE_NOOP("Parameters", "opposite"),   QT_TRANSLATE_NOOP("Parameters", "flat"),
-    QT_TRANSLATE_NOOP("Parameters", "treesketch"), QT_TRANSLATE_NOOP("Parameters", "vigour"),
-    QT_TRANSLATE_NOOP("Parameters", "tubes"),      QT_TRANSLATE_NOOP("Parameters", "strands"),
+    QT_TRANSLATE_NOOP("Parameters", "ovate"),    QT_TRANSLATE_NOOP("Parameters", "lanceolate"),
+    QT_TRANSLATE_NOOP("Parameters", "lobed"),    QT_TRANSLATE_NOOP("Parameters", "needles"),
+    QT_TRANSLATE_NOOP("Parameters", "furrowed"), QT_TRANSLATE_NOOP("Parameters", "smooth"),
+    QT_TRANSLATE_NOOP("Parameters", "plated"),   QT_TRANSLATE_NOOP("Parameters", "birch"),
+    QT_TRANSLATE_NOOP("Parameters", "cordate"),  QT_TRANSLATE_NOOP("Parameters", "palmate"),
+    QT_TRANSLATE_NOOP("Parameters", "pinnate"),  QT_TRANSLATE_NOOP("Parameters", "willow"),
+    QT_TRANSLATE_NOOP("Parameters", "fascicle"), QT_TRANSLATE_NOOP("Parameters", "frond"),
+    QT_TRANSLATE_NOOP("Parameters", "cherry"),   QT_TRANSLATE_NOOP("Parameters", "mottled"),
+    QT_TRANSLATE_NOOP("Parameters", "fibrous"),  QT_TRANSLATE_NOOP("Parameters", "ringed"),
+    QT_TRANSLATE_NOOP("Parameters", "shoot"),    QT_TRANSLATE_NOOP("Parameters", "spiral"),
+    QT_TRANSLATE_NOOP("Parameters", "opposite"), QT_TRANSLATE_NOOP("Parameters", "flat"),
+    QT_TRANSLATE_NOOP("Parameters", "vigour"),   QT_TRANSLATE_NOOP("Parameters", "tubes"),
+    QT_TRANSLATE_NOOP("Parameters", "strands"),
 };
 
-/// Choices whose names in files are too short for a person to understand.
+/// Choices that a person reads under another name than files have.
 struct LongerName {
     const char* choice;
     const char* shown; ///< Untranslated
 };
 constexpr LongerName kLongerNames[] = {
+    {"treesketch", QT_TRANSLATE_NOOP("Parameters", "TreeSketch")},
     {"rest", QT_TRANSLATE_NOOP("Parameters", "at rest")},
     {"pbd", QT_TRANSLATE_NOOP("Parameters", "as published")},
 };

@@ -329,8 +329,19 @@ void ProfileCanvas::eraseAt(const QPointF& place, double reach)
     offer(std::move(changed), {});
 }
 
+bool ProfileCanvas::cancelStroke()
+{
+    if (!m_stroke)
+        return false;
+    drop();
+    return true;
+}
+
 bool ProfileCanvas::event(QEvent* event)
 {
+    // A press of the mouse sets the focus by itself.
+    if (event->type() == QEvent::TouchBegin || event->type() == QEvent::TabletPress)
+        setFocus(Qt::MouseFocusReason);
     switch (event->type()) {
     case QEvent::TouchBegin:
     case QEvent::TouchUpdate:
@@ -414,11 +425,8 @@ void ProfileCanvas::wheelEvent(QWheelEvent* event)
 
 void ProfileCanvas::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape && m_stroke) {
-        drop();
-        return;
-    }
-    QWidget::keyPressEvent(event);
+    if (event->key() != Qt::Key_Escape || !cancelStroke())
+        QWidget::keyPressEvent(event);
 }
 
 void ProfileCanvas::resizeEvent(QResizeEvent*)

@@ -48,6 +48,8 @@ public:
     bool isEmpty() const { return !m_section; }
     /// Shows all of the section.
     void fit();
+    /// Drops the stroke under way; returns false if there is none.
+    bool cancelStroke();
 
     const StrandProfile& profile() const { return m_profile; }
     /// The faulty line that stays until the next stroke; empty if there is none.

@@ -133,6 +133,7 @@ void ProfilePanel::addShapes(QVBoxLayout& column)
         button->setToolTip(shapes[i].second);
         button->setAccessibleName(shapes[i].second);
         button->setFocusPolicy(Qt::TabFocus);
+        button->installEventFilter(this);
         m_ofNode.push_back(button);
         row->addWidget(button);
         connect(button, &QAbstractButton::clicked, this,
@@ -140,6 +141,20 @@ void ProfilePanel::addShapes(QVBoxLayout& column)
     }
     row->addStretch(1);
     column.addLayout(row);
+}
+
+/// The name of the shape under the pointer, or with the focus, stands in place of the advice: there is no
+/// room for words below the shapes.
+bool ProfilePanel::eventFilter(QObject* watched, QEvent* event)
+{
+    const auto* button = static_cast<const QAbstractButton*>(watched);
+    const bool isNamed = event->type() == QEvent::Enter || event->type() == QEvent::FocusIn;
+    if (isNamed || event->type() == QEvent::Leave || event->type() == QEvent::FocusOut) {
+        m_shapeName = isNamed && button->isEnabled() ? button->accessibleName() : QString();
+        if (m_faultText.isEmpty())
+            tell({}, false);
+    }
+    return Bar::eventFilter(watched, event);
 }
 
 QPushButton* ProfilePanel::addButton(QHBoxLayout& row, const char* name, const QString& text,
@@ -161,8 +176,8 @@ void ProfilePanel::addActions(QVBoxLayout& column)
     m_copy = addButton(*first, "profileCopy", tr("Copy to branch"),
                        tr("<b>Copy to branch</b><br>Then tap another place of this branch: all between get "
                           "this profile."));
-    m_blend = addButton(*first, "profileBlend", tr("Interpolate"),
-                        tr("<b>Interpolate</b><br>Then tap another place of this branch that has a profile: "
+    m_blend = addButton(*first, "profileBlend", tr("Blend"),
+                        tr("<b>Blend</b><br>Then tap another place of this branch that has a profile: "
                            "those between change from the one to the other."));
     auto* second = new QHBoxLayout;
     second->setSpacing(6);
@@ -262,7 +277,7 @@ void ProfilePanel::tell(const QString& sentence, bool isFault)
         shown = tr("Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.");
     const bool isAdvice = shown.isEmpty();
     if (isAdvice && m_hasNode)
-        shown = advice();
+        shown = m_shapeName.isEmpty() ? advice() : m_shapeName;
     m_message->setText(shown);
     const QColor& colour = isFault ? theme::kWarning : isAdvice ? theme::kDimText : theme::kText;
     m_message->setStyleSheet(QStringLiteral("color: %1").arg(colour.name()));

@@ -42,6 +42,9 @@ Q_SIGNALS:
     /// The user begins to choose the other end of a branch, or has chosen it with the buttons alone (None).
     void spanAsked(Span span);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void addModes(class QVBoxLayout& column);
     void addShapes(QVBoxLayout& column);
@@ -61,6 +64,7 @@ private:
     QPushButton* m_blend = nullptr;
     QPushButton* m_clear = nullptr;
     QString m_faultText;
+    QString m_shapeName; ///< Of the ready-made shape that the user may be about to choose
     Span m_span = Span::None;
     bool m_hasNode = false;
     bool m_hasProfile = false;

@@ -10,7 +10,7 @@ namespace espalier {
 namespace {
 
 /// Room for the scroll bar below the contents.
-constexpr int kScrollBarHeight = 6;
+constexpr int kScrollBarHeight = 8;
 
 } // namespace
 

@@ -368,12 +368,12 @@
         <translation>Auf einen Ast drücken und halten: Sein jüngster Zuwachs verschwindet, Schritt für Schritt.</translation>
     </message>
     <message>
-        <source>Fibres</source>
-        <translation>Fasern</translation>
-    </message>
-    <message>
         <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
         <translation>Zeigt die Stränge, aus denen das Holz besteht, als Linien, jeden Ast in seiner Farbe.</translation>
+    </message>
+    <message>
+        <source>Strand Lines</source>
+        <translation>Stranglinien</translation>
     </message>
 </context>
 <context>
@@ -2030,14 +2030,6 @@ geschrieben werden konnte.
         <translation>Wie weit eine Knospe am Ast entlang von der nächsten entfernt ist: 0 ist ein Quirl.</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
-        <translation>Treesketch: Knospen konkurrieren um Raum und Licht. Wuchskraft: Das Licht entscheidet, wie schnell jeder Trieb wächst, Monat für Monat.</translation>
-    </message>
-    <message>
         <source>Self-organising competition, or shoot growth by vigour with apical control.</source>
         <translation>Selbstorganisierende Konkurrenz, oder Triebwachstum nach Wuchskraft mit Apikalkontrolle.</translation>
     </message>
@@ -2350,10 +2342,6 @@ geschrieben werden konnte.
         <translation>Stränge</translation>
     </message>
     <message>
-        <source>treesketch</source>
-        <translation>Treesketch</translation>
-    </message>
-    <message>
         <source>vigour</source>
         <translation>Wuchskraft</translation>
     </message>
@@ -2396,6 +2384,18 @@ geschrieben werden konnte.
     <message>
         <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
         <translation>Wie weit sich der Stamm unter seinen Ästen und zu den Wurzeln hin wölbt und wie tief die Höhlungen verlorener Äste sind. Bei 0 ist das Holz rund.</translation>
+    </message>
+    <message>
+        <source>Growth model</source>
+        <translation>Wachstumsmodell</translation>
+    </message>
+    <message>
+        <source>TreeSketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
+        <translation>TreeSketch: Knospen konkurrieren um Raum und Licht. Wuchskraft: Das Licht entscheidet, wie schnell jeder Trieb wächst, Monat für Monat.</translation>
+    </message>
+    <message>
+        <source>TreeSketch</source>
+        <translation>TreeSketch</translation>
     </message>
 </context>
 <context>
@@ -3833,6 +3833,13 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::ParameterRow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>espalier::PerceptionDiagram</name>
     <message>
         <source>dense</source>
@@ -3880,8 +3887,8 @@ geschrieben werden konnte.
         <translation>Die beiden Stellen liegen nicht auf einem Ast.</translation>
     </message>
     <message>
-        <source>The other place has no profile to interpolate to.</source>
-        <translation>Die andere Stelle hat kein Profil, zu dem sich interpolieren ließe.</translation>
+        <source>The other place has no profile to blend with.</source>
+        <translation>Die andere Stelle hat kein Profil, mit dem sich überblenden ließe.</translation>
     </message>
 </context>
 <context>
@@ -3953,14 +3960,6 @@ geschrieben werden konnte.
     <message>
         <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
         <translation>&lt;b&gt;Auf Ast kopieren&lt;/b&gt;&lt;br&gt;Danach eine andere Stelle dieses Asts antippen: Alle dazwischen erhalten dieses Profil.</translation>
-    </message>
-    <message>
-        <source>Interpolate</source>
-        <translation>Interpolieren</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Interpolate&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
-        <translation>&lt;b&gt;Interpolieren&lt;/b&gt;&lt;br&gt;Danach eine andere Stelle dieses Asts antippen, die ein Profil hat: Die Profile dazwischen gehen vom einen ins andere über.</translation>
     </message>
     <message>
         <source>▼</source>
@@ -4036,6 +4035,14 @@ geschrieben werden konnte.
     <message>
         <source>Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.</source>
         <translation>Das andere Ende auf diesem Ast antippen, oder mit ▲ und ▼ dorthin gehen und den Knopf noch einmal drücken.</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Überblenden</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <translation>&lt;b&gt;Überblenden&lt;/b&gt;&lt;br&gt;Danach eine andere Stelle dieses Asts antippen, die ein Profil hat: Die Profile dazwischen gehen vom einen ins andere über.</translation>
     </message>
 </context>
 <context>

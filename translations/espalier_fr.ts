@@ -368,12 +368,12 @@
         <translation>Appuyer sur une branche et maintenir&#xa0;: ce qui a poussé en dernier s’en va, étape par étape.</translation>
     </message>
     <message>
-        <source>Fibres</source>
-        <translation>Fibres</translation>
-    </message>
-    <message>
         <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
         <translation>Montre les brins dont le bois est fait sous forme de lignes, chaque branche dans sa couleur.</translation>
+    </message>
+    <message>
+        <source>Strand Lines</source>
+        <translation>Lignes des brins</translation>
     </message>
 </context>
 <context>
@@ -534,13 +534,13 @@ OUT ends in .espalier (project) or in the ending of a format:
 %1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier : peindre des arbres et les voir naître.
+        <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
 
 espalier [PROJET]
     Ouvre la fenêtre.
 
 espalier --demo [RECETTE]
-    Ouvre la fenêtre et y peint un arbre ; ensuite il est à vous.
+    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
 
 espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
@@ -549,28 +549,28 @@ espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--strict] [--set GROUPE.NOM=VALEUR]...
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
     D’un projet, tout ce qui a été fait à son arbre est refait.
-    De plusieurs recettes, chacune continue l’arbre de la précédente : la
+    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
-    --profiles : la place des brins dans chaque section, en JSON.
-    Ce que les opérations ne trouvent pas dans l’arbre est affiché ; avec
+    --profiles&#xa0;: la place des brins dans chaque section, en JSON.
+    Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
     --strict, c’est une erreur, et rien n’est écrit.
     --set donne une valeur à un paramètre pour tout le rejeu, quoi que disent
-    les recettes : --set growth.shedding=0.1 --set leaves.visible=false. Les
+    les recettes&#xa0;: --set growth.shedding=0.1 --set leaves.visible=false. Les
     angles sont en degrés.
 
 espalier import SQUELETTE.csv -o SORTIE...
-    Fait un arbre d’un arbre mesuré : des lignes d’id, parent, deux bouts et
+    Fait un arbre d’un arbre mesuré&#xa0;: des lignes d’id, parent, deux bouts et
     rayon.
 
 espalier export PROJET [-o SORTIE]... [--set GROUPE.NOM=VALEUR]...
     Écrit un projet dans d’autres formats. --set change des paramètres pour ce
-    qui est écrit ; le projet reste tel quel.
+    qui est écrit&#xa0;; le projet reste tel quel.
 
 espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--set GROUPE.NOM=VALEUR]...
-    Prend une image. Il faut un affichage ; un affichage virtuel convient.
-    --transparent : l’arbre seul, avec un alpha non prémultiplié ;
+    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
+    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
     --ground-shadow garde son ombre, en noir plus ou moins opaque.
     --fibres : les brins du bois, en lignes.
 
@@ -579,7 +579,7 @@ espalier info FICHIER
 
 espalier --help, --version
 
-SORTIE se termine par .espalier (projet) ou par le suffixe d’un format :
+SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
 %1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
 une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 </translation>
@@ -2029,14 +2029,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>La distance d’un bourgeon au suivant le long de la branche&#xa0;: 0 donne un verticille.</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Modèle</translation>
-    </message>
-    <message>
-        <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
-        <translation>Treesketch&#xa0;: les bourgeons se disputent l’espace et la lumière. Vigueur&#xa0;: la lumière décide de la vitesse de chaque pousse, mois après mois.</translation>
-    </message>
-    <message>
         <source>Self-organising competition, or shoot growth by vigour with apical control.</source>
         <translation>Compétition auto-organisée, ou croissance des pousses selon la vigueur, avec contrôle apical.</translation>
     </message>
@@ -2349,10 +2341,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Brins</translation>
     </message>
     <message>
-        <source>treesketch</source>
-        <translation>treesketch</translation>
-    </message>
-    <message>
         <source>vigour</source>
         <translation>vigueur</translation>
     </message>
@@ -2395,6 +2383,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
         <translation>À quel point le tronc se renfle sous ses branches et vers ses racines, et la profondeur des creux laissés par les branches perdues. À 0, le bois est rond.</translation>
+    </message>
+    <message>
+        <source>Growth model</source>
+        <translation>Modèle de croissance</translation>
+    </message>
+    <message>
+        <source>TreeSketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
+        <translation>TreeSketch&#xa0;: les bourgeons se disputent l’espace et la lumière. Vigueur&#xa0;: la lumière décide de la vitesse de chaque pousse, mois après mois.</translation>
+    </message>
+    <message>
+        <source>TreeSketch</source>
+        <translation>TreeSketch</translation>
     </message>
 </context>
 <context>
@@ -3832,6 +3832,13 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::ParameterRow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
     <name>espalier::PerceptionDiagram</name>
     <message>
         <source>dense</source>
@@ -3879,7 +3886,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Les deux endroits ne sont pas sur une même branche.</translation>
     </message>
     <message>
-        <source>The other place has no profile to interpolate to.</source>
+        <source>The other place has no profile to blend with.</source>
         <translation>L’autre endroit n’a pas de profil vers lequel interpoler.</translation>
     </message>
 </context>
@@ -3952,14 +3959,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
         <translation>&lt;b&gt;Copier sur la branche&lt;/b&gt;&lt;br&gt;Toucher ensuite un autre endroit de cette branche&#xa0;: tout ce qui est entre les deux reçoit ce profil.</translation>
-    </message>
-    <message>
-        <source>Interpolate</source>
-        <translation>Interpoler</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Interpolate&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
-        <translation>&lt;b&gt;Interpoler&lt;/b&gt;&lt;br&gt;Toucher ensuite un autre endroit de cette branche qui a un profil&#xa0;: entre les deux, on passe de l’un à l’autre.</translation>
     </message>
     <message>
         <source>▼</source>
@@ -4035,6 +4034,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.</source>
         <translation>Toucher l’autre bout sur cette branche, ou y aller avec ▲ et ▼ et appuyer de nouveau sur le bouton.</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Interpoler</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <translation>&lt;b&gt;Interpoler&lt;/b&gt;&lt;br&gt;Toucher ensuite un autre endroit de cette branche qui a un profil&#xa0;: entre les deux, on passe de l’un à l’autre.</translation>
     </message>
 </context>
 <context>

@@ -368,12 +368,12 @@
         <translation>枝を押し続けると、新しく伸びた部分から 1 ステップずつ消えていきます。</translation>
     </message>
     <message>
-        <source>Fibres</source>
-        <translation>繊維</translation>
-    </message>
-    <message>
         <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
         <translation>木を構成するストランドを線で表示します。枝ごとに色が変わります。</translation>
+    </message>
+    <message>
+        <source>Strand Lines</source>
+        <translation>ストランドの線</translation>
     </message>
 </context>
 <context>
@@ -2028,14 +2028,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝に沿った、芽から次の芽までの距離です。0 では輪生になります。</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>成長モデル</translation>
-    </message>
-    <message>
-        <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
-        <translation>Treesketch: 芽が空間と光を競い合います。樹勢: 各シュートの伸びる速さが、月ごとに光で決まります。</translation>
-    </message>
-    <message>
         <source>Self-organising competition, or shoot growth by vigour with apical control.</source>
         <translation>自己組織的な競争か、頂端制御を伴う樹勢によるシュートの成長。</translation>
     </message>
@@ -2348,10 +2340,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ストランド</translation>
     </message>
     <message>
-        <source>treesketch</source>
-        <translation>Treesketch</translation>
-    </message>
-    <message>
         <source>vigour</source>
         <translation>樹勢</translation>
     </message>
@@ -2394,6 +2382,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
         <translation>大枝の下や根元で幹がどれだけ盛り上がるか、失った枝の跡がどれだけ深くくぼむかを決めます。0 では木は丸くなります。</translation>
+    </message>
+    <message>
+        <source>Growth model</source>
+        <translation>成長モデル</translation>
+    </message>
+    <message>
+        <source>TreeSketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
+        <translation>TreeSketch: 芽が空間と光を競い合います。樹勢: 各シュートの伸びる速さが、月ごとに光で決まります。</translation>
+    </message>
+    <message>
+        <source>TreeSketch</source>
+        <translation>TreeSketch</translation>
     </message>
 </context>
 <context>
@@ -3831,6 +3831,13 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>espalier::ParameterRow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>espalier::PerceptionDiagram</name>
     <message>
         <source>dense</source>
@@ -3878,7 +3885,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>2 つの場所は同じ枝にありません。</translation>
     </message>
     <message>
-        <source>The other place has no profile to interpolate to.</source>
+        <source>The other place has no profile to blend with.</source>
         <translation>もう一方の場所に、補間する断面形がありません。</translation>
     </message>
 </context>
@@ -3953,14 +3960,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>&lt;b&gt;枝にコピー&lt;/b&gt;&lt;br&gt;続けて、この枝の別の場所をタップします。その間がすべてこの断面形になります。</translation>
     </message>
     <message>
-        <source>Interpolate</source>
-        <translation>補間</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Interpolate&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
-        <translation>&lt;b&gt;補間&lt;/b&gt;&lt;br&gt;続けて、この枝の、断面形のある別の場所をタップします。その間が、一方の形から他方の形へ移り変わります。</translation>
-    </message>
-    <message>
         <source>▼</source>
         <translation>▼</translation>
     </message>
@@ -4033,6 +4032,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.</source>
         <translation>この枝のもう一方の端をタップするか、▲ と ▼ でそこへ移ってボタンをもう一度押します。</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>補間</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <translation>&lt;b&gt;補間&lt;/b&gt;&lt;br&gt;続けて、この枝の、断面形のある別の場所をタップします。その間が、一方の形から他方の形へ移り変わります。</translation>
     </message>
 </context>
 <context>

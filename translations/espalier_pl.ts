@@ -368,12 +368,12 @@
         <translation>Nacisnąć gałąź i przytrzymać: krok po kroku znikają jej najmłodsze przyrosty.</translation>
     </message>
     <message>
-        <source>Fibres</source>
-        <translation>Włókna</translation>
-    </message>
-    <message>
         <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
         <translation>Pokazuje pasma, z których składa się drewno, jako linie, każdą gałąź w jej kolorze.</translation>
+    </message>
+    <message>
+        <source>Strand Lines</source>
+        <translation>Linie pasm</translation>
     </message>
 </context>
 <context>
@@ -2029,14 +2029,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Jak daleko wzdłuż gałęzi jest od pąka do pąka: 0 to okółek.</translation>
     </message>
     <message>
-        <source>Model</source>
-        <translation>Model</translation>
-    </message>
-    <message>
-        <source>Treesketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
-        <translation>Treesketch: pąki walczą o miejsce i światło. Wigor: światło decyduje, jak szybko rośnie każdy pęd, miesiąc po miesiącu.</translation>
-    </message>
-    <message>
         <source>Self-organising competition, or shoot growth by vigour with apical control.</source>
         <translation>Samoorganizująca się konkurencja albo wzrost pędów według wigoru z kontrolą apikalną.</translation>
     </message>
@@ -2349,10 +2341,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pasma</translation>
     </message>
     <message>
-        <source>treesketch</source>
-        <translation>treesketch</translation>
-    </message>
-    <message>
         <source>vigour</source>
         <translation>wigor</translation>
     </message>
@@ -2395,6 +2383,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
         <translation>Jak bardzo pień wybrzusza się pod konarami i ku korzeniom oraz jak głębokie są zagłębienia po utraconych konarach. Przy 0 drewno jest okrągłe.</translation>
+    </message>
+    <message>
+        <source>Growth model</source>
+        <translation>Model wzrostu</translation>
+    </message>
+    <message>
+        <source>TreeSketch: buds compete for space and light. Vigour: light decides how fast each shoot grows, month by month.</source>
+        <translation>TreeSketch: pąki walczą o miejsce i światło. Wigor: światło decyduje, jak szybko rośnie każdy pęd, miesiąc po miesiącu.</translation>
+    </message>
+    <message>
+        <source>TreeSketch</source>
+        <translation>TreeSketch</translation>
     </message>
 </context>
 <context>
@@ -3832,6 +3832,13 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::ParameterRow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>espalier::PerceptionDiagram</name>
     <message>
         <source>dense</source>
@@ -3879,7 +3886,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Te dwa miejsca nie leżą na jednej gałęzi.</translation>
     </message>
     <message>
-        <source>The other place has no profile to interpolate to.</source>
+        <source>The other place has no profile to blend with.</source>
         <translation>W drugim miejscu nie ma profilu, do którego można by interpolować.</translation>
     </message>
 </context>
@@ -3952,14 +3959,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
         <translation>&lt;b&gt;Kopiuj na gałąź&lt;/b&gt;&lt;br&gt;Następnie stuknąć inne miejsce tej gałęzi: wszystkie pomiędzy dostają ten profil.</translation>
-    </message>
-    <message>
-        <source>Interpolate</source>
-        <translation>Interpoluj</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Interpolate&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
-        <translation>&lt;b&gt;Interpoluj&lt;/b&gt;&lt;br&gt;Następnie stuknąć inne miejsce tej gałęzi, które ma profil: miejsca pomiędzy przechodzą od jednego do drugiego.</translation>
     </message>
     <message>
         <source>▼</source>
@@ -4036,6 +4035,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Tap the other end on this branch, or go there with ▲ and ▼ and press the button again.</source>
         <translation>Stuknąć drugi koniec na tej gałęzi albo przejść tam przyciskami ▲ i ▼ i nacisnąć przycisk ponownie.</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Interpoluj</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <translation>&lt;b&gt;Interpoluj&lt;/b&gt;&lt;br&gt;Następnie stuknąć inne miejsce tej gałęzi, które ma profil: miejsca pomiędzy przechodzą od jednego do drugiego.</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@
 #include <QPainter>
 #include <QTimerEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
@@ -130,6 +131,15 @@ Camera Viewport::framed(const Camera& camera) const
     first.setElevation(camera.elevation());
     first.pan({QRectF(clearRect()).center().x() - QRectF(rect()).center().x(), 0.0});
     return first;
+}
+
+bool Viewport::isTreeClear() const
+{
+    const QRectF clear(clearRect());
+    return std::ranges::all_of(m_scene.outline(), [&](const Vec3& point) {
+        const auto place = m_camera.project(point);
+        return place && clear.contains(*place);
+    });
 }
 
 void Viewport::flyTo(const Camera& camera)

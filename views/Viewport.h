@@ -64,6 +64,11 @@ public:
     /// The camera, moved without turning until the part that bars leave free shows all of @p box, m.
     Camera framing(const Box3& box) const;
 
+    /// @p camera, moved likewise until all of the tree is shown.
+    Camera framed(const Camera& camera) const;
+    /// Whether the part that bars leave free shows all of the tree.
+    bool isTreeClear() const;
+
     /// The context for tools of this viewport.
     ToolContext& toolContext() { return *this; }
     /// Sets the tool, after finishing the gesture of the previous one. The first tool is a BrushTool. A pen's
@@ -125,6 +130,7 @@ private:
     TreeDocument& document() override { return m_document; }
     ViewSettings& viewSettings() override { return m_settings; }
     std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const override;
+    std::optional<PickedBranch> pickThick(const QPointF& screen, PointerDevice device) const override;
     std::vector<PickedBud> pickBuds(const QPointF& screen, PointerDevice device,
                                     double factor) const override;
     float branchRadius(InternodeId id) const override { return m_scene.mesh().tracker().meshedRadius(id); }
@@ -152,7 +158,6 @@ private:
     void moveCamera(const Camera& camera);
     template <class Frame>
     Camera inClearRect(const Camera& camera, Frame&& frame) const;
-    Camera framed(const Camera& camera) const;
     void showAnew();
     void moveByKeys(double seconds);
     void redrawTree();

@@ -182,6 +182,12 @@ std::optional<PickedBranch> Viewport::pick(const QPointF& screen, PointerDevice 
     return withPickScene([&](const PickScene& scene) { return pickBranch(scene, screen, reachOf(device)); });
 }
 
+std::optional<PickedBranch> Viewport::pickThick(const QPointF& screen, PointerDevice device) const
+{
+    return withPickScene(
+        [&](const PickScene& scene) { return pickThickBranch(scene, screen, reachOf(device)); });
+}
+
 std::vector<PickedBud> Viewport::pickBuds(const QPointF& screen, PointerDevice device, double factor) const
 {
     return withPickScene(

@@ -61,7 +61,7 @@ void ExportQueue::show(double share)
     const QString text = m_exports.size() == 1
                              ? tr("Writing %1").arg(current->shortName)
                              : tr("Writing %1, then %2").arg(current->shortName, m_exports[1]->shortName);
-    m_notice.showProgress(text, share, [current] { current->isCancelled = true; });
+    m_notice.showProgress(*this, text, share, [current] { current->isCancelled = true; });
 }
 
 void ExportQueue::end(const Result<void>& written)

@@ -102,7 +102,7 @@ void FileController::replaceWith(const QString& name, Read read, Show show, Fail
         if (m_opening != opening)
             return;
         opening->isShown = true;
-        m_notice->showProgress(openingText(name), -1.0, [this] { cancelOpening(); });
+        m_notice->showProgress(*this, openingText(name), -1.0, [this] { cancelOpening(); });
     });
     runInBackground(
         this, [read = std::move(read), opening] { return read(opening->isCancelled); },
@@ -110,7 +110,7 @@ void FileController::replaceWith(const QString& name, Read read, Show show, Fail
             if (m_opening != opening)
                 return;
             if (std::exchange(opening->isShown, false))
-                m_notice->finishProgress();
+                m_notice->finishProgress(*this);
             if (!result)
                 failed(result.error().message);
             else if (mayLeave() && m_opening == opening)
@@ -127,7 +127,7 @@ bool FileController::cancelOpening()
         return false;
     opening->isCancelled = true;
     if (opening->isShown)
-        m_notice->finishProgress();
+        m_notice->finishProgress(*this);
     return true;
 }
 
@@ -258,7 +258,7 @@ void FileController::saveTo(const QString& fileName, DocumentFile::Overwrite ove
     m_file.save(fileName, m_thumbnail(), overwrite);
     QTimer::singleShot(kSlow, this, [this] {
         if (m_file.isSaving())
-            m_notice->showProgress(tr("Saving %1").arg(m_file.displayName()), -1.0);
+            m_notice->showProgress(m_file, tr("Saving %1").arg(m_file.displayName()), -1.0);
     });
 }
 
@@ -278,7 +278,7 @@ void FileController::saveAs()
 void FileController::askAboutChanged(const QString& fileName)
 {
     m_keeping.clear();
-    m_notice->finishProgress();
+    m_notice->finishProgress(m_file);
     switch (dialogs::askAboutChanged(m_window, QFileInfo(fileName).fileName())) {
     case dialogs::Changed::Overwrite:
         saveTo(fileName, DocumentFile::Overwrite::Anything);

@@ -10,7 +10,9 @@ namespace espalier {
 namespace {
 /// The tree is at rest if nothing has changed for this long, ms.
 constexpr int kRestTime = 30;
-constexpr int kPatience = 500;
+/// Work that takes longer tells its progress, ms: until then the window shows an earlier tree, and does not
+/// say so.
+constexpr int kPatience = 300;
 } // namespace
 
 StrandRunner::StrandRunner(TreeDocument& document, QObject* parent) : QObject(parent), m_document(document)
@@ -20,8 +22,10 @@ StrandRunner::StrandRunner(TreeDocument& document, QObject* parent) : QObject(pa
     connect(&m_rest, &QTimer::timeout, this, &StrandRunner::run);
     setPatience(kPatience);
     connect(&m_tell, &QTimer::timeout, this, [this] {
-        if (m_progress && m_since.elapsed() >= m_patience)
-            Q_EMIT progressed(double{m_progress->share()});
+        if (!m_progress || (!m_isTold && m_since.elapsed() < m_patience))
+            return;
+        m_isTold = true;
+        Q_EMIT progressed(double{m_progress->share()});
     });
     connect(&document, &TreeDocument::changed, this, &StrandRunner::ask);
 }
@@ -39,7 +43,7 @@ void StrandRunner::setPatience(int milliseconds)
 
 void StrandRunner::setFibresShown(bool shown)
 {
-    if (std::exchange(m_fibresShown, shown) != shown && shown)
+    if (std::exchange(m_fibresShown, shown) != shown && (shown || !isWanted()))
         ask();
 }
 
@@ -59,10 +63,20 @@ void StrandRunner::stop()
 void StrandRunner::ask()
 {
     stop(); // What is under way is of an earlier tree
-    if (isWanted())
+    if (isWanted()) {
         m_rest.start();
-    else
+    } else {
         m_last.reset();
+        endTelling();
+    }
+}
+
+/// Work that is stopped and begins again with another tree tells its progress on, so that the sign of it does
+/// not come and go.
+void StrandRunner::endTelling()
+{
+    if (!isRunning() && !m_rest.isActive() && std::exchange(m_isTold, false))
+        Q_EMIT ended();
 }
 
 void StrandRunner::cancel()
@@ -70,6 +84,7 @@ void StrandRunner::cancel()
     if (!isRunning() && !m_rest.isActive())
         return;
     stop();
+    endTelling();
     Q_EMIT cancelled();
 }
 
@@ -97,7 +112,7 @@ void StrandRunner::receive(const std::shared_ptr<const ShownStrands>& strands, s
     const bool isCancelled = m_progress->isCancelled();
     m_progress.reset();
     m_tell.stop();
-    Q_EMIT ended();
+    endTelling();
     if (!strands || isCancelled)
         return;
     m_last = strands->wood;

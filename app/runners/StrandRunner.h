@@ -40,8 +40,9 @@ public:
 Q_SIGNALS:
     /// The strands of the tree at the document's revision @p revision, which is still the present one.
     void meshed(const std::shared_ptr<const espalier::ShownStrands>& strands, quint64 revision);
-    /// The finished share, 0...1, of work that takes long; each time, ended() follows at last.
+    /// The finished share, 0...1, of work that takes long: it only rises, until work for another tree begins.
     void progressed(double share);
+    /// The work that has told its progress has ended, or was stopped, and no other work follows at once.
     void ended();
     /// The work was stopped by cancel(): there are no strands of this tree.
     void cancelled();
@@ -49,6 +50,7 @@ Q_SIGNALS:
 private:
     void run();
     void stop();
+    void endTelling();
     void receive(const std::shared_ptr<const ShownStrands>& strands, std::uint64_t revision);
     bool isWanted() const;
 
@@ -57,6 +59,7 @@ private:
     QTimer m_tell;
     int m_patience = 0;
     bool m_fibresShown = false;
+    bool m_isTold = false;                    ///< progressed() was emitted, and ended() will be
     QElapsedTimer m_since;                    ///< The work began
     std::shared_ptr<WorkProgress> m_progress; ///< Of the work that is under way, or null
     std::shared_ptr<const StrandWood> m_last;

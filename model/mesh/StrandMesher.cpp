@@ -4,6 +4,8 @@
 #include "model/mesh/StrandBark.h"
 #include "model/mesh/StrandSurface.h"
 
+#include <optional>
+
 namespace espalier {
 
 namespace {
@@ -12,27 +14,30 @@ namespace {
 bool makeMesh(const StrandLayouts& layouts, const TreeParameters& parameters, const WoodMeshOptions& options,
               const StrandWood* last, WorkProgress& progress, BranchMesh& mesh, StrandWood& wood)
 {
-    const auto goesOn = [&](float share) {
-        progress.setShare(share);
+    // A stage tells its progress up to this share of the whole, by the time that stages take.
+    std::optional<WorkProgress::Part> stage;
+    const auto nextUntil = [&](float share) {
+        stage.reset();
+        stage.emplace(progress, share);
         return !progress.isCancelled();
     };
     StrandReuse reuse(layouts, parameters.wood, options, last != nullptr ? &last->keys : nullptr,
                       last != nullptr ? &last->layouts->skeleton() : nullptr);
-    if (!goesOn(0.02F))
+    if (!nextUntil(0.2F))
         return false;
     wood.tubes = strandTubes(layouts, parameters.wood, options, reuse,
                              last != nullptr ? &last->tubes : nullptr, progress);
-    if (!goesOn(0.2F))
+    if (!nextUntil(0.5F))
         return false;
     StrandSections::Last lastSections;
     if (last != nullptr)
         lastSections = {&last->blocks, last->mesh.get(), last->raised};
     StrandSections sections(layouts, wood.tubes, parameters, reuse, lastSections, progress, mesh);
-    if (!goesOn(0.5F))
+    if (!nextUntil(0.7F))
         return false;
     wood.triangles = triangulateStrands(layouts, wood.tubes, sections, reuse, lastSections,
                                         last != nullptr ? &last->triangles : nullptr, progress, mesh);
-    if (!goesOn(0.7F))
+    if (!nextUntil(0.8F))
         return false;
     wood.raised = raiseFlatTriangles(mesh.indices, mesh.vertices);
     wood.isNearRaised = nodesNear(wood.raised, layouts, sections);
@@ -43,18 +48,18 @@ bool makeMesh(const StrandLayouts& layouts, const TreeParameters& parameters, co
             isChanged[node] = 1;
     }
     orientStrands(layouts, sections, wood.triangles, reuse, isChanged, progress, mesh);
-    if (!goesOn(0.8F))
+    if (!nextUntil(0.9F))
         return false;
     removeVoids(layouts, wood.tubes, sections, wood.triangles, mesh);
     barkStrands(layouts, wood.tubes, sections, parameters, mesh);
-    if (!goesOn(0.9F))
+    if (!nextUntil(1.0F))
         return false;
     wood.triangles.doubled = splitSeams(wood.triangles, mesh);
     wood.blocks = sections.takeBlocks();
     for (std::uint32_t node = 0; node < wood.blocks.size(); ++node)
         wood.taken += reuse.has(node, StrandReach::Triangles) ? 1 : 0;
     wood.keys = reuse.takeKeys();
-    return goesOn(1.0F);
+    return !progress.isCancelled();
 }
 
 } // namespace

@@ -226,7 +226,7 @@ private:
 
 StrandSections::StrandSections(const StrandLayouts& layouts, const StrandTubes& tubes,
                                const TreeParameters& parameters, const StrandReuse& reuse, const Last& last,
-                               const WorkProgress& progress, BranchMesh& mesh)
+                               WorkProgress& progress, BranchMesh& mesh)
     : m_layouts(layouts),
       m_tubes(tubes),
       m_smoothing(static_cast<float>(parameters.wood.smoothing)),
@@ -250,6 +250,7 @@ StrandSections::StrandSections(const StrandLayouts& layouts, const StrandTubes& 
     wantLargePages(m_origins.data(), m_origins.capacity() * sizeof(WoodOrigin));
     m_vertices.resize(total);
     m_origins.resize(total);
+    WorkCount written(progress, m_blocks.size());
     parallelFor(m_blocks.size(), kSectionsPerTask, [&](std::size_t begin, std::size_t end) {
         if (progress.isCancelled())
             return;
@@ -269,6 +270,7 @@ StrandSections::StrandSections(const StrandLayouts& layouts, const StrandTubes& 
             else
                 Writer(*this, node).write();
         }
+        written.add(end - begin);
     });
 }
 

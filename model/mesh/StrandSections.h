@@ -59,8 +59,7 @@ public:
     /// Those of nodes that @p reuse has come from @p last as they are. If @p progress is cancelled
     /// meanwhile, the result is of no use.
     StrandSections(const StrandLayouts& layouts, const StrandTubes& tubes, const TreeParameters& parameters,
-                   const StrandReuse& reuse, const Last& last, const WorkProgress& progress,
-                   BranchMesh& mesh);
+                   const StrandReuse& reuse, const Last& last, WorkProgress& progress, BranchMesh& mesh);
 
     const Block& block(std::uint32_t node) const { return m_blocks[node]; }
     std::span<const std::uint32_t> strands(const Loop& loop) const

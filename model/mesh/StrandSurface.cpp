@@ -154,8 +154,9 @@ std::vector<std::uint8_t> nodesNear(std::span<const RaisedVertex> raised, const 
 
 void orientStrands(const StrandLayouts& layouts, const StrandSections& sections,
                    const StrandTriangles& triangles, const StrandReuse& reuse,
-                   std::span<const std::uint8_t> isChanged, const WorkProgress& progress, BranchMesh& mesh)
+                   std::span<const std::uint8_t> isChanged, WorkProgress& progress, BranchMesh& mesh)
 {
+    WorkCount oriented(progress, triangles.nodes.size());
     parallelFor(triangles.nodes.size(), kNodesPerTask, [&](std::size_t begin, std::size_t end) {
         if (progress.isCancelled())
             return;
@@ -165,6 +166,7 @@ void orientStrands(const StrandLayouts& layouts, const StrandSections& sections,
                 isChanged[i] != 0 || !reuse.has(node, StrandReach::Normals))
                 orientation.orient(node);
         }
+        oriented.add(end - begin);
     });
 }
 

@@ -14,7 +14,7 @@ std::vector<std::uint8_t> nodesNear(std::span<const RaisedVertex> raised, const 
 /// with the branch. Those of nodes that @p reuse has are there already, except for nodes @p isChanged.
 void orientStrands(const StrandLayouts& layouts, const StrandSections& sections,
                    const StrandTriangles& triangles, const StrandReuse& reuse,
-                   std::span<const std::uint8_t> isChanged, const WorkProgress& progress, BranchMesh& mesh);
+                   std::span<const std::uint8_t> isChanged, WorkProgress& progress, BranchMesh& mesh);
 
 /// Doubles the vertices of triangles across which u starts again, and appends the doubles, node by node.
 /// Returns for each of them the vertex that it doubles.

@@ -34,7 +34,7 @@ public:
     StrandTriangulation(const StrandLayouts& layouts, const StrandTubes& tubes,
                         const StrandSections& sections, const StrandReuse& reuse,
                         const StrandSections::Last& last, const StrandTriangles* lastTriangles,
-                        const WorkProgress& progress)
+                        WorkProgress& progress)
         : m_layouts(layouts),
           m_skeleton(layouts.skeleton()),
           m_tubes(tubes),
@@ -52,7 +52,9 @@ public:
         StrandTriangles result;
         result.nodes.resize(count);
         m_chunks.resize((count + kNodesPerChunk - 1) / kNodesPerChunk);
+        WorkCount done(m_progress, count);
         forEachNode([&](std::uint32_t node, Chunk& chunk) {
+            done.add(1);
             StrandTriangles::Node& made = result.nodes[node];
             if (isTaken(node)) {
                 made = m_lastTriangles->nodes[m_reuse.before(node)];
@@ -447,7 +449,7 @@ private:
     const StrandReuse& m_reuse;
     const StrandSections::Last& m_last;
     const StrandTriangles* m_lastTriangles;
-    const WorkProgress& m_progress;
+    WorkProgress& m_progress;
     std::vector<Chunk> m_chunks;
     tbb::enumerable_thread_specific<Scratch> m_scratch;
 };
@@ -492,7 +494,7 @@ void removeTriangles(StrandTriangles& triangles, MeshBuffer<VertexIndex>& indice
 StrandTriangles triangulateStrands(const StrandLayouts& layouts, const StrandTubes& tubes,
                                    const StrandSections& sections, const StrandReuse& reuse,
                                    const StrandSections::Last& last, const StrandTriangles* lastTriangles,
-                                   const WorkProgress& progress, BranchMesh& mesh)
+                                   WorkProgress& progress, BranchMesh& mesh)
 {
     return StrandTriangulation(layouts, tubes, sections, reuse, last, lastTriangles, progress)
         .make(mesh.indices);

@@ -34,7 +34,7 @@ struct StrandTriangles {
 StrandTriangles triangulateStrands(const StrandLayouts& layouts, const StrandTubes& tubes,
                                    const StrandSections& sections, const StrandReuse& reuse,
                                    const StrandSections::Last& last, const StrandTriangles* lastTriangles,
-                                   const WorkProgress& progress, BranchMesh& mesh);
+                                   WorkProgress& progress, BranchMesh& mesh);
 
 /// Removes surfaces that enclose no wood: those of cavities that are closed on all sides, which are not seen,
 /// and scraps of strands that stray between parts. Their vertices stay.

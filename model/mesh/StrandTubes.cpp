@@ -39,8 +39,7 @@ int sidesOf(float radius, double tolerance)
 class TubeFinder {
 public:
     TubeFinder(const StrandLayouts& layouts, const WoodParameters& wood, const WoodMeshOptions& options,
-               const StrandReuse& reuse, const StrandTubes* last, const WorkProgress& progress,
-               StrandTubes& result)
+               const StrandReuse& reuse, const StrandTubes* last, WorkProgress& progress, StrandTubes& result)
         : m_layouts(layouts),
           m_skeleton(layouts.skeleton()),
           m_alpha(static_cast<float>(wood.alpha)),
@@ -66,10 +65,10 @@ public:
                     work(node);
             });
         };
-        forEachDivided([this](std::uint32_t node) { divide(node); });
-        forEachDivided([this](std::uint32_t node) {
-            for (const std::uint32_t child : m_skeleton.childrenOf(node))
-                dropEndingCavities(child);
+        WorkCount divided(m_progress, static_cast<std::size_t>(std::ranges::count(m_divides, 1)));
+        forEachDivided([&](std::uint32_t node) {
+            divide(node);
+            divided.add(1);
         });
         forEachDivided([this](std::uint32_t node) { chooseSteps(node); });
         if (m_thinning > 0.0F)
@@ -248,6 +247,8 @@ private:
                     tube.below = m_result.nodes[node].whole;
             }
         }
+        for (const std::uint32_t child : children)
+            dropEndingCavities(child);
     }
 
     static std::size_t outerLoops(const BundleOutline& outline)
@@ -523,7 +524,7 @@ private:
     float m_alpha;
     double m_tolerance;
     const StrandReuse& m_reuse;
-    const WorkProgress& m_progress;
+    WorkProgress& m_progress;
     const StrandTubes* m_last;
     float m_thinning; ///< Tolerance of the outlines, m: where it is above 0, some strands are left out
     StrandTubes& m_result;
@@ -536,7 +537,7 @@ private:
 
 StrandTubes strandTubes(const StrandLayouts& layouts, const WoodParameters& wood,
                         const WoodMeshOptions& options, const StrandReuse& reuse, const StrandTubes* last,
-                        const WorkProgress& progress)
+                        WorkProgress& progress)
 {
     StrandTubes tubes;
     TubeFinder(layouts, wood, options, reuse, last, progress, tubes).find();

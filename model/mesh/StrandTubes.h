@@ -48,6 +48,6 @@ struct StrandTubes {
 /// Nodes that @p reuse has come from @p last. If @p progress is cancelled meanwhile, the result is of no use.
 StrandTubes strandTubes(const StrandLayouts& layouts, const WoodParameters& wood,
                         const WoodMeshOptions& options, const StrandReuse& reuse, const StrandTubes* last,
-                        const WorkProgress& progress);
+                        WorkProgress& progress);
 
 } // namespace espalier

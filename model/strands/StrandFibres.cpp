@@ -14,10 +14,8 @@ namespace {
 constexpr std::size_t kFibresPerTask = 64;
 /// Pieces between two nodes, if there is room for them.
 constexpr std::size_t kPiecesPerSegment = 3;
-/// Branches with a colour of their own have at most this share of a tree's strands.
-constexpr float kColourShare = 0.08F;
-/// Turns of the circle of hues between one branch and the next: the golden ratio, so that neighbours differ.
-constexpr float kHueStep = 0.61803399F;
+/// The branches of a limb differ from it by at most half of this, in turns of the circle of hues.
+constexpr float kHueSpread = 0.3F;
 /// Brightness of fibres in the middle of the wood, relative to those at its surface.
 constexpr float kInnermost = 0.35F;
 /// Twigs of few strands have no inside; wood of so many has.
@@ -35,30 +33,28 @@ std::array<std::uint8_t, 4> colourOf(float hue, float brightness)
     return colour;
 }
 
-/// Hues of the strands at the base of a root, by their numbers there, in turns.
-std::vector<float> huesAt(const StrandSkeleton& skeleton, std::uint32_t base)
+/// A hue that belongs to the axis for ever, 0...1 turns.
+float hueOf(InternodeKey axis)
 {
-    const auto all = static_cast<float>(skeleton.nodes[base].strands);
-    std::vector<float> hues(skeleton.nodes[base].strands, 0.0F);
-    struct Open {
-        std::uint32_t node;
-        std::uint32_t first;
-    };
-    std::vector<Open> open{{base, 0}};
-    int branches = 0;
-    while (!open.empty()) {
-        const auto [node, first] = open.back();
-        open.pop_back();
-        const StrandNode& n = skeleton.nodes[node];
-        if (n.childCount > 0 && static_cast<float>(n.strands) > kColourShare * all) {
-            for (const std::uint32_t child : skeleton.childrenOf(node))
-                open.push_back({child, first + skeleton.nodes[child].offset});
-            continue;
-        }
-        const float turns = kHueStep * static_cast<float>(branches++);
-        std::fill_n(hues.begin() + first, n.strands, turns - std::floor(turns));
+    constexpr int kBits = 24;
+    return static_cast<float>(axis >> (64 - kBits)) / static_cast<float>(1U << kBits);
+}
+
+/// The hue of the strands that end at the tip @p id, in turns: of the limb, which is the axis that leaves the
+/// trunk, and a little of the branch that leaves the limb. It depends only on where these begin, so nothing
+/// that grows or is cut elsewhere changes it.
+float hueOf(const Tree& tree, const TreeIndex& index, InternodeId id)
+{
+    InternodeId trunk = index.axis(id);
+    InternodeId limb = trunk;
+    InternodeId branch = trunk;
+    while (tree.parent(trunk) != kNoInternode) {
+        branch = limb;
+        limb = trunk;
+        trunk = index.axis(tree.parent(trunk));
     }
-    return hues;
+    const float hue = hueOf(tree.key(limb));
+    return branch == limb ? hue : hue + kHueSpread * (hueOf(tree.key(branch)) - 0.5F);
 }
 
 /// A strand by its tip.
@@ -71,7 +67,8 @@ struct Fibre {
 
 } // namespace
 
-std::vector<FibreVertex> strandFibres(const StrandLayouts& layouts, std::size_t most)
+std::vector<FibreVertex> strandFibres(const StrandLayouts& layouts, const Tree& tree, const TreeIndex& index,
+                                      std::size_t most)
 {
     const StrandSkeleton& skeleton = layouts.skeleton();
     std::vector<std::size_t> depths(skeleton.nodes.size(), 0);
@@ -110,21 +107,12 @@ std::vector<FibreVertex> strandFibres(const StrandLayouts& layouts, std::size_t 
     }
     fibres.resize(kept);
 
-    std::vector<std::vector<float>> hues(skeleton.nodes.size());
-    for (const std::uint32_t base : skeleton.bases)
-        hues[base] = huesAt(skeleton, base);
     std::vector<FibreVertex> result(vertices);
     const StrandCurves curves(layouts);
     parallelFor(fibres.size(), kFibresPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Fibre& fibre = fibres[i];
-            std::uint32_t node = fibre.tip;
-            std::uint32_t strand = fibre.strand;
-            while (!skeleton.isBase(node)) {
-                strand += skeleton.nodes[node].offset;
-                node = skeleton.nodes[node].parent;
-            }
-            const float hue = hues[node][strand];
+            const float hue = hueOf(tree, index, skeleton.nodes[fibre.tip].internode);
             const auto colourAt = [&](std::uint32_t at, std::uint32_t number) {
                 const std::uint32_t count = skeleton.nodes[at].strands;
                 const float out = std::min(layouts.place(at, number).norm() / bundleRadius(count), 1.0F);
@@ -132,8 +120,8 @@ std::vector<FibreVertex> strandFibres(const StrandLayouts& layouts, std::size_t 
                 return colourOf(hue, 1.0F - (1.0F - kInnermost) * thick * (1.0F - out * out));
             };
             FibreVertex* place = result.data() + fibre.first;
-            node = fibre.tip;
-            strand = fibre.strand;
+            std::uint32_t node = fibre.tip;
+            std::uint32_t strand = fibre.strand;
             while (!skeleton.isBase(node)) {
                 const StrandCurves::Controls controls = curves.controls(node, strand);
                 const std::array<std::uint8_t, 4> colour = colourAt(node, strand);

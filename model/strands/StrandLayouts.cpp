@@ -34,7 +34,7 @@ constexpr int kDirectionNodes = 16;
 /// Makes the layouts, tips first.
 class StrandLayouts::Builder {
 public:
-    Builder(const Tree& tree, const StrandLayouts* last, const WorkProgress* progress, StrandLayouts& layouts)
+    Builder(const Tree& tree, const StrandLayouts* last, WorkProgress* progress, StrandLayouts& layouts)
         : m_tree(tree),
           m_wood(tree.parameters().wood),
           m_last(last),
@@ -52,13 +52,17 @@ public:
         reserve();
         if (m_last != nullptr)
             m_before = matchingNodes(m_skeleton, m_last->m_skeleton);
+        WorkProgress untold;
+        WorkProgress& progress = m_progress != nullptr ? *m_progress : untold;
+        WorkCount strands(progress, m_layouts.m_places.size());
         for (const std::vector<std::uint32_t>& round : rounds()) {
             parallelFor(round.size(), kNodesPerTask, [&](std::size_t begin, std::size_t end) {
                 Scratch& scratch = m_scratch.local();
                 for (std::size_t i = begin; i < end; ++i) {
-                    if (m_progress != nullptr && m_progress->isCancelled())
+                    if (progress.isCancelled())
                         return;
                     arrange(round[i], scratch);
+                    strands.add(m_skeleton.nodes[round[i]].strands);
                 }
             });
         }
@@ -400,7 +404,7 @@ private:
     const Tree& m_tree;
     const WoodParameters& m_wood;
     const StrandLayouts* m_last;
-    const WorkProgress* m_progress;
+    WorkProgress* m_progress;
     std::vector<std::uint32_t> m_before; ///< By node: its number in the last layouts
     StrandLayouts& m_layouts;
     StrandSkeleton& m_skeleton;
@@ -411,7 +415,7 @@ private:
 };
 
 StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Widths& widths,
-                             const StrandLayouts* last, const WorkProgress* progress)
+                             const StrandLayouts* last, WorkProgress* progress)
     : m_skeleton(strandSkeleton(tree, index, widths))
 {
     const std::size_t count = m_skeleton.nodes.size();

@@ -30,8 +30,9 @@ class StrandLayouts {
 public:
     /// Arrangements that have not changed since @p last, of this tree or another one, are taken from there.
     /// The result is the same with and without it. If @p progress is cancelled meanwhile, it is of no use.
+    /// @p progress gets the share of the strands that have their places.
     StrandLayouts(const Tree& tree, const TreeIndex& index, const Widths& widths,
-                  const StrandLayouts* last = nullptr, const WorkProgress* progress = nullptr);
+                  const StrandLayouts* last = nullptr, WorkProgress* progress = nullptr);
 
     const StrandSkeleton& skeleton() const { return m_skeleton; }
     std::uint32_t strandCount(std::uint32_t node) const { return m_skeleton.nodes[node].strands; }

@@ -31,8 +31,12 @@ namespace {
 constexpr int kLeastCard = 166;
 constexpr int kMostCard = 330;
 constexpr int kDiagramWidth = 162;
+constexpr int kModelWidth = 150;
 constexpr int kDiagramSpacing = 10;
 constexpr int kPanelMargin = 14;
+// In a window without room for more.
+constexpr int kTightSpacing = 5;
+constexpr int kTightMargin = 8;
 constexpr int kLeastDiagram = 150;
 constexpr int kMostDiagram = 290;
 /// The largest share of the window's height for the panel; the tree keeps the rest.
@@ -226,13 +230,15 @@ QWidget* ArchitecturePanel::makeCard(const ParameterSection& section, QWidget* p
 QWidget* ArchitecturePanel::makeColumn(const ParameterSection& section, QWidget* parent)
 {
     auto* column = new QWidget(parent);
-    column->setFixedWidth(kDiagramWidth);
+    column->setFixedWidth(section.look == ParameterSection::Look::Model ? kModelWidth : kDiagramWidth);
     auto* lines = new QVBoxLayout(column);
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(3);
     lines->addWidget(barHeading(parameterTr(section.title), column));
     for (const ParameterText& text : section.parameters) {
         m_rows.push_back(new ParameterRow(m_editor, text, column));
+        if (std::string_view(text.label) == section.title)
+            m_rows.back()->hideLabel();
         lines->addWidget(m_rows.back());
     }
     lines->addStretch(1);
@@ -241,7 +247,8 @@ QWidget* ArchitecturePanel::makeColumn(const ParameterSection& section, QWidget*
 
 void ArchitecturePanel::fit(const QSize& room)
 {
-    const int columns = 3 * (kDiagramWidth + 2 * kDiagramSpacing + 1);
+    // The columns of the model, of vigour and of habit, and the separators beside them.
+    const int columns = kModelWidth + 2 * kDiagramWidth + 3 * (2 * kDiagramSpacing + 1);
     const int count = static_cast<int>(m_cards.size());
     const int wide = (room.width() - 2 * kPanelMargin - columns) / count - 2 * kDiagramSpacing - 1;
     const int card = std::clamp(wide, kLeastCard, kMostCard);
@@ -251,9 +258,29 @@ void ArchitecturePanel::fit(const QSize& room)
         one->setFixedWidth(card);
     for (Diagram* diagram : m_diagrams)
         diagram->setFixedHeight(tall);
-    m_sideways->widget()->layout()->activate();
+    setSpacing(kDiagramSpacing, kPanelMargin);
+    if (m_sideways->sizeHint().width() + 2 > room.width())
+        setSpacing(kTightSpacing, kTightMargin);
     const QSize wanted = m_sideways->sizeHint() + QSize(2, 2);
     resize(std::min(wanted.width(), room.width()), wanted.height());
+}
+
+/// Sets the room between the parts, and at both ends, px.
+void ArchitecturePanel::setSpacing(int spacing, int margin)
+{
+    QWidget* content = m_sideways->widget();
+    content->layout()->setContentsMargins(margin, 14, margin, 8);
+    content->layout()->setSpacing(spacing);
+    for (const QWidget* part : {m_treeSketch, m_vigour, m_more})
+        part->layout()->setSpacing(spacing);
+    // The sizes of what the panel shows next are needed now, from the inside outward.
+    const QList<QWidget*> widgets = content->findChildren<QWidget*>();
+    for (auto widget = widgets.rbegin(); widget != widgets.rend(); ++widget) {
+        if (QLayout* layout = (*widget)->layout())
+            layout->activate();
+        (*widget)->updateGeometry();
+    }
+    content->layout()->activate();
 }
 
 ParameterRow* ArchitecturePanel::row(std::string_view key) const

@@ -56,6 +56,7 @@ private:
     void addMoreButton(QWidget& column);
     void makeSpecies(QWidget& column);
     void chooseSpecies(int item);
+    void setSpacing(int spacing, int margin);
     void follow();
 
     ParameterEditor m_editor;

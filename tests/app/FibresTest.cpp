@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/Notice.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
@@ -18,6 +19,7 @@ public:
 private Q_SLOTS:
     void key_showsTheStrandsInPlaceOfTheBark();
     void fibres_followTheTree();
+    void progressOfAnotherTask_isLeftAlone();
 
 private:
     void waitForRest()
@@ -75,6 +77,30 @@ void FibresTest::fibres_followTheTree()
     QVERIFY(colouredPixels() < shown / 3);
     m_window->viewSettings().set(&ViewValues::fibresShown, false);
     m_window->viewSettings().set(&ViewValues::leavesShown, true);
+}
+
+void FibresTest::progressOfAnotherTask_isLeftAlone()
+{
+    Notice& shown = workspace().notice();
+    StrandRunner& runner = m_window->strandRunner();
+    Q_EMIT runner.progressed(0.3);
+    QVERIFY(shown.showsProgressOf(runner));
+    const QString words = shown.text();
+    Q_EMIT runner.ended();
+    QVERIFY(shown.isHidden());
+    // Another task that happens to say the same.
+    shown.showProgress(*this, words, 0.5);
+    Q_EMIT runner.progressed(0.4);
+    Q_EMIT runner.ended();
+    QVERIFY(shown.showsProgressOf(*this));
+    shown.finishProgress(*this);
+    QVERIFY(shown.isHidden());
+    // A message stays as well.
+    shown.showWarning(words);
+    Q_EMIT runner.progressed(0.4);
+    Q_EMIT runner.ended();
+    QVERIFY(shown.isVisible() && shown.isWarning());
+    shown.finish();
 }
 
 namespace {

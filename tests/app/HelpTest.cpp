@@ -44,6 +44,7 @@ private Q_SLOTS:
     void f1_opensThePageOfTheToolInHand();
     void f1InASheet_opensItsPage();
     void button_opensAndEscapeCloses();
+    void escape_cancelsTheStrokeBeforeItClosesHelpOrTour();
     void links_leadToPagesAndBack();
     void searchField_opensWhatItFinds();
     void keys_readAndFollowLinks();
@@ -149,6 +150,32 @@ void HelpTest::button_opensAndEscapeCloses()
     click(part<BarButton>("helpClose"));
     QVERIFY(!help().isVisible());
     QTRY_COMPARE(QApplication::focusWidget(), &workspace().viewport());
+}
+
+void HelpTest::escape_cancelsTheStrokeBeforeItClosesHelpOrTour()
+{
+    for (const bool isTour : {false, true}) {
+        if (isTour)
+            m_window->help().startTour();
+        else
+            action(ActionId::Help)->trigger();
+        const auto isOpen = [&] { return isTour ? m_window->help().tour().isRunning() : help().isVisible(); };
+        QVERIFY(isOpen());
+        const QPoint from = at(0.0F, 0.05F);
+        QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+        for (int i = 1; i <= 8; ++i) {
+            QTest::mouseMove(handle(), from - QPoint(0, 6 * i));
+            QTest::qWait(20);
+        }
+        QVERIFY(viewport().isGestureActive());
+        QTest::keyClick(handle(), Qt::Key_Escape);
+        QVERIFY(!viewport().isGestureActive());
+        QVERIFY(isOpen());
+        QTest::mouseRelease(handle(), Qt::LeftButton, {}, from - QPoint(0, 48));
+        QCOMPARE(m_window->document().undoStack().count(), 0);
+        QTest::keyClick(handle(), Qt::Key_Escape);
+        QVERIFY(!isOpen());
+    }
 }
 
 void HelpTest::links_leadToPagesAndBack()

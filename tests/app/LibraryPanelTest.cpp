@@ -190,6 +190,11 @@ void LibraryPanelTest::search_filtersBothSections()
     QTest::keyClick(handle(), Qt::Key_Escape);
     QTRY_VERIFY(!panel().isVisible());
     QCOMPARE(QApplication::focusWidget(), &m_window->workspace().viewport());
+    // Also if something else has the focus.
+    open(LibraryPanel::Section::Species);
+    m_window->workspace().viewport().setFocus();
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QTRY_VERIFY(!panel().isVisible());
 }
 
 void LibraryPanelTest::keys_areTheLibrarysWhileItIsOpen()

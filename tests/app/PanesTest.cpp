@@ -142,7 +142,7 @@ void PanesTest::window_looksLikeThis()
     shoot("window-leaves.png");
     action(ActionId::BranchSheet)->trigger();
     action(ActionId::Brush)->trigger();
-    m_window->workspace().notice().showProgress(QStringLiteral("Writing old-oak.fbx"), 0.4, [] {});
+    m_window->workspace().notice().showProgress(*this, QStringLiteral("Writing old-oak.fbx"), 0.4, [] {});
     const QPoint from = at(1.4F, 2.4F);
     QTest::mousePress(handle(), Qt::LeftButton, {}, from);
     for (int i = 1; i <= 12; ++i) {

@@ -34,6 +34,9 @@ private Q_SLOTS:
     void shapesClearAndUndo_changeTheProfile();
     void copyAndInterpolate_goToTheOtherEnd();
     void escape_dropsTheStroke();
+    void escape_dropsAPenStrokeWhateverHasTheFocus();
+    void escape_endsTheWaitForTheOtherEndFirst();
+    void shapes_tellTheirNames();
     void prunedBranch_isNotShownAnyMore();
 
 private:
@@ -316,10 +319,64 @@ void ProfilesTest::escape_dropsTheStroke()
     QTest::mousePress(handle(), Qt::LeftButton, {}, corner + places.front());
     for (const QPoint& place : places)
         QTest::mouseMove(handle(), corner + place, 1);
-    canvas().setFocus();
-    QTest::keyClick(&canvas(), Qt::Key_Escape);
+    QTest::keyClick(handle(), Qt::Key_Escape);
     QTest::mouseRelease(handle(), Qt::LeftButton, {}, corner + places.back());
+    // The node stays chosen: the stroke alone was cancelled.
+    QVERIFY(m_window->profiles().chosen());
     QVERIFY(profile() == nullptr);
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QVERIFY(!m_window->profiles().chosen());
+}
+
+void ProfilesTest::escape_dropsAPenStrokeWhateverHasTheFocus()
+{
+    chooseTrunk();
+    for (const bool isElsewhere : {false, true}) {
+        viewport().setFocus();
+        const std::vector<QPoint> places = circle(60.0);
+        const QPoint corner = canvas().mapTo(m_window.get(), QPoint());
+        QTest::touchEvent(handle(), m_screen).press(0, corner + places.front());
+        for (const QPoint& place : places)
+            QTest::touchEvent(handle(), m_screen).move(0, corner + place);
+        if (isElsewhere)
+            viewport().setFocus();
+        QTest::keyClick(handle(), Qt::Key_Escape);
+        QTest::touchEvent(handle(), m_screen).release(0, corner + places.back());
+        QVERIFY(m_window->profiles().chosen());
+        QVERIFY(profile() == nullptr);
+    }
+}
+
+void ProfilesTest::escape_endsTheWaitForTheOtherEndFirst()
+{
+    chooseTrunk();
+    press("shapeRing");
+    QTRY_VERIFY(m_window->profiles().isUpToDate());
+    press("profileCopy");
+    QCOMPARE(panel().span(), ProfilePanel::Span::Copy);
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QCOMPARE(panel().span(), ProfilePanel::Span::None);
+    QVERIFY(!button("profileCopy")->isChecked());
+    QVERIFY(m_window->profiles().chosen() && profile() != nullptr);
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QVERIFY(!m_window->profiles().chosen());
+}
+
+void ProfilesTest::shapes_tellTheirNames()
+{
+    chooseTrunk();
+    const auto* words = panel().findChild<QLabel*>(QStringLiteral("profileMessage"));
+    const QString advice = words->text();
+    for (const char* name :
+         {"shapeRound", "shapeElongated", "shapeC", "shapeRing", "shapeTwo", "shapeThree", "shapeFluted"}) {
+        const QAbstractButton* shape = button(name);
+        QVERIFY(!shape->accessibleName().isEmpty());
+        QCOMPARE(shape->toolTip(), shape->accessibleName());
+        QTest::mouseMove(handle(), shape->mapTo(m_window.get(), shape->rect().center()));
+        QTRY_COMPARE(words->text(), shape->accessibleName());
+    }
+    QTest::mouseMove(handle(), at(0.0F, 1.0F));
+    QTRY_COMPARE(words->text(), advice);
 }
 
 void ProfilesTest::prunedBranch_isNotShownAnyMore()

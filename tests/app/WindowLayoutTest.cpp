@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/HelpController.h"
 #include "app/MainWindow.h"
+#include "commands/SetParameters.h"
 #include "panels/HelpPanel.h"
 #include "panels/RotationStrip.h"
 #include "panels/SettingsSheet.h"
+#include "panels/Sideways.h"
 #include "panels/Theme.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "panels/architecture/DiagramHandle.h"
 #include "panels/library/LibraryPanel.h"
+#include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WidgetKinds.h"
 #include "views/Viewport.h"
@@ -23,6 +26,7 @@
 #include <QPixmap>
 #include <QPoint>
 #include <QRect>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSize>
 #include <QTest>
@@ -39,6 +43,7 @@ private Q_SLOTS:
     void cleanupTestCase() { m_window.reset(); }
     void panes_overlapNothing_data();
     void panes_overlapNothing();
+    void sheets_leaveTheTreeInView();
     void targets_areLargeEnoughForAFinger();
     void title_isLegibleInASmallWindow();
     void icons_areCrispAtAnyScale();
@@ -185,6 +190,45 @@ void WindowLayoutTest::panes_overlapNothing()
     QVERIFY2(found.isEmpty(), qPrintable(found.join(QLatin1Char('\n'))));
     m_window->resize(1024, 700);
     workspace().setToolsRight(false);
+}
+
+void WindowLayoutTest::sheets_leaveTheTreeInView()
+{
+    m_window->resize(1440, 900);
+    Viewport& viewport = workspace().viewport();
+    test::growAtRandom(m_window->document(), 3, 200, 400);
+    viewport.setCamera(viewport.framed(viewport.camera()));
+    for (const GrowthModelKind model : {GrowthModelKind::TreeSketch, GrowthModelKind::Vigour}) {
+        TreeParameters parameters = m_window->document().parameters();
+        parameters.growth.model = model;
+        setParameters(m_window->document(), parameters);
+        QVERIFY(viewport.isTreeClear());
+        const Camera before = viewport.camera();
+        for (const ActionId sheet : {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet}) {
+            const QByteArray name = action(sheet)->objectName().toUtf8();
+            action(sheet)->trigger();
+            QCoreApplication::processEvents();
+            const int index =
+                static_cast<int>(std::ranges::find(Actions::sheets(), sheet) - Actions::sheets().begin());
+            const Bar& panel = workspace().sheet(index);
+            QVERIFY2(panel.isVisible() && panel.height() < 2 * m_window->height() / 5, name);
+            QVERIFY2(workspace().rect().contains(panel.geometry()), name);
+            // All of it, but the drawings of one model: these scroll.
+            const auto* scrolled = panel.findChild<Sideways*>();
+            const bool hasDrawings = sheet == ActionId::Architecture && model == GrowthModelKind::TreeSketch;
+            QVERIFY2(hasDrawings || scrolled->horizontalScrollBar()->maximum() == 0,
+                     name + ' ' + QByteArray::number(scrolled->horizontalScrollBar()->maximum()));
+            QVERIFY2(scrolled->widget()->height() <= scrolled->viewport()->height(),
+                     name + ' ' + QByteArray::number(scrolled->widget()->height()) + " px in " +
+                         QByteArray::number(scrolled->viewport()->height()));
+            QTRY_VERIFY2(viewport.isTreeClear(), name);
+        }
+        action(ActionId::BranchSheet)->trigger();
+        QTRY_VERIFY((viewport.camera().target() - before.target()).norm() < 0.01F &&
+                    std::abs(viewport.camera().distance() / before.distance() - 1.0F) < 0.01F);
+    }
+    m_window->resize(1024, 700);
+    m_window->document().reset(1, TreeParameters());
 }
 
 void WindowLayoutTest::targets_areLargeEnoughForAFinger()

@@ -332,6 +332,8 @@ void ArchitecturePanelTest::model_choosesTheControls()
     QTest::keyClick(model, Qt::Key_Down);
     QCOMPARE(parameters().growth.model, GrowthModelKind::Vigour);
     QCOMPARE(steps(), 1);
+    // The history names the choice, too.
+    QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Growth model: Vigour"));
     QVERIFY(!m_panel->schematic().isVisible());
     visitParameters(parameters(), [this](const ParameterInfo& info, const auto&) {
         if (std::string_view(info.key).starts_with("vigour."))

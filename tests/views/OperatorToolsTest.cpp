@@ -4,6 +4,7 @@
 #include "tests/support/TreeBuilder.h"
 #include "tests/support/ViewportFixture.h"
 #include "views/tools/AddBudsTool.h"
+#include "views/tools/ProfileTool.h"
 #include "views/tools/TwistTool.h"
 
 using namespace espalier;
@@ -34,6 +35,8 @@ private Q_SLOTS:
     void budsInterruption_addsNone();
     void budsFingerAndPen_addBuds();
     void budsBesideTheTree_addNone();
+    void twigBeforeTheTrunk_doesNotHideIt();
+    void profileTap_takesTheTrunkBehindATwig();
 
 private:
     static constexpr InternodeId kTop = 12;    ///< Tip of the trunk
@@ -46,6 +49,9 @@ private:
         return 0.5F * (m_document->index().nodePosition(id) +
                        m_document->index().basePosition(m_document->tree(), id));
     }
+    /// Adds a thin twig that the camera sees before the trunk, and branches that make the trunk thick;
+    /// returns the first internode of the twig.
+    InternodeId plantTwig();
     void dragBy(InternodeId id, const QPoint& way, Qt::KeyboardModifiers modifiers = {});
     void click(const QPoint& place) { QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, place); }
     /// The twist at a node, degrees.
@@ -80,6 +86,24 @@ T* OperatorToolsTest::take()
     T* raw = tool.get();
     m_view->setTool(std::move(tool));
     return raw;
+}
+
+InternodeId OperatorToolsTest::plantTwig()
+{
+    std::vector<NewInternode> internodes;
+    const InternodeId first = m_document->tree().size();
+    internodes.push_back({.parent = 1, .slot = 1, .rotation = branching(radians(20), 1, 4), .length = 0.2F});
+    for (InternodeId i = first; i < first + 8; ++i)
+        internodes.push_back({.parent = i, .rotation = continuing(0.0, 0.0, 0.0), .length = 0.2F});
+    for (const InternodeId parent : {8U, 9U, 10U, 11U}) {
+        for (const int slot : {0, 2})
+            internodes.push_back(
+                {.parent = parent, .slot = slot, .rotation = branching(1.2, slot, 4), .length = 0.2F});
+    }
+    apply(*m_document, births(m_document->tree(), internodes));
+    m_document->undoStack().clear();
+    m_view->grabFramebuffer(); // determines the radius of the bark
+    return first;
 }
 
 void OperatorToolsTest::dragBy(InternodeId id, const QPoint& way, Qt::KeyboardModifiers modifiers)
@@ -382,6 +406,55 @@ void OperatorToolsTest::budsBesideTheTree_addNone()
     const DocumentState before(*m_document);
     click({20, 20});
     QVERIFY(DocumentState(*m_document) == before);
+}
+
+void OperatorToolsTest::twigBeforeTheTrunk_doesNotHideIt()
+{
+    take<TwistTool>();
+    const InternodeId twig = plantTwig();
+    const ToolContext& context = m_view->toolContext();
+    const QPoint place = at(middle(5));
+    // Tools for thin branches take what is in front, those for thick wood what is behind it.
+    const auto front = context.pick(place, PointerDevice::Mouse);
+    QVERIFY(front && m_document->index().axis(front->id) == twig);
+    const auto thick = context.pickThick(place, PointerDevice::Mouse);
+    QCOMPARE(thick->id, InternodeId{5});
+    // A thin branch with nothing behind it is taken as well.
+    const auto alone = context.pickThick(at(middle(kBranch + 3)), PointerDevice::Mouse);
+    QCOMPARE(alone->id, kBranch + 3);
+    dragBy(5, {-50, 0});
+    QVERIFY(std::abs(twist(5)) > 1.0 && twist(4) == 0.0);
+    QCOMPARE(twist(twig), 0.0);
+    QCOMPARE(twist(twig + 4), 0.0);
+    m_view->setTool(std::make_unique<AddBudsTool>(m_view->toolContext()));
+    const InternodeId before = m_document->tree().size();
+    click(place);
+    QCOMPARE(m_document->tree().size(), before + 5);
+    for (InternodeId id = before; id < before + 5; ++id)
+        QCOMPARE(m_document->index().axis(m_document->tree().parent(id)), InternodeId{0});
+}
+
+void OperatorToolsTest::profileTap_takesTheTrunkBehindATwig()
+{
+    struct Choice : ProfileChoice {
+        std::optional<ShownSection> section() const override { return {}; }
+        void choose(InternodeId id) override { chosen = id; }
+        void chooseNone() override { chosen.reset(); }
+        std::optional<InternodeId> chosen;
+    } choice;
+    take<TwistTool>();
+    plantTwig();
+    m_view->setTool(std::make_unique<ProfileTool>(m_view->toolContext(), choice));
+    const Vec3& node = m_document->index().nodePosition(5);
+    // A little above and below the node, and at both sides of the axis within the bark.
+    for (const QPoint& beside : {QPoint(0, -4), QPoint(0, 4), QPoint(3, 0), QPoint(-3, 0)}) {
+        choice.chosen.reset();
+        click(at(node) + beside);
+        QVERIFY(choice.chosen.has_value());
+        QCOMPARE(*choice.chosen, InternodeId{5});
+    }
+    // The tool must not outlive what it tells.
+    m_view->setTool(std::make_unique<TwistTool>(m_view->toolContext()));
 }
 
 static const TestClass<OperatorToolsTest> operatorToolsTest;

@@ -25,13 +25,11 @@ double roundedTo(double value, double step)
 /// The spiral whose middle bud is under the pointer.
 std::optional<BudSpiral> AddBudsTool::spiralAt(const PointerSample& sample) const
 {
-    const auto hit = context().pick(sample.position, sample.device);
-    if (!hit)
+    const std::optional<PickedBranch> picked = context().pickThick(sample.position, sample.device);
+    if (!picked)
         return std::nullopt;
     const TreeIndex& index = context().document().index();
     const Camera& camera = context().camera();
-    const std::optional<PickedBranch> picked =
-        nearestOnAxis(context().document().tree(), index, camera, *hit, sample.position);
     const Vec3 heading = index.heading(picked->id);
     const auto across = [&](const Vec3& vector) { return Vec3(vector - vector.dot(heading) * heading); };
     // How far beside the axis the pointer is says where on the near side of the bark it is.

@@ -14,6 +14,8 @@ constexpr float kNoDifference = 3.0F; ///< px
 constexpr double kFingerReach = 8.0;  ///< mm
 constexpr double kPenReach = 2.0;     ///< mm
 constexpr double kMouseReach = 2.5;   ///< mm
+/// A branch drawn narrower than this share of another's width is thin beside it.
+constexpr float kThinShare = 2.0F / 3.0F;
 
 /// A point in the camera's view.
 struct Seen {
@@ -21,10 +23,13 @@ struct Seen {
     float depth; ///< m
 };
 
+enum class Wanted { Front, Thick };
+
 class Picker {
 public:
-    Picker(const PickScene& scene, const QPointF& screen, double reach)
+    Picker(const PickScene& scene, const QPointF& screen, double reach, Wanted wanted)
         : m_scene(scene),
+          m_wanted(wanted),
           m_eye(scene.camera.position()),
           m_right(scene.camera.right()),
           m_up(scene.camera.up()),
@@ -54,7 +59,10 @@ public:
         return (centre - m_eye).dot(m_forward) - radius;
     }
     /// Whether a branch from @p depth (m) on cannot be better than the one found.
-    bool isSettledBefore(float depth) const { return m_best && m_rank == 0.0F && depth >= m_depth; }
+    bool isSettledBefore(float depth) const
+    {
+        return m_wanted == Wanted::Front && m_best && m_rank == 0.0F && depth >= m_depth;
+    }
 
     void consider(InternodeId id)
     {
@@ -70,20 +78,50 @@ public:
         const Vec2 nearest = a.place + along * way;
         const float depth = a.depth + along * (b.depth - a.depth);
         const float radius = m_scene.radius(id);
-        const float off = std::max(0.0F, (m_pointer - nearest).norm() - radius * m_scale / depth);
+        const float drawn = radius * m_scale / depth;
+        const float off = std::max(0.0F, (m_pointer - nearest).norm() - drawn);
         if (off > m_reach)
             return;
+        const PickedBranch picked{id, along, lower + along * (upper - lower), radius};
+        if (m_wanted == Wanted::Thick && off == 0.0F)
+            m_covering.push_back({picked, drawn, depth - radius});
         const float rank = std::floor(off / kNoDifference);
         if (m_best && (rank > m_rank || (rank == m_rank && depth - radius >= m_depth)))
             return;
-        m_best = PickedBranch{id, along, lower + along * (upper - lower), radius};
+        m_best = picked;
+        m_bestDrawn = drawn;
         m_rank = rank;
         m_depth = depth - radius;
     }
 
     const std::optional<PickedBranch>& best() const { return m_best; }
 
+    /// The frontmost of the branches that cover the pointer and are not thin beside the widest one of these.
+    std::optional<PickedBranch> thick() const
+    {
+        if (!m_best || m_covering.empty())
+            return m_best;
+        const Covering& widest = *std::ranges::max_element(m_covering, {}, &Covering::drawn);
+        const std::uint32_t strands = m_scene.index.tipCount(m_best->id);
+        if (m_bestDrawn >= kThinShare * widest.drawn || strands >= m_scene.index.tipCount(widest.branch.id))
+            return m_best;
+        const Covering* front = &widest;
+        for (const Covering& other : m_covering) {
+            if (other.depth < front->depth && other.drawn >= kThinShare * widest.drawn &&
+                m_scene.index.tipCount(other.branch.id) > strands)
+                front = &other;
+        }
+        return front->branch;
+    }
+
 private:
+    /// A branch under the pointer itself.
+    struct Covering {
+        PickedBranch branch;
+        float drawn; ///< Its radius on the screen, px
+        float depth; ///< Of the bark, m
+    };
+
     Seen see(const Vec3& point) const
     {
         const Vec3 offset = point - m_eye;
@@ -93,6 +131,7 @@ private:
     }
 
     const PickScene& m_scene;
+    Wanted m_wanted;
     Vec3 m_eye;
     Vec3 m_right;
     Vec3 m_up;
@@ -104,13 +143,13 @@ private:
     std::optional<PickedBranch> m_best;
     float m_rank = 0.0F;
     float m_depth = 0.0F;
+    float m_bestDrawn = 0.0F; ///< px
+    std::vector<Covering> m_covering;
 };
 
-} // namespace
-
-std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& screen, double reach)
+/// Shows @p picker the branches near the ray.
+void search(const PickScene& scene, Picker& picker)
 {
-    Picker picker(scene, screen, reach);
     const QList<float>& lengths = scene.tree.columns().length;
     const float beyond = scene.index.greatestLength() + scene.greatestRadius;
     struct PickCell {
@@ -137,7 +176,24 @@ std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& sc
                 picker.consider(node.id);
         }
     }
+}
+
+} // namespace
+
+std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& screen, double reach)
+{
+    Picker picker(scene, screen, reach, Wanted::Front);
+    search(scene, picker);
     return picker.best();
+}
+
+std::optional<PickedBranch> pickThickBranch(const PickScene& scene, const QPointF& screen, double reach)
+{
+    Picker picker(scene, screen, reach, Wanted::Thick);
+    search(scene, picker);
+    const std::optional<PickedBranch> picked = picker.thick();
+    return picked ? std::optional(nearestOnAxis(scene.tree, scene.index, scene.camera, *picked, screen))
+                  : std::nullopt;
 }
 
 PickedBranch nearestOnAxis(const Tree& tree, const TreeIndex& index, const Camera& camera,

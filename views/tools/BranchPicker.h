@@ -34,6 +34,11 @@ struct PickScene {
 /// practically the same distance, the one in front. Reads only the cells near the ray.
 std::optional<PickedBranch> pickBranch(const PickScene& scene, const QPointF& screen, double reach);
 
+/// The same for tools that work on thick wood: of the branches under @p screen, those that are drawn less
+/// than two thirds as wide as another one with more strands are passed over, although they may be in front of
+/// it. So twigs before a trunk do not hide it. Of the thick branch, the internode beside the pointer.
+std::optional<PickedBranch> pickThickBranch(const PickScene& scene, const QPointF& screen, double reach);
+
 /// The place on the axis of @p picked that appears nearest to @p screen. On thick wood, several internodes
 /// are under the pointer, and pickBranch() takes one of them; this is the one beside the pointer.
 PickedBranch nearestOnAxis(const Tree& tree, const TreeIndex& index, const Camera& camera,

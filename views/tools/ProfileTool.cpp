@@ -78,7 +78,7 @@ bool ProfileTool::keyPressed(int key)
 void ProfileTool::look(const PointerSample& sample)
 {
     m_hovered.reset();
-    if (const std::optional<PickedBranch> branch = context().pick(sample.position, sample.device)) {
+    if (const std::optional<PickedBranch> branch = context().pickThick(sample.position, sample.device)) {
         // An internode has its node at the upper end; the lower end is the parent's.
         const Tree& tree = context().document().tree();
         const bool isLower =

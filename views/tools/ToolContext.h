@@ -18,6 +18,8 @@ public:
     virtual const Camera& camera() const = 0;
     /// The branch under the pointer, within the distance for that kind of pointer.
     virtual std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const = 0;
+    /// The same, but thin branches in front of thick ones are passed over (pickThickBranch).
+    virtual std::optional<PickedBranch> pickThick(const QPointF& screen, PointerDevice device) const = 0;
     /// The living buds around the pointer, the nearest first, within @p factor times that distance.
     virtual std::vector<PickedBud> pickBuds(const QPointF& screen, PointerDevice device,
                                             double factor) const = 0;

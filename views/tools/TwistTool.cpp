@@ -42,11 +42,8 @@ double TwistTool::twistOf(InternodeId id) const
 
 std::optional<InternodeId> TwistTool::internodeAt(const PointerSample& sample) const
 {
-    const auto picked = context().pick(sample.position, sample.device);
-    if (!picked)
-        return std::nullopt;
-    const TreeDocument& document = context().document();
-    return nearestOnAxis(document.tree(), document.index(), context().camera(), *picked, sample.position).id;
+    const auto picked = context().pickThick(sample.position, sample.device);
+    return picked ? std::optional(picked->id) : std::nullopt;
 }
 
 void TwistTool::begin(const PointerSample& sample)
