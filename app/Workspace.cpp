@@ -122,11 +122,11 @@ void Workspace::showSheet(int index)
     // A tree that was in view stays so, and comes back to its place when the sheet is closed.
     if (m_sheet >= 0 && wasClear && !m_viewport->isTreeClear()) {
         if (!m_beside)
-            m_beside = {m_viewport->camera(), {}};
-        m_beside->shown = m_viewport->framed(m_viewport->camera());
+            m_beside = {m_viewport->cameraAtRest(), {}};
+        m_beside->shown = m_viewport->framed(m_viewport->cameraAtRest());
         m_viewport->flyTo(m_beside->shown);
     } else if (m_sheet < 0 && m_beside) {
-        if (isSameView(m_viewport->camera(), m_beside->shown))
+        if (isSameView(m_viewport->cameraAtRest(), m_beside->shown))
             m_viewport->flyTo(m_beside->before);
         m_beside.reset();
     }

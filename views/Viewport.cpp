@@ -133,11 +133,19 @@ Camera Viewport::framed(const Camera& camera) const
     return first;
 }
 
+Camera Viewport::cameraAtRest() const
+{
+    Camera camera = m_flight.isFlying() ? m_flight.end() : m_camera;
+    camera.setViewSize(size());
+    return camera;
+}
+
 bool Viewport::isTreeClear() const
 {
+    const Camera camera = cameraAtRest();
     const QRectF clear(clearRect());
     return std::ranges::all_of(m_scene.outline(), [&](const Vec3& point) {
-        const auto place = m_camera.project(point);
+        const auto place = camera.project(point);
         return place && clear.contains(*place);
     });
 }

@@ -66,7 +66,9 @@ public:
 
     /// @p camera, moved likewise until all of the tree is shown.
     Camera framed(const Camera& camera) const;
-    /// Whether the part that bars leave free shows all of the tree.
+    /// The camera, or where it is flying to.
+    Camera cameraAtRest() const;
+    /// Whether the part that bars leave free shows all of the tree, once the camera rests.
     bool isTreeClear() const;
 
     /// The context for tools of this viewport.

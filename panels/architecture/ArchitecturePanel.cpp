@@ -31,7 +31,6 @@ namespace {
 constexpr int kLeastCard = 166;
 constexpr int kMostCard = 330;
 constexpr int kDiagramWidth = 162;
-constexpr int kModelWidth = 150;
 constexpr int kDiagramSpacing = 10;
 constexpr int kPanelMargin = 14;
 // In a window without room for more.
@@ -230,7 +229,7 @@ QWidget* ArchitecturePanel::makeCard(const ParameterSection& section, QWidget* p
 QWidget* ArchitecturePanel::makeColumn(const ParameterSection& section, QWidget* parent)
 {
     auto* column = new QWidget(parent);
-    column->setFixedWidth(section.look == ParameterSection::Look::Model ? kModelWidth : kDiagramWidth);
+    column->setFixedWidth(kDiagramWidth);
     auto* lines = new QVBoxLayout(column);
     lines->setContentsMargins(0, 0, 0, 0);
     lines->setSpacing(3);
@@ -248,7 +247,7 @@ QWidget* ArchitecturePanel::makeColumn(const ParameterSection& section, QWidget*
 void ArchitecturePanel::fit(const QSize& room)
 {
     // The columns of the model, of vigour and of habit, and the separators beside them.
-    const int columns = kModelWidth + 2 * kDiagramWidth + 3 * (2 * kDiagramSpacing + 1);
+    const int columns = 3 * kDiagramWidth + 3 * (2 * kDiagramSpacing + 1);
     const int count = static_cast<int>(m_cards.size());
     const int wide = (room.width() - 2 * kPanelMargin - columns) / count - 2 * kDiagramSpacing - 1;
     const int card = std::clamp(wide, kLeastCard, kMostCard);

@@ -12,6 +12,8 @@ public:
 
     void start(const Camera& from, const Camera& to);
     void stop() { m_elapsed = kDuration; }
+    /// Where the last flight ends, or ended.
+    const Camera& end() const { return m_to; }
     bool isFlying() const { return m_elapsed < kDuration; }
 
     /// Moves @p camera on by @p seconds; it reaches the exact end. The view size does not change.
