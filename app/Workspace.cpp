@@ -39,10 +39,6 @@ constexpr int kStatusMargin = 20;
 /// ms; the counts of a growing tree are not updated more often.
 constexpr int kCountInterval = 200;
 
-} // namespace
-
-namespace {
-
 /// Whether two cameras show the same but for rounding: a flight does not end exactly where it leads.
 bool isSameView(const Camera& camera, const Camera& other)
 {

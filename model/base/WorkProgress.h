@@ -66,8 +66,10 @@ private:
 /// Tells the progress of work that consists of @p count things, which several threads can do.
 class WorkCount {
 public:
+    /// @p count at least 1, unless nothing is added.
     WorkCount(WorkProgress& progress, std::size_t count) : m_progress(progress), m_count(count) {}
 
+    /// Notes that so many more things are done. The counting itself takes time: not for each small thing.
     void add(std::size_t done)
     {
         const std::size_t all = m_done.fetch_add(done, std::memory_order_relaxed) + done;

@@ -39,8 +39,7 @@ std::uint64_t ownKey(const StrandLayouts& layouts, std::uint32_t node, std::uint
     hash.add(layouts.scale(node));
     hash.add(layouts.reach(node));
     addVector(hash, layouts.centre(node));
-    for (const std::span<const float> part : layouts.reliefs().content(node))
-        hash.addAll(part);
+    layouts.reliefs().addTo(hash, node);
     return hash.value();
 }
 

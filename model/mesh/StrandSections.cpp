@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace espalier {
 
@@ -83,11 +84,39 @@ private:
     Vec3 pointOf(std::uint32_t node, std::uint32_t strand, float t) const
     {
         const Vec3 point = StrandCurves::point(m_curves.controls(node, strand), t);
-        if (!m_layouts.reliefs().hasHollow(node))
-            return point;
-        const StrandNode& n = m_skeleton.nodes[node];
-        const float length = (n.position - m_skeleton.nodes[n.parent].position).norm();
-        return point + m_layouts.sunk(node, (t - 1.0F) * length, m_layouts.place(node, strand));
+        return m_layouts.reliefs().hasHollow(node) ? sunk(node, t, point) : point;
+    }
+    Vec3 sunk(std::uint32_t node, float t, const Vec3& point) const
+    {
+        const StrandNode& upper = m_skeleton.nodes[node];
+        const StrandNode& lower = m_skeleton.nodes[upper.parent];
+        const Vec3& below = m_layouts.centre(upper.parent);
+        const Vec3 rise = m_layouts.centre(node) - below;
+        const Rotation frame =
+            Rotation::FromTwoVectors(upper.frame * up(), normalBetween(lower, upper, t)) * upper.frame;
+        const Vec3 local = frame.conjugate() * (point - below - t * rise);
+        const Vec2 shift = m_layouts.reliefs().sunk(
+            node, {.t = t, .length = rise.norm(), .radius = lower.radius + t * (upper.radius - lower.radius)},
+            Vec2(local.x(), local.z()));
+        return point + frame * Vec3(shift.x(), 0.0F, shift.y());
+    }
+
+    static Vec3 normalBetween(const StrandNode& lower, const StrandNode& upper, float t)
+    {
+        const Vec3 sum = (1.0F - t) * (lower.frame * up()) + t * (upper.frame * up());
+        return sum.squaredNorm() > 1e-6F ? Vec3(sum.normalized()) : Vec3(upper.frame * up());
+    }
+    /// The frame of a section between two: the normal turns from one to the other, and the twist goes on
+    /// about it.
+    static Rotation frameBetween(const StrandNode& lower, const StrandNode& upper, float t)
+    {
+        const Vec3 from = lower.frame * up();
+        const Rotation carried = Rotation::FromTwoVectors(from, upper.frame * up()) * lower.frame;
+        const Rotation rest = carried.conjugate() * upper.frame; // About +Y
+        const float twist =
+            std::remainder(2.0F * std::atan2(rest.y(), rest.w()), 2.0F * std::numbers::pi_v<float>);
+        return Rotation::FromTwoVectors(from, normalBetween(lower, upper, t)) * lower.frame *
+               Rotation(Eigen::AngleAxisf(t * twist, up()));
     }
 
     void writeSlice(Slice& slice, const StrandTube* tube)
@@ -95,7 +124,7 @@ private:
         const Span span = spanOf(slice);
         const StrandNode& lower = m_skeleton.nodes[span.lower];
         const StrandNode& upper = m_skeleton.nodes[span.upper];
-        const Rotation frame = lower.frame.slerp(span.t, upper.frame);
+        const Rotation frame = frameBetween(lower, upper, span.t);
         const float scale = m_layouts.scale(span.lower) +
                             span.t * (m_layouts.scale(span.upper) - m_layouts.scale(span.lower));
         slice.radius = radiusOf(slice, tube, span);

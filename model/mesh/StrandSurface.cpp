@@ -71,13 +71,12 @@ private:
             // Numbers below the first one wrap around, and are great.
             if (std::ranges::none_of(corners, [&](VertexIndex i) { return i - m_first < size; }))
                 continue;
-            if (isSole(corners, block))
-                continue;
+            const bool isOfSole = isSole(corners, block);
             const Vec3 p = m_sections.position(corners[0]);
             const Vec3 normal =
                 (m_sections.position(corners[1]) - p).cross(m_sections.position(corners[2]) - p);
             for (const VertexIndex corner : corners) {
-                if (corner - m_first < size)
+                if (corner - m_first < size && !(isOfSole && corner - m_first < m_endOfFoot))
                     m_sums[corner - m_first] += normal;
             }
         }

@@ -52,18 +52,19 @@ public:
         StrandTriangles result;
         result.nodes.resize(count);
         m_chunks.resize((count + kNodesPerChunk - 1) / kNodesPerChunk);
-        WorkCount done(m_progress, count);
-        forEachNode([&](std::uint32_t node, Chunk& chunk) {
-            done.add(1);
-            StrandTriangles::Node& made = result.nodes[node];
-            if (isTaken(node)) {
-                made = m_lastTriangles->nodes[m_reuse.before(node)];
-                return;
-            }
-            const std::size_t links = chunk.links.size();
-            makeNode(node, m_scratch.local(), chunk, made);
-            made.linkCount = static_cast<std::uint32_t>(chunk.links.size() - links);
-        });
+        WorkCount done(m_progress, m_chunks.size());
+        forEachNode(
+            [&](std::uint32_t node, Chunk& chunk) {
+                StrandTriangles::Node& made = result.nodes[node];
+                if (isTaken(node)) {
+                    made = m_lastTriangles->nodes[m_reuse.before(node)];
+                    return;
+                }
+                const std::size_t links = chunk.links.size();
+                makeNode(node, m_scratch.local(), chunk, made);
+                made.linkCount = static_cast<std::uint32_t>(chunk.links.size() - links);
+            },
+            &done);
         std::uint32_t first = 0;
         std::uint32_t firstLink = 0;
         for (StrandTriangles::Node& node : result.nodes) {
@@ -122,14 +123,17 @@ private:
         }
     };
 
+    /// Counts chunks that are done.
     template <class Work>
-    void forEachNode(Work&& work)
+    void forEachNode(Work&& work, WorkCount* done = nullptr)
     {
         parallelFor(m_chunks.size(), 1, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = begin; c < end && !m_progress.isCancelled(); ++c) {
                 const std::size_t last = std::min((c + 1) * kNodesPerChunk, m_skeleton.nodes.size());
                 for (std::size_t i = c * kNodesPerChunk; i < last; ++i)
                     work(static_cast<std::uint32_t>(i), m_chunks[c]);
+                if (done != nullptr)
+                    done->add(1);
             }
         });
     }

@@ -425,14 +425,14 @@ private:
 
     int stepsTo(std::uint32_t child) const
     {
+        if (m_layouts.reliefs().hasHollow(child))
+            return kMostSteps;
         const StrandNode& upper = m_skeleton.nodes[child];
         const StrandNode& lower = m_skeleton.nodes[upper.parent];
         const StrandTubes::Node& n = m_result.nodes[child];
         const float length = (m_layouts.centre(child) - m_layouts.centre(upper.parent)).norm();
         const float bend = ((upper.frame * up()) - (lower.frame * up())).norm();
         const float rings = std::sqrt(length * bend / (8.0F * kCurveSlack * static_cast<float>(m_tolerance)));
-        if (m_layouts.reliefs().hasHollow(child))
-            return kMostSteps;
         int least = 1;
         const bool isFork = !m_result.nodes[upper.parent].continuesAbove;
         if (isFork)

@@ -42,6 +42,7 @@ public:
     {
         return m_places[m_sections[node].first + strand];
     }
+    /// Places of all its strands, in strand radii.
     std::span<const Vec2> places(std::uint32_t node) const
     {
         return std::span(m_places).subspan(m_sections[node].first, strandCount(node));
@@ -68,13 +69,10 @@ public:
     /// World position of a point of the section, moved as the ridges of the wood say.
     Vec3 world(std::uint32_t node, const Vec2& place) const
     {
-        return m_bundles.centres[node] + turned(node, m_reliefs.moved(node, place, radiusOf(node)));
-    }
-    /// How far hollows move that point, m, on the way from the node below to this one; @p path above the
-    /// node, m, 0 or less.
-    Vec3 sunk(std::uint32_t node, float path, const Vec2& place) const
-    {
-        return turned(node, m_reliefs.sunk(node, path, place, radiusOf(node)));
+        const StrandNode& n = m_skeleton.nodes[node];
+        const float scale = m_bundles.scales[node];
+        const Vec2 moved = m_reliefs.moved(node, place, n.radius / scale);
+        return m_bundles.centres[node] + n.frame * (scale * Vec3(moved.x(), 0.0F, moved.y()));
     }
     const StrandReliefs& reliefs() const { return m_reliefs; }
     /// Coordinates of the node's profile times this are coordinates of its layout; 0 without a profile.
@@ -100,17 +98,6 @@ private:
         float profileScale = 0.0F;
     };
     class Builder;
-
-    /// Of the bundle, in strand radii.
-    float radiusOf(std::uint32_t node) const
-    {
-        return m_skeleton.nodes[node].radius / m_bundles.scales[node];
-    }
-    /// From the coordinates of the section to those of the world, without the middle.
-    Vec3 turned(std::uint32_t node, const Vec2& place) const
-    {
-        return m_skeleton.nodes[node].frame * (m_bundles.scales[node] * Vec3(place.x(), 0.0F, place.y()));
-    }
 
     StrandSkeleton m_skeleton;
     std::shared_ptr<const HexLattice> m_lattice;

@@ -44,6 +44,11 @@ constexpr float kHollowRim = 0.35F;
 constexpr float kHollowRimAt = 1.25F;
 constexpr float kHollowRimWidth = 0.35F;
 constexpr float kHollowReach = 2.5F;
+/// A hollow goes on into branches with at least one of so many strands of the wood below.
+constexpr std::uint32_t kStemShare = 4;
+
+/// Bulges are not seen beyond so many of their half widths.
+constexpr float kGaussReach = 3.5F;
 
 constexpr float kLowest = -0.45F;
 constexpr float kHighest = 0.8F;
@@ -86,6 +91,7 @@ public:
 
     void build()
     {
+        m_reliefs.m_strength = m_strength;
         for (std::uint32_t node = 0; node < m_skeleton.nodes.size(); ++node)
             addLimbs(node);
         for (const std::uint32_t base : m_skeleton.bases)
@@ -127,18 +133,20 @@ private:
         return {std::atan2(middle.y(), middle.x()), std::min(1.0F, middle.norm() / (kClearSide * radius))};
     }
 
-    /// Adds @p height(distance in rad) around the section of a node that may have reliefs.
-    template <class Height>
-    void add(std::uint32_t node, float angle, Height&& height)
+    /// Adds a bulge to the section of a node that may have reliefs; @p halfWidth rad.
+    void add(std::uint32_t node, float angle, float height, float halfWidth)
     {
         // A profile is drawn as it is meant.
         if (!isThick(node) || m_sources.hasProfile(node))
             return;
         Table& table = m_reliefs.m_ridges.of(node, m_skeleton.nodes.size());
-        for (std::size_t i = 0; i < kAngles; ++i) {
-            const float here =
-                2.0F * std::numbers::pi_v<float> * static_cast<float>(i) / static_cast<float>(kAngles);
-            table[i] += height(angleBetween(here, angle));
+        constexpr float kStep = 2.0F * std::numbers::pi_v<float> / static_cast<float>(kAngles);
+        const int middle = static_cast<int>(std::lround(angle / kStep));
+        const int reach =
+            std::min(static_cast<int>(kGaussReach * halfWidth / kStep), static_cast<int>(kAngles) / 2 - 1);
+        for (int i = middle - reach; i <= middle + reach; ++i) {
+            const auto entry = static_cast<std::size_t>(i + 2 * static_cast<int>(kAngles)) % kAngles;
+            table[entry] += height * gauss(static_cast<float>(i) * kStep - angle, halfWidth);
         }
     }
 
@@ -170,7 +178,7 @@ private:
             const BundleSide side = sideOf(node, first, count);
             const float height = most * side.clearness;
             const float half = std::max(0.5F * std::asin(std::min(width, 1.0F)), 0.1F);
-            add(node, side.angle, [&](float angle) { return height * gauss(angle, half); });
+            add(node, side.angle, height, half);
             if (m_skeleton.isBase(node))
                 return;
             first += n.offset;
@@ -240,7 +248,7 @@ private:
                     continue; // It has left the trunk further down.
                 const float height = full * root.weight / roots.front().weight;
                 const float angle = sideOf(node, root.first - passed, root.count).angle;
-                add(node, angle, [&](float distance) { return height * gauss(distance, kButtressWidth); });
+                add(node, angle, height, kButtressWidth);
             }
             if (at(node).childCount == 0)
                 return;
@@ -314,35 +322,50 @@ private:
         const Vec3 heading = at(node).frame.conjugate() * (grown * up());
         if (Vec2(heading.x(), heading.z()).norm() < 0.15F)
             return; // It went on in the direction of the wood, which has closed over it.
-        const float angle = std::atan2(heading.z(), heading.x());
+        if (m_sources.hasProfile(node))
+            return;
         const float radius = std::min(share, kLargestHollow) * at(node).radius;
+        const Vec3 outward = grown * up();
+        cut(node, outward, 0.0F, radius);
         const float reach = kHollowReach * kHollowHeight * radius;
-        const auto cut = [&](std::uint32_t place, float path) {
-            // A profile is drawn as it is meant.
-            if (!isThick(place) || m_sources.hasProfile(place))
-                return;
-            const float width = radius / std::max(at(place).radius, 1e-6F);
-            m_found.emplace_back(place, Hollow{.angle = angle,
-                                               .path = path,
-                                               .width = width,
-                                               .height = kHollowHeight * radius,
-                                               .depth = std::min(m_strength * kHollow * width, -kLowest)});
-        };
-        cut(node, 0.0F);
         float path = 0.0F;
         for (std::uint32_t place = node; !m_skeleton.isBase(place);) {
             path += lengthTo(place);
             place = at(place).parent;
             if (path > reach)
                 break;
-            cut(place, path);
+            cut(place, outward, path, radius);
         }
-        // Cross-sections belong to the node above them.
-        path = 0.0F;
-        for (std::uint32_t place = node; at(place).childCount > 0 && path < reach;) {
-            place = thickestOf(place);
-            path += lengthTo(place);
-            cut(place, -path);
+        cutAbove(node, outward, 0.0F, radius);
+    }
+
+    /// Notes a hollow whose middle is @p path above @p place, m.
+    void cut(std::uint32_t place, const Vec3& outward, float path, float radius)
+    {
+        const auto isOpen = [&](std::uint32_t n) { return isThick(n) && !m_sources.hasProfile(n); };
+        const float atNode = isOpen(place) ? 1.0F : 0.0F;
+        const float atBelow = isOpen(at(place).parent) ? 1.0F : 0.0F;
+        if (atNode == 0.0F && atBelow == 0.0F)
+            return;
+        const Vec3 local = at(place).frame.conjugate() * outward;
+        m_found.emplace_back(place, Hollow{.angle = std::atan2(local.z(), local.x()),
+                                           .path = path,
+                                           .radius = radius,
+                                           .atBelow = atBelow,
+                                           .atNode = atNode});
+    }
+
+    /// The same in the stems above @p node; cross-sections belong to the node above them.
+    void cutAbove(std::uint32_t node, const Vec3& outward, float path, float radius)
+    {
+        if (path > kHollowReach * kHollowHeight * radius)
+            return;
+        for (const std::uint32_t child : m_skeleton.childrenOf(node)) {
+            if (kStemShare * at(child).strands < at(node).strands)
+                continue;
+            const float above = path + lengthTo(child);
+            cut(child, outward, -above, radius);
+            cutAbove(child, outward, above, radius);
         }
     }
 
@@ -388,30 +411,36 @@ StrandReliefs::Table& StrandReliefs::Layer::of(std::uint32_t node, std::size_t n
     return tables[tableOf[node]];
 }
 
-float StrandReliefs::depth(std::uint32_t node, float path, float angle) const
+float StrandReliefs::depth(std::uint32_t node, const Between& between, float angle) const
 {
+    const float path = (between.t - 1.0F) * between.length;
     float sum = 0.0F;
     for (std::uint32_t i = m_firstHollows[node]; i < m_firstHollows[node + 1]; ++i) {
         const Hollow& hollow = m_hollows[i];
-        const float aside = angleBetween(angle, hollow.angle) / hollow.width;
-        const float along = (path - hollow.path) / hollow.height;
+        const float width = hollow.radius / std::max(between.radius, 1e-6F); // rad
+        const float aside = angleBetween(angle, hollow.angle) / width;
+        const float along = (path - hollow.path) / (kHollowHeight * hollow.radius);
         const float q2 = aside * aside + along * along;
         if (q2 > kHollowReach * kHollowReach)
             continue;
-        sum += hollow.depth *
+        const float share = hollow.atBelow + between.t * (hollow.atNode - hollow.atBelow);
+        sum += share * std::min(m_strength * kHollow * width, -kLowest) *
                (kHollowRim * gauss(std::sqrt(q2) - kHollowRimAt, kHollowRimWidth) - std::exp(-q2 * q2));
     }
     return std::max(sum, kLowest);
 }
 
-std::array<std::span<const float>, 2> StrandReliefs::content(std::uint32_t node) const
+void StrandReliefs::addTo(ContentHash& hash, std::uint32_t node) const
 {
-    static_assert(sizeof(Hollow) == 5 * sizeof(float));
-    std::span<const float> hollows;
-    if (hasHollow(node))
-        hollows = {reinterpret_cast<const float*>(m_hollows.data() + m_firstHollows[node]),
-                   5 * std::size_t{m_firstHollows[node + 1] - m_firstHollows[node]}};
-    return {m_ridges.around(node), hollows};
+    hash.addAll(m_ridges.around(node));
+    if (!hasHollow(node))
+        return;
+    hash.add(m_strength);
+    for (std::uint32_t i = m_firstHollows[node]; i < m_firstHollows[node + 1]; ++i) {
+        const auto& [angle, path, radius, atBelow, atNode] = m_hollows[i];
+        for (const float number : {angle, path, radius, atBelow, atNode})
+            hash.add(number);
+    }
 }
 
 } // namespace espalier

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/ContentHash.h"
 #include "model/strands/StrandSkeleton.h"
 
 #include <algorithm>
@@ -32,7 +33,8 @@ struct ReliefSources {
 /// was lost, the wood has a hollow with a rim, which shrinks relative to the wood as that thickens.
 ///
 /// A relief is a function of the angle in one cross-section. It moves strands straight outward or inward, the
-/// outer ones most, so their order around the section and the topology of the outline stay the same.
+/// outer ones most, by less than half the radius inward; so their order around the section and along each
+/// ray, and the topology of the outline, stay the same.
 class StrandReliefs {
 public:
     /// Wood of fewer strands is not changed.
@@ -49,29 +51,37 @@ public:
     {
         return place + m_ridges.shift(node, place, radius);
     }
-    /// How far hollows move that place, in strand radii, on the way from the node below to this one; @p path
-    /// above the node, m, 0 or less. Hollows are about as short as wood is from node to node, so they belong
-    /// to cross-sections and not to nodes.
-    Vec2 sunk(std::uint32_t node, float path, const Vec2& place, float radius) const
+    /// A cross-section on the way from the node below to a node.
+    struct Between {
+        float t = 1.0F;      ///< 0 at the node below, 1 at the node
+        float length = 0.0F; ///< m, from one to the other
+        float radius = 0.0F; ///< m, of the wood there
+    };
+    /// How far hollows move a place in a cross-section, m; @p place in metres from its middle, along the axes
+    /// of the section of @p node, which is tilted but not twisted to get there. Hollows are about as short as
+    /// wood is from node to node, so they belong to cross-sections and not to nodes.
+    Vec2 sunk(std::uint32_t node, const Between& between, const Vec2& place) const
     {
         if (!hasHollow(node))
             return Vec2::Zero();
-        return depth(node, path, std::atan2(place.y(), place.x())) * std::min(place.norm() / radius, 1.0F) *
-               place;
+        return depth(node, between, std::atan2(place.y(), place.x())) *
+               std::min(place.norm() / between.radius, 1.0F) * place;
     }
     bool hasHollow(std::uint32_t node) const
     {
         return !m_firstHollows.empty() && m_firstHollows[node] < m_firstHollows[node + 1];
     }
 
-    /// How far the outline at a node is moved in all at an angle (rad, from the first axis of the section
-    /// toward the second), as a share of the radius; 0 where the outline is unchanged.
-    float relief(std::uint32_t node, float angle) const
+    /// How far ridges and buttresses move the outline of a node's section at an angle (rad, from its first
+    /// axis toward its second), as a share of the radius: −0.45...0.8, 0 where it is unchanged.
+    float ridge(std::uint32_t node, float angle) const { return m_ridges.height(node, angle); }
+    /// How far hollows move it, likewise: −0.45...0.2.
+    float hollow(std::uint32_t node, float radius, float angle) const
     {
-        return m_ridges.height(node, angle) + (hasHollow(node) ? depth(node, 0.0F, angle) : 0.0F);
+        return hasHollow(node) ? depth(node, {.t = 1.0F, .length = 0.0F, .radius = radius}, angle) : 0.0F;
     }
-    /// What the reliefs of a node are: its ridges at angles that are evenly apart, and its hollows.
-    std::array<std::span<const float>, 2> content(std::uint32_t node) const;
+    /// Adds all that the reliefs of a node are.
+    void addTo(ContentHash& hash, std::uint32_t node) const;
     std::size_t bytes() const
     {
         return m_ridges.bytes() + m_firstHollows.capacity() * sizeof(std::uint32_t) +
@@ -120,17 +130,19 @@ private:
         }
     };
 
-    /// A hollow near a node.
+    /// A hollow near a node, as it is between the node below and this one.
     struct Hollow {
-        float angle = 0.0F;
+        float angle = 0.0F;  ///< In the section of the node
         float path = 0.0F;   ///< Of its middle above the node, m
-        float width = 0.0F;  ///< From its middle to its rim around the wood, rad
-        float height = 0.0F; ///< The same along the wood, m
-        float depth = 0.0F;  ///< As a share of the radius of the wood
+        float radius = 0.0F; ///< From its middle to its rim, m
+        float atBelow =
+            1.0F; ///< Its share at the node below: 0 where that one has a profile, which is shown as drawn
+        float atNode = 1.0F; ///< Likewise
     };
 
-    float depth(std::uint32_t node, float path, float angle) const;
+    float depth(std::uint32_t node, const Between& between, float angle) const;
 
+    float m_strength = 0.0F;
     Layer m_ridges; ///< And buttresses
     std::vector<Hollow> m_hollows;
     std::vector<std::uint32_t> m_firstHollows; ///< By node, and their number; empty without any

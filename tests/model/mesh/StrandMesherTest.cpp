@@ -3,6 +3,7 @@
 
 #include "model/mesh/SurfaceCheck.h"
 #include "model/shape/Pruning.h"
+#include "model/shape/Twist.h"
 #include "tests/support/MeshTopology.h"
 #include "tests/support/Strands.h"
 #include "tests/support/TestClasses.h"
@@ -81,7 +82,8 @@ void shapeAtRandom(TreeBuilder& builder, Random& random)
             delta.sparse.profile.push_back(
                 {id, std::nullopt, keepProfile(delta, builder.tree, randomProfile(random))});
         if (random.uniform() < 0.1)
-            delta.sparse.twist.push_back({id, std::nullopt, static_cast<float>(random.uniform(-1.0, 1.0))});
+            delta.sparse.twist.push_back(
+                {id, std::nullopt, static_cast<float>(random.uniform(-kMostTwist, kMostTwist))});
     }
     builder.apply(std::move(delta));
 }
@@ -196,6 +198,7 @@ private Q_SLOTS:
     void randomTrees_haveOneClosedSurface();
     void randomProfiles_leaveTheSurfaceClosed_data();
     void randomProfiles_leaveTheSurfaceClosed();
+    void lostLimbs_leaveTheSurfaceClosed();
     void volume_isThatOfTheStrands();
     void mesh_isTheSameOnOneThreadAndMany();
     void takenParts_areAsThoseMadeAnew_data();
@@ -266,6 +269,34 @@ void StrandMesherTest::randomProfiles_leaveTheSurfaceClosed()
     });
     shapeAtRandom(builder, random);
     verifyClosed(strandMesh(builder), 1);
+}
+
+void StrandMesherTest::lostLimbs_leaveTheSurfaceClosed()
+{
+    int hollows = 0;
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        Random random(seed, 0, 0, Purpose::Leaf);
+        TreeBuilder builder = raisedTree(600, seed);
+        setWood(builder, [&](WoodParameters& wood) {
+            wood.strandsPerTip = 5;
+            wood.flutes = random.uniform(0.2, 1.0);
+            wood.alpha = random.uniform(2.0, 60.0);
+            wood.steps = random.uniform() < 0.7 ? 500 : static_cast<int>(random.uniform(0.0, 60.0));
+        });
+        // Limbs of some dozens of internodes.
+        for (InternodeId id = 0; id < builder.tree.size(); ++id) {
+            if (builder.tree.isAlive(id) && !builder.tree.continuesAxis(id) && id > 0 &&
+                random.uniform() < 0.2)
+                builder.apply(prune(builder.tree, builder.index, std::array{id}));
+        }
+        if (random.uniform() < 0.5)
+            shapeAtRandom(builder, random);
+        const StrandLayouts layouts(builder.tree, builder.index, Widths(builder.tree, builder.index));
+        for (std::uint32_t node = 0; node < layouts.skeleton().nodes.size(); ++node)
+            hollows += layouts.reliefs().hasHollow(node) ? 1 : 0;
+        verifyClosed(meshStrands(layouts, builder.tree.parameters()), 1);
+    }
+    QVERIFY2(hollows > 30, qPrintable(QString::number(hollows)));
 }
 
 void StrandMesherTest::volume_isThatOfTheStrands()

@@ -22,6 +22,8 @@ private Q_SLOTS:
     void lostTwig_leavesNone();
     void hollow_shrinksAsTheWoodThickens();
     void hollow_isSeenInTheMesh();
+    void hollow_isOnTheLimbsSideOfTwistedWood();
+    void hollow_fadesTowardAProfile();
     void profile_isShownAsDrawn();
     void places_keepTheirOrder();
 };
@@ -63,11 +65,18 @@ float angleOf(const StrandLayouts& layouts, const TreeIndex& index, std::uint32_
     return std::atan2(local.z(), local.x());
 }
 
+/// How far the outline is moved in all, as a share of the radius.
+float reliefAt(const StrandLayouts& layouts, std::uint32_t node, float angle)
+{
+    return layouts.reliefs().ridge(node, angle) +
+           layouts.reliefs().hollow(node, layouts.skeleton().nodes[node].radius, angle);
+}
+
 float meanRelief(const StrandLayouts& layouts, std::uint32_t node)
 {
     float sum = 0.0F;
     for (int i = 0; i < 360; ++i)
-        sum += layouts.reliefs().relief(node, static_cast<float>(radians(i)));
+        sum += reliefAt(layouts, node, static_cast<float>(radians(i)));
     return sum / 360.0F;
 }
 
@@ -75,9 +84,35 @@ float greatestRelief(const StrandLayouts& layouts, std::uint32_t node)
 {
     float greatest = 0.0F;
     for (int i = 0; i < 360; ++i)
-        greatest =
-            std::max(greatest, std::abs(layouts.reliefs().relief(node, static_cast<float>(radians(i)))));
+        greatest = std::max(greatest, std::abs(reliefAt(layouts, node, static_cast<float>(radians(i)))));
     return greatest;
+}
+
+/// The horizontal direction in which a limb left the trunk.
+Vec3 outwardOf(const TreeBuilder& builder, InternodeId limb)
+{
+    const Vec3 heading =
+        builder.index.rotation(builder.tree.parent(limb)) * (builder.tree.columns().rotation[limb] * up());
+    return Vec3(heading.x(), 0.0F, heading.z()).normalized();
+}
+
+/// How far the bark is from the middle of the upright trunk at @p place on one side, m; 0 if none is there.
+float barkToward(const StrandLayouts& layouts, const TreeBuilder& builder, const Vec3& place,
+                 const Vec3& side)
+{
+    constexpr float kSlice = 0.03F; // Half the height that is looked at, m
+    const BranchMesh mesh = meshStrands(layouts, builder.tree.parameters());
+    float sum = 0.0F;
+    int count = 0;
+    for (const MeshVertex& vertex : mesh.vertices) {
+        const Vec3 from = toVec3(vertex.position) - place;
+        const Vec3 flat(from.x(), 0.0F, from.z());
+        if (std::abs(from.y()) > kSlice || flat.normalized().dot(side) < 0.98F)
+            continue;
+        sum += flat.norm();
+        ++count;
+    }
+    return sum / static_cast<float>(std::max(count, 1));
 }
 
 } // namespace
@@ -114,19 +149,19 @@ void StrandReliefsTest::ridge_isBelowItsLimbAndFades()
     QCOMPARE(builder.tree.parent(limb), kFork);
     const std::uint32_t fork = nodeOf(layouts, kFork);
     const float angle = angleOf(layouts, builder.index, fork, limb);
-    QVERIFY(layouts.reliefs().relief(fork, angle) > 0.1F);
-    QVERIFY(layouts.reliefs().relief(fork, angle + static_cast<float>(radians(180))) < 0.0F);
+    QVERIFY(reliefAt(layouts, fork, angle) > 0.1F);
+    QVERIFY(reliefAt(layouts, fork, angle + static_cast<float>(radians(180))) < 0.0F);
     QVERIFY(std::abs(meanRelief(layouts, fork)) < 1e-3F);
     // The trunk is straight, so the limb's side has the same angle all the way down.
-    float above = layouts.reliefs().relief(fork, angle);
+    float above = reliefAt(layouts, fork, angle);
     for (InternodeId id = kFork - 1; id > 8; --id) {
-        const float here = layouts.reliefs().relief(nodeOf(layouts, id), angle);
+        const float here = reliefAt(layouts, nodeOf(layouts, id), angle);
         QVERIFY(here > 0.0F && here < above);
         above = here;
     }
     // Above the limb the wood has no ridge of that limb.
     const std::uint32_t next = nodeOf(layouts, kFork + 1);
-    QVERIFY(std::abs(layouts.reliefs().relief(next, angle)) < 0.03F);
+    QVERIFY(std::abs(reliefAt(layouts, next, angle)) < 0.03F);
 }
 
 void StrandReliefsTest::buttresses_areAtTheGroundBelowLimbs()
@@ -139,7 +174,7 @@ void StrandReliefsTest::buttresses_areAtTheGroundBelowLimbs()
     const auto bulgesAt = [&](std::uint32_t node, float least) {
         int bulges = 0;
         const auto at = [&](int degree) {
-            return layouts.reliefs().relief(node, static_cast<float>(radians(degree)));
+            return reliefAt(layouts, node, static_cast<float>(radians(degree)));
         };
         for (int i = 0; i < 360; i += 3) {
             if (at(i) > least && at(i) >= at(i - 3) && at(i) > at(i + 3))
@@ -170,9 +205,8 @@ void StrandReliefsTest::lostLimb_leavesAHollowWithARim()
     const std::uint32_t fork = nodeOf(layouts, kFork);
     const float angle = angleOf(layouts, builder.index, fork, limb);
     const auto change = [&](std::uint32_t node, float turn) {
-        return layouts.reliefs().relief(node, angle + turn) -
-               unhurt.reliefs().relief(nodeOf(unhurt, layouts.skeleton().nodes[node].internode),
-                                       angle + turn);
+        return reliefAt(layouts, node, angle + turn) -
+               reliefAt(unhurt, nodeOf(unhurt, layouts.skeleton().nodes[node].internode), angle + turn);
     };
     QVERIFY(change(fork, 0.0F) < -0.1F);
     QVERIFY(std::abs(change(fork, static_cast<float>(radians(180)))) < 0.02F);
@@ -183,12 +217,12 @@ void StrandReliefsTest::lostLimb_leavesAHollowWithARim()
     // An index that was made after the loss gives the same hollow.
     const TreeIndex fresh(builder.tree);
     const StrandLayouts again(builder.tree, fresh, Widths(builder.tree, fresh));
-    QCOMPARE(again.reliefs().relief(fork, angle), layouts.reliefs().relief(fork, angle));
+    QCOMPARE(reliefAt(again, fork, angle), reliefAt(layouts, fork, angle));
     // Far from it the wood is as it was.
     QVERIFY(std::abs(change(nodeOf(layouts, kFork - 12), 0.0F)) < 0.01F);
     // Undo heals it.
     builder.revert();
-    QVERIFY(layoutsOf(builder).reliefs().relief(fork, angle) > 0.1F);
+    QVERIFY(reliefAt(layoutsOf(builder), fork, angle) > 0.1F);
 }
 
 void StrandReliefsTest::lostTwig_leavesNone()
@@ -201,8 +235,8 @@ void StrandReliefsTest::lostTwig_leavesNone()
     const std::uint32_t fork = nodeOf(layouts, kFork);
     for (int degree = 0; degree < 360; ++degree) {
         const auto angle = static_cast<float>(radians(degree));
-        QVERIFY(std::abs(layouts.reliefs().relief(fork, angle) -
-                         before.reliefs().relief(nodeOf(before, kFork), angle)) < 0.02F);
+        QVERIFY(std::abs(reliefAt(layouts, fork, angle) - reliefAt(before, nodeOf(before, kFork), angle)) <
+                0.02F);
     }
 }
 
@@ -215,7 +249,7 @@ void StrandReliefsTest::hollow_shrinksAsTheWoodThickens()
     for (int round = 0; round < 4; ++round) {
         const StrandLayouts layouts = layoutsOf(builder);
         const std::uint32_t fork = nodeOf(layouts, kFork);
-        const float depth = layouts.reliefs().relief(fork, angleOf(layouts, builder.index, fork, limb));
+        const float depth = reliefAt(layouts, fork, angleOf(layouts, builder.index, fork, limb));
         QVERIFY(depth < 0.0F);
         depths.push_back(depth);
         InternodeId top = 30;
@@ -235,27 +269,59 @@ void StrandReliefsTest::hollow_isSeenInTheMesh()
     builder.apply(prune(builder.tree, builder.index, std::span(&limb, 1)));
     const StrandLayouts layouts = layoutsOf(builder);
     const StrandNode& fork = layouts.skeleton().nodes[nodeOf(layouts, kFork)];
-    const Vec3 outward = builder.index.rotation(kFork) * (builder.tree.columns().rotation[limb] * up());
-    /// How far the bark is from the middle of the trunk at the height of the lost limb.
-    const auto barkToward = [&](const Vec3& side) {
-        const BranchMesh mesh = meshStrands(layouts, builder.tree.parameters());
-        float sum = 0.0F;
-        int count = 0;
-        for (const MeshVertex& vertex : mesh.vertices) {
-            const Vec3 from = toVec3(vertex.position) - fork.position;
-            const Vec3 flat(from.x(), 0.0F, from.z());
-            if (std::abs(from.y()) > 0.2F * fork.radius || flat.normalized().dot(side) < 0.99F)
-                continue;
-            sum += flat.norm();
-            ++count;
-        }
-        return sum / static_cast<float>(std::max(count, 1));
-    };
-    const float there = barkToward(outward.normalized());
-    const float opposite = barkToward(-outward.normalized());
+    const Vec3 outward = outwardOf(builder, limb);
+    const float there = barkToward(layouts, builder, fork.position, outward);
+    const float opposite = barkToward(layouts, builder, fork.position, -outward);
     QVERIFY(there > 0.0F && opposite > 0.0F);
     QVERIFY2(there < opposite - 0.15F * fork.radius,
              qPrintable(QStringLiteral("%1 %2 %3").arg(there).arg(opposite).arg(fork.radius)));
+}
+
+void StrandReliefsTest::hollow_isOnTheLimbsSideOfTwistedWood()
+{
+    TreeBuilder builder = treeWithLimb(20, WoodParameters{}.flutes);
+    const InternodeId limb = 31;
+    builder.apply(prune(builder.tree, builder.index, std::span(&limb, 1)));
+    for (const float twisted : {0.3F, 0.5F}) {
+        for (const InternodeId id : {kFork - 1, kFork, kFork + 1})
+            builder.apply(twistChange(builder.tree, id, twisted));
+        const StrandLayouts layouts = layoutsOf(builder);
+        const StrandNode& fork = layouts.skeleton().nodes[nodeOf(layouts, kFork)];
+        const Vec3 outward = outwardOf(builder, limb);
+        // Also where the way is half that to the next node.
+        for (const float height : {-0.3F, 0.0F, 0.3F}) {
+            const Vec3 place = fork.position + height * fork.radius * up();
+            const float there = barkToward(layouts, builder, place, outward);
+            for (const double degree : {90.0, 180.0, 270.0}) {
+                const Vec3 side = Eigen::AngleAxisf(static_cast<float>(radians(degree)), up()) * outward;
+                QVERIFY2(there < barkToward(layouts, builder, place, side) - 0.1F * fork.radius,
+                         qPrintable(QStringLiteral("%1 at %2, %3°").arg(there).arg(height).arg(degree)));
+            }
+        }
+    }
+}
+
+void StrandReliefsTest::hollow_fadesTowardAProfile()
+{
+    TreeBuilder builder = treeWithLimb(20);
+    const InternodeId limb = 31;
+    builder.apply(prune(builder.tree, builder.index, std::span(&limb, 1)));
+    builder.apply(profileChange(builder.tree, kFork + 1, profileOf(ProfileShape::Round)));
+    const StrandLayouts layouts = layoutsOf(builder);
+    const std::uint32_t next = nodeOf(layouts, kFork + 1);
+    QVERIFY(layouts.reliefs().hasHollow(next));
+    const StrandNode& n = layouts.skeleton().nodes[next];
+    const Vec3 local = n.frame.conjugate() * outwardOf(builder, limb);
+    const Vec2 place = n.radius * Vec2(local.x(), local.z()).normalized();
+    const float length = (n.position - layouts.skeleton().nodes[n.parent].position).norm();
+    float last = 1.0F;
+    for (const float t : {0.0F, 0.25F, 0.5F, 0.75F, 1.0F}) {
+        const float depth =
+            layouts.reliefs().sunk(next, {.t = t, .length = length, .radius = n.radius}, place).norm();
+        QVERIFY(depth < last);
+        last = depth;
+    }
+    QCOMPARE(last, 0.0F);
 }
 
 void StrandReliefsTest::profile_isShownAsDrawn()
@@ -273,15 +339,24 @@ void StrandReliefsTest::places_keepTheirOrder()
     const InternodeId limb = 31;
     builder.apply(prune(builder.tree, builder.index, std::span(&limb, 1)));
     const StrandLayouts layouts = layoutsOf(builder);
+    QVERIFY(layouts.reliefs().hasHollow(nodeOf(layouts, kFork)));
     for (std::uint32_t node = 0; node < layouts.skeleton().nodes.size(); ++node) {
-        const float radius = bundleRadius(layouts.strandCount(node));
+        const StrandNode& n = layouts.skeleton().nodes[node];
+        const float radius = bundleRadius(n.strands);
+        const float length = (n.position - layouts.skeleton().nodes[n.parent].position).norm();
         for (int degree = 0; degree < 360; degree += 5) {
             const auto angle = static_cast<float>(radians(degree));
             const Vec2 outward(std::cos(angle), std::sin(angle));
             float last = -1.0F;
             for (int i = 0; i <= 20; ++i) {
-                const Vec2 moved =
+                const Vec2 ridged =
                     layouts.reliefs().moved(node, radius * static_cast<float>(i) / 20.0F * outward, radius);
+                const Vec2 moved =
+                    ridged +
+                    layouts.reliefs().sunk(
+                        node,
+                        {.t = 0.2F * static_cast<float>(degree % 6), .length = length, .radius = radius},
+                        ridged);
                 // Straight outward, and none passes another.
                 QVERIFY(std::abs(moved.x() * outward.y() - moved.y() * outward.x()) < 1e-3F * radius);
                 QVERIFY(moved.dot(outward) > last);
