@@ -7,6 +7,9 @@
 #include "model/strands/ProfileSlots.h"
 #include "model/strands/SlotAssignment.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace espalier {
 
 namespace {
@@ -15,6 +18,9 @@ namespace {
 constexpr int kLayoutInterval = 60;
 /// Branches above the section that have a colour of their own.
 constexpr int kMostBranches = 40;
+/// A sketch shapes the wood so far up and down, in its radii: within one node of thick wood it would hardly
+/// be seen.
+constexpr float kStretchRadii = 2.0F;
 
 /// By strand of @p node: which of the branches that leave its axis further up it runs to; 0 for the axis.
 std::vector<std::uint8_t> branchesOf(const StrandSkeleton& skeleton, std::uint32_t node)
@@ -192,15 +198,58 @@ bool ProfileController::cancel()
     return true;
 }
 
+std::vector<InternodeId> ProfileController::stretchOfChosen(float most) const
+{
+    std::vector<InternodeId> stretch{*m_chosen};
+    const std::optional<std::uint32_t> chosen = nodeOfChosen();
+    if (!chosen)
+        return stretch;
+    const StrandSkeleton& skeleton = m_layouts->skeleton();
+    const auto profileAt = [&](InternodeId id) { return m_document.tree().content().sparse.profile.at(id); };
+    const auto profile = profileAt(*m_chosen);
+    // Adds the node that follows, at so many metres from the chosen one; false if the stretch ends before it.
+    const auto add = [&](std::uint32_t node, float path) {
+        const StrandNode& n = skeleton.nodes[node];
+        if (n.along < 1.0F || 2 * n.strands < skeleton.nodes[*chosen].strands ||
+            n.strands > 2 * skeleton.nodes[*chosen].strands)
+            return false;
+        if (profileAt(n.internode) != profile || path > most)
+            return false;
+        stretch.push_back(n.internode);
+        return true;
+    };
+    const auto lengthTo = [&](std::uint32_t node) {
+        return (skeleton.nodes[node].position - skeleton.nodes[skeleton.nodes[node].parent].position).norm();
+    };
+    float path = 0.0F;
+    for (std::uint32_t node = *chosen; !skeleton.isBase(node);) {
+        path += lengthTo(node);
+        node = skeleton.nodes[node].parent;
+        if (!add(node, path))
+            break;
+    }
+    path = 0.0F;
+    for (std::uint32_t node = *chosen; skeleton.nodes[node].childCount > 0;) {
+        node = *std::ranges::max_element(skeleton.childrenOf(node), {},
+                                         [&](std::uint32_t child) { return skeleton.nodes[child].strands; });
+        path += lengthTo(node);
+        if (!add(node, path))
+            break;
+    }
+    return stretch;
+}
+
 void ProfileController::edit(const StrandProfile& profile)
 {
     if (!m_chosen || m_isBusy())
         return;
-    const std::array ids{*m_chosen};
-    if (profile.boundaries.empty())
-        clearProfiles(m_document, ids);
-    else
-        setProfile(m_document, ids, profile);
+    if (profile.boundaries.empty()) {
+        clearProfiles(m_document, stretchOfChosen(std::numeric_limits<float>::max()));
+    } else {
+        const std::optional<std::uint32_t> node = nodeOfChosen();
+        const float radius = node ? m_layouts->skeleton().nodes[*node].radius : 0.0F;
+        setProfile(m_document, stretchOfChosen(kStretchRadii * radius), profile);
+    }
     preview();
 }
 

@@ -44,6 +44,9 @@ private:
     void show(bool isOther);
     void preview();
     std::optional<std::uint32_t> nodeOfChosen() const;
+    /// The chosen node and those up and down from it that have the same profile as it, or none like it, up to
+    /// @p most, m.
+    std::vector<InternodeId> stretchOfChosen(float most) const;
     void edit(const StrandProfile& profile);
     void step(bool up);
     void ask(ProfilePanel::Span span);

@@ -25,6 +25,8 @@ constexpr float kSoonEvenAfter = 0.06F;
 constexpr float kStretchShare = 0.08F;
 constexpr float kLeastDensity = 0.7F;
 constexpr float kMostDensity = 1.5F;
+/// Profiles up to so many times as long as the outline of a round bundle keep the number of repeats.
+constexpr float kNearlyRound = 1.5F;
 /// Parts of a repeat below this one are left out; so bark is rather finer than coarser than its scale.
 constexpr float kSpareRepeat = 0.25F;
 
@@ -74,8 +76,8 @@ private:
         const StrandNode& n = m_skeleton.nodes[node];
         const auto above = m_skeleton.childrenOf(node);
         // Without the flare.
-        const float share = above.empty() ? 1.0F : m_skeleton.nodes[above.front()].radius / n.radius;
-        m_repeats[node] = repeatsOf(share * lengthOf(m_sections.block(node).whole.front().loops.front()));
+        m_repeats[node] =
+            repeatsOf(perimeterOf(above.empty() ? n.radius : m_skeleton.nodes[above.front()].radius));
         forget();
         for (const Slice& slice : m_sections.block(node).whole)
             assignSlice(slice, nullptr, 0.0F, node, true);
@@ -183,11 +185,15 @@ private:
             return;
         }
         const float rise = below == nullptr ? 0.0F : riseOf(slice, *below);
-        // Parts of a divided trunk and cavities have as many repeats as suit their length.
+        // Parts of a divided trunk, cavities, and profiles that are far from round have as many repeats as
+        // suit their length.
         const float repeats = m_repeats[node];
         const float round = perimeterOf(m_skeleton.nodes[node].radius);
         const float length = lengthOf(slice.loops.front());
-        const float own = isWhole ? repeats : std::max(1.0F, std::round(repeats * length / round));
+        const auto hasProfile = [&](std::uint32_t n) { return m_layouts.profileScale(n) > 0.0F; };
+        const bool mayBeLong = hasProfile(node) || hasProfile(m_skeleton.nodes[node].parent);
+        const bool isRound = isWhole && (!mayBeLong || length < kNearlyRound * round);
+        const float own = isRound ? repeats : std::max(1.0F, std::round(repeats * length / round));
         const float height = below == nullptr ? 0.0F : vBelow + heightOf(rise, length, own);
         for (const Loop& loop : slice.loops) {
             for (std::uint32_t i = 0; i < loop.count; ++i)

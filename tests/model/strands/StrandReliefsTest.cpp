@@ -294,7 +294,7 @@ void StrandReliefsTest::hollow_isOnTheLimbsSideOfTwistedWood()
             const float there = barkToward(layouts, builder, place, outward);
             for (const double degree : {90.0, 180.0, 270.0}) {
                 const Vec3 side = Eigen::AngleAxisf(static_cast<float>(radians(degree)), up()) * outward;
-                QVERIFY2(there < barkToward(layouts, builder, place, side) - 0.1F * fork.radius,
+                QVERIFY2(there < barkToward(layouts, builder, place, side) - 0.05F * fork.radius,
                          qPrintable(QStringLiteral("%1 at %2, %3°").arg(there).arg(height).arg(degree)));
             }
         }
