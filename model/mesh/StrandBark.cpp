@@ -80,7 +80,7 @@ private:
             repeatsOf(perimeterOf(above.empty() ? n.radius : m_skeleton.nodes[above.front()].radius));
         forget();
         for (const Slice& slice : m_sections.block(node).whole)
-            assignSlice(slice, nullptr, 0.0F, node, true);
+            assignSlice(slice, nullptr, 0.0F, node, isOne(node));
         if (const StrandSections::Block& block = m_sections.block(node); block.hasApex) {
             u(block.apex) = 0.5F * m_repeats[node];
             v(block.apex) = 0.0F;
@@ -113,12 +113,8 @@ private:
             for (std::size_t tube = 0; tube < m_tubes.nodes[node].tubes.size(); ++tube)
                 learn(block.slicesOf(tube).back(), 0);
         }
-        const std::vector<SectionLoop>& outline = m_tubes.nodes[node].whole.loops;
-        const bool isOne = outline.size() < 2 || std::ranges::count_if(outline, [](const SectionLoop& loop) {
-                                                     return !loop.isCavity();
-                                                 }) == 1;
         for (const Slice& slice : block.whole) {
-            assignSlice(slice, last, top, node, isOne);
+            assignSlice(slice, last, top, node, isOne(node));
             learn(slice, 0);
             last = &slice;
             top = v(slice.loops.front().first);
@@ -128,6 +124,15 @@ private:
             v(block.apex) = top + heightOf((at(block.apex) - last->centre).norm(), perimeterOf(last->radius),
                                            m_repeats[node]);
         }
+    }
+
+    /// Whether the wood of a node has one outline, cavities aside.
+    bool isOne(std::uint32_t node) const
+    {
+        const std::vector<SectionLoop>& outline = m_tubes.nodes[node].whole.loops;
+        return outline.size() < 2 || std::ranges::count_if(outline, [](const SectionLoop& loop) {
+                                         return !loop.isCavity();
+                                     }) == 1;
     }
 
     void forget() { ++m_round; }
