@@ -47,12 +47,12 @@ Vector3 turnedBack(const Vector3& axis, const Vector3& point)
     return axis + Vector3(offset.z(), offset.y(), -offset.x());
 }
 
-double angleBetween(const Vector3& a, const Vector3& b)
+double angleOfSteps(const Vector3& a, const Vector3& b)
 {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-Vector3 inPlane(const Eigen::Vector2d& point, double depth = 0.0)
+Vector3 drawnPoint(const Eigen::Vector2d& point, double depth = 0.0)
 {
     return {point.x(), point.y(), depth};
 }
@@ -102,14 +102,14 @@ public:
             const SketchedBranch& branch = branches[i];
             m_shares.push_back(arcShares(branch.line));
             BranchChord chord{
-                .parent = i, .order = 0, .step = inPlane(branch.line.back() - branch.line.front())};
+                .parent = i, .order = 0, .step = drawnPoint(branch.line.back() - branch.line.front())};
             if (branch.parent) {
                 const auto found =
                     std::ranges::lower_bound(branches, *branch.parent, {}, &SketchedBranch::id);
                 chord.parent = static_cast<std::size_t>(found - branches.begin());
                 const BranchChord& parent = m_chords[chord.parent];
                 chord.order = parent.order + 1;
-                m_angleLimit = std::max(m_angleLimit, angleBetween(parent.step, chord.step));
+                m_angleLimit = std::max(m_angleLimit, angleOfSteps(parent.step, chord.step));
                 const double parentLength = parent.step.norm();
                 lengths.push_back({.order = chord.order,
                                    .length = chord.step.norm(),
@@ -224,7 +224,7 @@ private:
         double tipDepth = base.point.z();
         int equals = 0;
         for (const double depth : depthsToTry(row, base.point)) {
-            const Vector3 tip = inPlane(drawn.line.back(), depth);
+            const Vector3 tip = drawnPoint(drawn.line.back(), depth);
             const BrokenRules broken = brokenBy(row, base, tip);
             // The rule that is given up first counts least.
             const int rank = (broken.sideways ? 1 : 0) + (broken.hull ? 2 : 0) + (broken.length ? 4 : 0) +
@@ -300,7 +300,7 @@ private:
         broken.length = step.norm() > m_measures.lengthLimit(chord.order, parentLength,
                                                              m_drawing.branches()[row].along * parentLength) +
                                           slack;
-        broken.angle = angleBetween(parentStep, step) > m_measures.angleLimit() + 1e-9;
+        broken.angle = angleOfSteps(parentStep, step) > m_measures.angleLimit() + 1e-9;
         return broken;
     }
 
@@ -313,7 +313,7 @@ private:
         if (side == 0.0) {
             const std::vector<double>& shares = m_measures.shares(row);
             for (std::size_t i = 0; i < line.size(); ++i)
-                points.push_back(inPlane(line[i], baseDepth + shares[i] * end));
+                points.push_back(drawnPoint(line[i], baseDepth + shares[i] * end));
         } else {
             const std::vector<double> depths =
                 constantCurvatureDepths(line, {.elevationLimit = m_options.elevationLimit,
@@ -321,7 +321,7 @@ private:
                                                .side = side,
                                                .endDepth = end});
             for (std::size_t i = 0; i < line.size(); ++i)
-                points.push_back(inPlane(line[i], baseDepth + depths[i]));
+                points.push_back(drawnPoint(line[i], baseDepth + depths[i]));
         }
         points.back().z() = tipDepth;
         return points;
@@ -352,9 +352,9 @@ private:
 };
 
 /// Adds the leaves that the branch at an index carries. @p axis: of the second tree's turn.
-void addLeaves(PlacedTree& tree, const SketchedTree& drawing, std::size_t branch,
-               const std::vector<double>& drawnShares, const std::vector<Vector3>& unturned,
-               const Vector3& axis)
+void placeLeaves(PlacedTree& tree, const SketchedTree& drawing, std::size_t branch,
+                 const std::vector<double>& drawnShares, const std::vector<Vector3>& unturned,
+                 const Vector3& axis)
 {
     for (const SketchedLeaf& leaf : drawing.leaves()) {
         if (leaf.branch != tree.branches[branch].source)
@@ -362,7 +362,7 @@ void addLeaves(PlacedTree& tree, const SketchedTree& drawing, std::size_t branch
         const PlaceInSpace base = placeInSpace(unturned, drawnShares, leaf.along);
         PlacedLeaf placed{.source = leaf.id, .branch = branch, .along = base.along, .outline = {}};
         for (const Eigen::Vector2d& point : leaf.outline) {
-            const Vector3 inSpace = inPlane(point, base.point.z());
+            const Vector3 inSpace = drawnPoint(point, base.point.z());
             placed.outline.push_back(tree.branches[branch].isTurned ? turnedAround(axis, inSpace) : inSpace);
         }
         tree.leaves.push_back(std::move(placed));
@@ -380,7 +380,7 @@ PlacedTree inferDepth(const SketchedTree& drawing, const DepthOptions& options)
     tree.branches = BranchPlacing(drawing, measures, options, false).place();
     const std::size_t count = tree.branches.size();
     for (std::size_t row = 0; row < count; ++row)
-        addLeaves(tree, drawing, row, measures.shares(row), tree.branches[row].line, Vector3::Zero());
+        placeLeaves(tree, drawing, row, measures.shares(row), tree.branches[row].line, Vector3::Zero());
     if (!options.secondTree)
         return tree;
 
@@ -407,7 +407,7 @@ PlacedTree inferDepth(const SketchedTree& drawing, const DepthOptions& options)
         if (*branch.parent != 0)
             branch.parent = *branch.parent + count - 1; // The second tree has no trunk of its own
         tree.branches.push_back(std::move(branch));
-        addLeaves(tree, drawing, tree.branches.size() - 1, measures.shares(row), unturned, axes[row]);
+        placeLeaves(tree, drawing, tree.branches.size() - 1, measures.shares(row), unturned, axes[row]);
     }
     return tree;
 }
