@@ -24,9 +24,11 @@ private Q_SLOTS:
     void secondTree_isTheDrawingSeenFromTheSide();
     void tips_areInTheHull();
     void lengthsAndAngles_areWithinTheLimits();
+    void angleLimit_keepsLimbsUpright();
     void sideways_holdsUnlessGivenUp();
     void impossibleDrawing_keepsEachBranch();
     void branches_areFartherApartThanAtRandom();
+    void secondTree_keepsAwayFromTheFirst();
     void limbs_spreadAllAround();
     void leaves_standOnTheirBranches();
     void radii_comeAlong();
@@ -228,6 +230,29 @@ void DepthInferenceTest::lengthsAndAngles_areWithinTheLimits()
     }
 }
 
+void DepthInferenceTest::angleLimit_keepsLimbsUpright()
+{
+    // Limbs at 45° to the trunk; depth makes the angle wider.
+    std::vector<SketchStroke> strokes{openStroke({{0.0, 0.0}, {0.0, 6.0}})};
+    for (int i = 0; i < 6; ++i)
+        strokes.push_back(openStroke({{0.0, 2.0 + 0.4 * i}, {i % 2 == 0 ? 1.0 : -1.0, 3.0 + 0.4 * i}}));
+    const SketchedTree drawn = SketchedTree::ofStrokes(strokes);
+    const auto widest = [&](double magnification) {
+        double angle = 0.0;
+        const DepthOptions options{.sideways = DepthOptions::Sideways::None,
+                                   .hullMagnification = 5.0,
+                                   .angleMagnification = magnification};
+        for (const PlacedBranch& branch : inferDepth(drawn, options).branches) {
+            if (branch.order == 1)
+                angle = std::max(angle, angleOf({0.0, 1.0, 0.0}, chordOf(branch)));
+        }
+        return angle;
+    };
+    QVERIFY(widest(1.2) <= radians(54.0) + 1e-6);
+    QVERIFY(widest(1.2) > radians(48.0));
+    QVERIFY(widest(4.0) > radians(65.0));
+}
+
 void DepthInferenceTest::sideways_holdsUnlessGivenUp()
 {
     int kept = 0;
@@ -290,6 +315,34 @@ void DepthInferenceTest::branches_areFartherApartThanAtRandom()
         random += meanSeparation(tree);
     }
     QVERIFY2(placed > 1.1 * random, qPrintable(QStringLiteral("%1, %2").arg(placed).arg(random)));
+}
+
+void DepthInferenceTest::secondTree_keepsAwayFromTheFirst()
+{
+    // The only limb of the first tree takes one of the limits of the sideways rule; of those of the second,
+    // one is at the same place, seen from above, and the other at a right angle to it.
+    const std::vector<SketchStroke> strokes{openStroke({{0.0, 0.0}, {0.0, 4.0}}),
+                                            openStroke({{0.0, 2.0}, {2.0, 3.0}}),
+                                            openStroke({{0.0, 2.5}, {-0.1, 4.5}})};
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        const PlacedTree tree = inferDepth(SketchedTree::ofStrokes(strokes), {.seed = seed});
+        std::vector<Eigen::Vector3d> limbs;
+        for (const PlacedBranch& branch : tree.branches) {
+            if (branch.order == 1 && chordOf(branch).norm() > 2.1)
+                limbs.emplace_back(chordOf(branch).x(), 0.0, chordOf(branch).z());
+        }
+        QCOMPARE(limbs.size(), std::size_t{2});
+        QVERIFY(angleOf(limbs[0], limbs[1]) > radians(60.0));
+    }
+
+    double aware = 0.0;
+    double unaware = 0.0;
+    for (int seed = 1; seed <= kDrawings; ++seed) {
+        const SketchedTree drawn = drawing(static_cast<std::uint64_t>(seed), 16);
+        aware += meanSeparation(inferDepth(drawn));
+        unaware += meanSeparation(inferDepth(drawn, {.secondAvoidsFirst = false}));
+    }
+    QVERIFY2(aware > 1.05 * unaware, qPrintable(QStringLiteral("%1, %2").arg(aware).arg(unaware)));
 }
 
 void DepthInferenceTest::limbs_spreadAllAround()
