@@ -621,6 +621,18 @@ geschrieben werden konnte.
         <translation>Dicke</translation>
     </message>
     <message>
+        <source>a sketch can only become a tree where nothing has grown</source>
+        <translation>eine Zeichnung kann nur zum Baum werden, wo noch nichts gewachsen ist</translation>
+    </message>
+    <message>
+        <source>no stroke of the sketch is a branch</source>
+        <translation>kein Strich der Zeichnung ist ein Zweig</translation>
+    </message>
+    <message>
+        <source>Sketch</source>
+        <translation>Zeichnung</translation>
+    </message>
+    <message>
         <source>a skeleton can only be imported where nothing has grown</source>
         <translation>ein Skelett kann nur eingelesen werden, wo noch nichts gewachsen ist</translation>
     </message>
@@ -2589,6 +2601,14 @@ geschrieben werden konnte.
 </context>
 <context>
     <name>Recipe</name>
+    <message>
+        <source>a stroke has at least one point</source>
+        <translation>ein Strich hat mindestens einen Punkt</translation>
+    </message>
+    <message>
+        <source>1 to %1 strokes are expected</source>
+        <translation>1 bis %1 Striche werden erwartet</translation>
+    </message>
     <message>
         <source>internode %1 is a root, which cannot be pruned</source>
         <translation>Internodium %1 ist eine Wurzel, die nicht geschnitten werden kann</translation>

@@ -620,6 +620,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Épaisseur</translation>
     </message>
     <message>
+        <source>a sketch can only become a tree where nothing has grown</source>
+        <translation>un croquis ne peut devenir un arbre que là où rien n’a encore poussé</translation>
+    </message>
+    <message>
+        <source>no stroke of the sketch is a branch</source>
+        <translation>aucun trait du croquis n’est une branche</translation>
+    </message>
+    <message>
+        <source>Sketch</source>
+        <translation>Croquis</translation>
+    </message>
+    <message>
         <source>a skeleton can only be imported where nothing has grown</source>
         <translation>un squelette ne peut être importé que là où rien n’a encore poussé</translation>
     </message>
@@ -2588,6 +2600,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 </context>
 <context>
     <name>Recipe</name>
+    <message>
+        <source>a stroke has at least one point</source>
+        <translation>un trait a au moins un point</translation>
+    </message>
+    <message>
+        <source>1 to %1 strokes are expected</source>
+        <translation>de 1 à %1 traits sont attendus</translation>
+    </message>
     <message>
         <source>internode %1 is a root, which cannot be pruned</source>
         <translation>l’entre-nœud %1 est une racine, qui ne peut pas être taillée</translation>

@@ -619,6 +619,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>太さ</translation>
     </message>
     <message>
+        <source>a sketch can only become a tree where nothing has grown</source>
+        <translation>スケッチは、まだ何も育っていないところでだけ木になります</translation>
+    </message>
+    <message>
+        <source>no stroke of the sketch is a branch</source>
+        <translation>スケッチの線のどれも枝になりません</translation>
+    </message>
+    <message>
+        <source>Sketch</source>
+        <translation>スケッチ</translation>
+    </message>
+    <message>
         <source>a skeleton can only be imported where nothing has grown</source>
         <translation>スケルトンは、まだ何も育っていないところにだけ読み込めます</translation>
     </message>
@@ -2587,6 +2599,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 </context>
 <context>
     <name>Recipe</name>
+    <message>
+        <source>a stroke has at least one point</source>
+        <translation>線には点が1つ以上必要です</translation>
+    </message>
+    <message>
+        <source>1 to %1 strokes are expected</source>
+        <translation>1～%1本の線が必要です</translation>
+    </message>
     <message>
         <source>internode %1 is a root, which cannot be pruned</source>
         <translation>節間 %1 は根元なので、剪定できません</translation>

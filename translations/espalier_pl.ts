@@ -620,6 +620,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Grubość</translation>
     </message>
     <message>
+        <source>a sketch can only become a tree where nothing has grown</source>
+        <translation>szkic może stać się drzewem tylko tam, gdzie nic jeszcze nie wyrosło</translation>
+    </message>
+    <message>
+        <source>no stroke of the sketch is a branch</source>
+        <translation>żadna kreska szkicu nie jest gałęzią</translation>
+    </message>
+    <message>
+        <source>Sketch</source>
+        <translation>Szkic</translation>
+    </message>
+    <message>
         <source>a skeleton can only be imported where nothing has grown</source>
         <translation>szkielet można wczytać tylko tam, gdzie nic jeszcze nie wyrosło</translation>
     </message>
@@ -2588,6 +2600,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 </context>
 <context>
     <name>Recipe</name>
+    <message>
+        <source>a stroke has at least one point</source>
+        <translation>kreska ma co najmniej jeden punkt</translation>
+    </message>
+    <message>
+        <source>1 to %1 strokes are expected</source>
+        <translation>oczekiwana jest liczba kresek od 1 do %1</translation>
+    </message>
     <message>
         <source>internode %1 is a root, which cannot be pruned</source>
         <translation>międzywęźle %1 to korzeń, którego nie można odciąć</translation>

@@ -17,6 +17,7 @@
 #include "commands/recipe/SetParametersOperation.h"
 #include "commands/recipe/SetProfileOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
+#include "commands/recipe/SketchOperation.h"
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"
@@ -50,7 +51,7 @@ constexpr OperationKind kKinds[] = {
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
     kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
     kindOf<ReduceOperation>(),        kindOf<TwistOperation>(),       kindOf<AddBudsOperation>(),
-    kindOf<SetProfileOperation>(),
+    kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),
 };
 
 } // namespace

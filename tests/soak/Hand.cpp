@@ -4,6 +4,7 @@
 #include "commands/AddBuds.h"
 #include "commands/BendGesture.h"
 #include "commands/BrushGesture.h"
+#include "commands/DrawSketch.h"
 #include "commands/GrowGesture.h"
 #include "commands/ImportSkeleton.h"
 #include "commands/InvigorateGesture.h"
@@ -182,6 +183,12 @@ public:
         (void)importSkeleton(m_document, operation.skeleton);
     }
 
+    void operator()(const SketchOperation& operation)
+    {
+        // Refused unless the tree is a seedling.
+        (void)drawSketch(m_document, operation.sketch);
+    }
+
     void operator()(const TwistOperation& operation)
     {
         TwistGesture gesture(m_document, operation.internode.number(), operation.scope);
@@ -240,8 +247,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
         doesAny<SetParametersOperation, BrushStrokeOperation, GrowOperation, PruneOperation, TravelOperation,
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
                 SetProfileOperation, RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation,
-                ImportOperation, InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation>(
-            Hand(document, random), operation);
+                ImportOperation, InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation,
+                SketchOperation>(Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

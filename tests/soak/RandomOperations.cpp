@@ -406,6 +406,24 @@ ImportOperation RandomOperations::make(const TreeDocument& document, int)
 }
 
 template <>
+SketchOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    SketchOperation operation;
+    TreeSketch& sketch = operation.sketch;
+    sketch.seed = static_cast<std::uint64_t>(below(1000));
+    sketch.secondTree = !onceIn(3);
+    sketch.sideways = static_cast<DepthOptions::Sideways>(below(3));
+    const float l = internode(document);
+    for (int i = below(12); i >= 0; --i) {
+        std::vector<Vec2> stroke{5.0F * l * m_random.inBall().head<2>()};
+        for (int j = below(8); j > 0; --j)
+            stroke.emplace_back(stroke.back() + 2.0F * l * m_random.inBall().head<2>());
+        sketch.strokes.push_back(std::move(stroke));
+    }
+    return operation;
+}
+
+template <>
 TwistOperation RandomOperations::make(const TreeDocument& document, int)
 {
     const double angle =
@@ -436,7 +454,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<FillEnvelopesOperation>(1, 0),  kindOf<ImportOperation>(1, 1),
         kindOf<InvigorateOperation>(8, 0),     kindOf<ReduceOperation>(8, 14),
         kindOf<TwistOperation>(6, 2),          kindOf<AddBudsOperation>(6, 0),
-        kindOf<SetProfileOperation>(6, 2),
+        kindOf<SetProfileOperation>(6, 2),     kindOf<SketchOperation>(1, 1),
     };
     return kKinds;
 }

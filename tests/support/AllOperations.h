@@ -18,6 +18,7 @@
 #include "commands/recipe/SetParametersOperation.h"
 #include "commands/recipe/SetProfileOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
+#include "commands/recipe/SketchOperation.h"
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"

@@ -108,6 +108,13 @@ inline Recipe randomRecipe(std::uint64_t seed)
                                        100.0F * random.inBall(), 100.0F * random.inBall(),
                                        static_cast<float>(random.uniform())});
         result.operations.emplace_back(import);
+        SketchOperation sketch;
+        sketch.sketch.seed = random.bits();
+        sketch.sketch.secondTree = i % 2 == 0;
+        sketch.sketch.sideways = static_cast<DepthOptions::Sideways>(i % 3);
+        for (int j = 0; j <= i; ++j)
+            sketch.sketch.strokes.emplace_back(1 + j, Vec2(10.0F * random.inBall().head<2>()));
+        result.operations.emplace_back(sketch);
     }
     return result;
 }

@@ -145,6 +145,8 @@ std::vector<Case> cases()
         {"import where something has grown",
          ImportOperation{{{kNoInternode, Vec3::Zero(), Vec3::UnitY(), 0.1F}}},
          QStringLiteral("a skeleton can only be imported where nothing has grown")},
+        {"sketch where something has grown", SketchOperation{{.strokes = {{{0, 0}, {0, 1}}}}},
+         QStringLiteral("a sketch can only become a tree where nothing has grown")},
         {"removeLasso without an envelope", RemoveLassoOperation{}, QStringLiteral("there is no envelope")},
     };
 }

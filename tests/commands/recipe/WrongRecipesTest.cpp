@@ -104,6 +104,15 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].segments[0]: its parent is not one of the segments before it");
     row(operationsOf(R"({"op": "import", "segments": [[-1, 0, 0, 0, 0, 1, 0, 51]]})"),
         "operations[0].segments[0]: its radius is not between 0 and 50 m");
+    row(operationsOf(R"({"op": "sketch"})"), "operations[0].strokes: 1 to 1000 strokes are expected");
+    row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1]], []]})"),
+        "operations[0].strokes[1]: a stroke has at least one point");
+    row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1001]]]})"),
+        "operations[0].strokes[0][1]: two numbers within ±1000 are expected, right and up, in m");
+    row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1]]], "trees": 3})"),
+        "operations[0].trees: a whole number from 1 to 2 is expected");
+    row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1]]], "sideways": "some"})"),
+        "operations[0].sideways: one of these is expected: all, limbs, none");
     row(operationsOf(R"({"op": "import", "file": "tree.csv"})"),
         "operations[0].file: tree.csv: a recipe that was not read from a file cannot name files");
     row(operationsOf(R"({"op": "undo", "count": -1})"),
