@@ -130,9 +130,8 @@ private:
     bool isOne(std::uint32_t node) const
     {
         const std::vector<SectionLoop>& outline = m_tubes.nodes[node].whole.loops;
-        return outline.size() < 2 || std::ranges::count_if(outline, [](const SectionLoop& loop) {
-                                         return !loop.isCavity();
-                                     }) == 1;
+        return outline.size() < 2 ||
+               std::ranges::count_if(outline, [](const SectionLoop& loop) { return !loop.isCavity(); }) == 1;
     }
 
     void forget() { ++m_round; }
