@@ -215,7 +215,7 @@ void StrandRunnerTest::destroyedAtWork_stopsTheWork()
     runner.reset();
     QVERIFY(timer.elapsed() < 500); // The window does not wait for the work
     QVERIFY(backgroundThreads().waitForDone(kRunnerPatience));
-    // What the work tells at last finds nobody.
+    // The work that was under way ends after the runner; its result has no receiver any more.
     QCoreApplication::processEvents();
     QCOMPARE(meshed.count(), 0);
     drawProfile(document, 2);
