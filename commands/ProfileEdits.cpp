@@ -108,9 +108,10 @@ void blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, 
     for (std::size_t i = 1; i < path.size(); ++i)
         along.push_back(along.back() + tree.length(isUpward ? path[i] : path[i - 1]));
     std::vector<std::pair<InternodeId, StrandProfile>> profiles;
+    const ProfileBlend blend(from, to);
     for (std::size_t i = 0; i < path.size(); ++i)
-        profiles.emplace_back(
-            path[i], forRecipes(path.size() == 1 ? from : blendedProfile(from, to, along[i] / along.back())));
+        profiles.emplace_back(path[i],
+                              forRecipes(blend.at(path.size() == 1 ? 0.0F : along[i] / along.back())));
     std::ranges::sort(profiles, {}, &std::pair<InternodeId, StrandProfile>::first);
     TreeDelta delta = deltaStartingAt(tree);
     for (const auto& [id, blended] : profiles)

@@ -70,35 +70,6 @@ std::vector<StrandProfile::Loop> outlines(const StrandProfile& profile, bool ofC
     return found;
 }
 
-/// Adds each outline of @p from, blended with the nearest one of @p to that is left.
-void blendOutlines(const std::vector<StrandProfile::Loop>& from, std::vector<StrandProfile::Loop> to,
-                   float share, StrandProfile& result)
-{
-    for (const StrandProfile::Loop& loop : from) {
-        const Vec2 middle = middleOf(loop);
-        const auto nearest = std::ranges::min_element(to, {}, [&](const StrandProfile::Loop& other) {
-            return (middleOf(other) - middle).squaredNorm();
-        });
-        const Vec2 shift = middleOf(*nearest) - middle;
-        // The place on the other outline that the first point goes to.
-        std::size_t best = 0;
-        float least = std::numeric_limits<float>::max();
-        for (std::size_t offset = 0; offset < kMorphPoints; ++offset) {
-            float sum = 0.0F;
-            for (std::size_t i = 0; i < kMorphPoints; ++i)
-                sum += ((*nearest)[(i + offset) % kMorphPoints] - loop[i] - shift).squaredNorm();
-            if (sum < least) {
-                least = sum;
-                best = offset;
-            }
-        }
-        StrandProfile::Loop& blended = result.boundaries.emplace_back();
-        for (std::size_t i = 0; i < kMorphPoints; ++i)
-            blended.push_back((1.0F - share) * loop[i] + share * (*nearest)[(i + best) % kMorphPoints]);
-        to.erase(nearest);
-    }
-}
-
 /// The distance of @p point from the boundary, positive inside.
 float signedDistance(const StrandProfile& profile, const Vec2& point)
 {
@@ -122,38 +93,6 @@ StrandProfile coarse(StrandProfile profile)
     return profile;
 }
 
-StrandProfile blendDistances(const StrandProfile& from, const StrandProfile& to, float share)
-{
-    const StrandProfile a = coarse(from);
-    const StrandProfile b = coarse(to);
-    Eigen::AlignedBox2f box;
-    for (const StrandProfile* profile : {&a, &b}) {
-        for (const StrandProfile::Loop& loop : profile->boundaries) {
-            for (const Vec2& point : loop)
-                box.extend(point);
-        }
-    }
-    const float spacing = box.sizes().maxCoeff() / static_cast<float>(kMorphGrid);
-    const Vec2 corner = box.min() - Vec2::Constant(2.0F * spacing);
-    const auto nodes = [&](int axis) { return static_cast<int>(std::ceil(box.sizes()[axis] / spacing)) + 5; };
-    Grid<float> values(nodes(0), nodes(1));
-    for (int y = 0; y < values.height(); ++y) {
-        for (int x = 0; x < values.width(); ++x) {
-            const Vec2 place = corner + spacing * Vec2(static_cast<float>(x), static_cast<float>(y));
-            values(x, y) = (1.0F - share) * signedDistance(a, place) + share * signedDistance(b, place);
-        }
-    }
-    StrandProfile result;
-    for (const auto& line : Contours(values, 0.0F).loops()) {
-        StrandProfile::Loop loop;
-        for (const Eigen::Vector2d& node : line)
-            loop.push_back(corner + spacing * node.cast<float>());
-        if (loop.size() >= 8)
-            result.boundaries.push_back(resampled(loop, std::min(loop.size() / 2, kMorphPoints)));
-    }
-    return result;
-}
-
 void blendAttractors(const StrandProfile& from, const StrandProfile& to, float share, StrandProfile& result)
 {
     const std::size_t both = std::min(from.attractors.size(), to.attractors.size());
@@ -170,26 +109,120 @@ void blendAttractors(const StrandProfile& from, const StrandProfile& to, float s
 
 } // namespace
 
-StrandProfile blendedProfile(const StrandProfile& from, const StrandProfile& to, float share)
+ProfileBlend::ProfileBlend(StrandProfile from, StrandProfile to, By by)
+    : m_from(std::move(from)), m_to(std::move(to))
 {
-    if (share <= 0.0F || from == to)
-        return from;
-    if (share >= 1.0F)
-        return to;
+    if (m_from == m_to)
+        return;
+    const std::vector<StrandProfile::Loop> parts = outlines(m_from, false);
+    const std::vector<StrandProfile::Loop> cavities = outlines(m_from, true);
+    std::vector<StrandProfile::Loop> partsTo = outlines(m_to, false);
+    std::vector<StrandProfile::Loop> cavitiesTo = outlines(m_to, true);
+    if (by == By::Outlines && parts.size() == partsTo.size() && cavities.size() == cavitiesTo.size()) {
+        m_pairs = matched(parts, std::move(partsTo));
+        for (Pair& pair : matched(cavities, std::move(cavitiesTo)))
+            m_pairs.push_back(std::move(pair));
+    } else {
+        m_distances = distances();
+    }
+}
+
+std::vector<ProfileBlend::Pair> ProfileBlend::matched(const std::vector<StrandProfile::Loop>& from,
+                                                      std::vector<StrandProfile::Loop> to)
+{
+    std::vector<Pair> pairs;
+    for (const StrandProfile::Loop& loop : from) {
+        const Vec2 middle = middleOf(loop);
+        const auto nearest = std::ranges::min_element(to, {}, [&](const StrandProfile::Loop& other) {
+            return (middleOf(other) - middle).squaredNorm();
+        });
+        const Vec2 shift = middleOf(*nearest) - middle;
+        // The place on the other outline that the first point goes to.
+        std::size_t best = 0;
+        float least = std::numeric_limits<float>::max();
+        for (std::size_t offset = 0; offset < kMorphPoints; ++offset) {
+            float sum = 0.0F;
+            for (std::size_t i = 0; i < kMorphPoints; ++i)
+                sum += ((*nearest)[(i + offset) % kMorphPoints] - loop[i] - shift).squaredNorm();
+            if (sum < least) {
+                least = sum;
+                best = offset;
+            }
+        }
+        std::ranges::rotate(*nearest, nearest->begin() + static_cast<std::ptrdiff_t>(best));
+        pairs.push_back({loop, std::move(*nearest)});
+        to.erase(nearest);
+    }
+    return pairs;
+}
+
+ProfileBlend::Distances ProfileBlend::distances() const
+{
+    const StrandProfile from = coarse(m_from);
+    const StrandProfile to = coarse(m_to);
+    Eigen::AlignedBox2f box;
+    for (const StrandProfile* profile : {&from, &to}) {
+        for (const StrandProfile::Loop& loop : profile->boundaries) {
+            for (const Vec2& point : loop)
+                box.extend(point);
+        }
+    }
+    Distances result;
+    result.spacing = box.sizes().maxCoeff() / static_cast<float>(kMorphGrid);
+    result.corner = box.min() - Vec2::Constant(2.0F * result.spacing);
+    const auto nodes = [&](int axis) {
+        return static_cast<int>(std::ceil(box.sizes()[axis] / result.spacing)) + 5;
+    };
+    result.from = Grid<float>(nodes(0), nodes(1));
+    result.to = Grid<float>(nodes(0), nodes(1));
+    for (int y = 0; y < result.from.height(); ++y) {
+        for (int x = 0; x < result.from.width(); ++x) {
+            const Vec2 place =
+                result.corner + result.spacing * Vec2(static_cast<float>(x), static_cast<float>(y));
+            result.from(x, y) = signedDistance(from, place);
+            result.to(x, y) = signedDistance(to, place);
+        }
+    }
+    return result;
+}
+
+StrandProfile ProfileBlend::blended(const Distances& distances, float share)
+{
+    Grid<float> values(distances.from.width(), distances.from.height());
+    for (int y = 0; y < values.height(); ++y) {
+        for (int x = 0; x < values.width(); ++x)
+            values(x, y) = (1.0F - share) * distances.from(x, y) + share * distances.to(x, y);
+    }
     StrandProfile result;
-    blendAttractors(from, to, share, result);
-    const std::vector<StrandProfile::Loop> parts = outlines(from, false);
-    const std::vector<StrandProfile::Loop> cavities = outlines(from, true);
-    std::vector<StrandProfile::Loop> partsTo = outlines(to, false);
-    std::vector<StrandProfile::Loop> cavitiesTo = outlines(to, true);
-    if (parts.size() == partsTo.size() && cavities.size() == cavitiesTo.size()) {
-        blendOutlines(parts, std::move(partsTo), share, result);
-        blendOutlines(cavities, std::move(cavitiesTo), share, result);
+    for (const auto& line : Contours(values, 0.0F).loops()) {
+        StrandProfile::Loop loop;
+        for (const Eigen::Vector2d& node : line)
+            loop.push_back(distances.corner + distances.spacing * node.cast<float>());
+        if (loop.size() >= 8)
+            result.boundaries.push_back(resampled(loop, std::min(loop.size() / 2, kMorphPoints)));
+    }
+    return result;
+}
+
+StrandProfile ProfileBlend::at(float share) const
+{
+    if (share <= 0.0F || m_from == m_to)
+        return m_from;
+    if (share >= 1.0F)
+        return m_to;
+    StrandProfile result;
+    blendAttractors(m_from, m_to, share, result);
+    if (!m_distances) {
+        for (const Pair& pair : m_pairs) {
+            StrandProfile::Loop& loop = result.boundaries.emplace_back();
+            for (std::size_t i = 0; i < kMorphPoints; ++i)
+                loop.push_back((1.0F - share) * pair.from[i] + share * pair.to[i]);
+        }
         if (profileFault(result).isEmpty())
             return result;
     }
-    result.boundaries = blendDistances(from, to, share).boundaries;
-    return profileFault(result).isEmpty() ? result : share < 0.5F ? from : to;
+    result.boundaries = blended(m_distances ? *m_distances : distances(), share).boundaries;
+    return profileFault(result).isEmpty() ? result : share < 0.5F ? m_from : m_to;
 }
 
 StrandProfile::Loop sketchedLoop(std::span<const Vec2> stroke, float least)

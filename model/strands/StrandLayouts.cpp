@@ -5,6 +5,7 @@
 #include "model/base/Parallel.h"
 #include "model/strands/BundleMerge.h"
 #include "model/strands/DiscGrid.h"
+#include "model/strands/NodeProfiles.h"
 #include "model/strands/ProfileSlots.h"
 #include "model/strands/SlotAssignment.h"
 #include "model/strands/StrandDynamics.h"
@@ -35,12 +36,12 @@ constexpr int kDirectionNodes = 16;
 class StrandLayouts::Builder {
 public:
     Builder(const Tree& tree, const StrandLayouts* last, WorkProgress* progress, StrandLayouts& layouts)
-        : m_tree(tree),
-          m_wood(tree.parameters().wood),
+        : m_wood(tree.parameters().wood),
           m_last(last),
           m_progress(progress),
           m_layouts(layouts),
-          m_skeleton(layouts.m_skeleton)
+          m_skeleton(layouts.m_skeleton),
+          m_profiles(tree, m_skeleton, m_wood.packing == StrandPacking::Rest)
     {
         const double share = 1.0 - std::exp(-m_wood.steps / kStepsToRest);
         m_share = share > kAtRest ? 1.0F : static_cast<float>(share);
@@ -82,12 +83,6 @@ private:
         std::vector<std::uint32_t> order;
     };
 
-    /// A trunk's foot has the profile of its first node, so that a hollow reaches the ground.
-    const StrandProfile* profileAt(std::uint32_t node) const
-    {
-        const StrandNode& n = m_skeleton.nodes[node];
-        return n.along == 1.0F || m_skeleton.isBase(node) ? m_tree.profileOf(n.internode) : nullptr;
-    }
     bool isDynamic() const { return m_wood.packing == StrandPacking::Pbd; }
     /// Whether nodes with one child have layouts of their own, since packing goes on there.
     bool goesOn() const { return isDynamic() || m_share < 1.0F; }
@@ -104,13 +99,13 @@ private:
             for (const std::uint32_t child : m_skeleton.childrenOf(node))
                 m_round[i] = std::max(m_round[i], m_round[m_owner[child]] + 1);
             const StrandNode& n = m_skeleton.nodes[i];
-            if (n.childCount == 1 && profileAt(node) == nullptr && (!goesOn() || n.strands == 1)) {
+            if (n.childCount == 1 && !m_profiles.has(node) && (!goesOn() || n.strands == 1)) {
                 const std::uint32_t child = m_skeleton.children[n.firstChild];
-                // A profile draws its own node alone.
-                if (profileAt(child) == nullptr && m_layouts.m_sections[m_owner[child]].profileScale == 0.0F)
+                // A profile draws the nodes that have it.
+                if (!m_profiles.has(child) && m_layouts.m_sections[m_owner[child]].profileScale == 0.0F)
                     m_owner[i] = m_owner[child];
             }
-            if (profileAt(node) != nullptr)
+            if (m_profiles.has(node))
                 m_layouts.m_sections[i].profileScale = 1.0F; // The scale itself comes with the layout
         }
     }
@@ -223,14 +218,13 @@ private:
             else
                 mergeBundles(node, scratch);
         }
-        const StrandProfile* const profile = profileAt(node);
-        section.isDisc = profile == nullptr && !goesOn();
-        keys.places = placesKey(above, profile);
+        section.isDisc = !m_profiles.has(node) && !goesOn();
+        keys.places = placesKey(above, node);
         if (const StrandLayouts* last = lastWith(node, &Keys::places)) {
             std::ranges::copy(last->places(m_before[node]), placesOf(node).begin());
             section.profileScale = last->m_sections[m_before[node]].profileScale;
         } else {
-            place(node, profile, scratch);
+            place(node, scratch);
         }
     }
 
@@ -266,23 +260,15 @@ private:
         return hash;
     }
 
-    std::uint64_t placesKey(ContentHash hash, const StrandProfile* profile) const
+    std::uint64_t placesKey(ContentHash hash, std::uint32_t node) const
     {
         hash.add(m_wood.packing);
         hash.add(m_wood.steps);
-        hash.add(profile != nullptr);
-        if (profile != nullptr) {
-            for (const StrandProfile::Loop& loop : profile->boundaries)
-                hash.addAll(std::span(reinterpret_cast<const float*>(loop.data()), 2 * loop.size()));
-            for (const auto& [from, to] : profile->attractors) {
-                for (const float number : {from.x(), from.y(), to.x(), to.y()})
-                    hash.add(number);
-            }
-        }
+        m_profiles.addTo(hash, node);
         return hash.value();
     }
 
-    void place(std::uint32_t node, const StrandProfile* profile, Scratch& scratch)
+    void place(std::uint32_t node, Scratch& scratch)
     {
         const StrandNode& n = m_skeleton.nodes[node];
         Section& section = m_layouts.m_sections[node];
@@ -292,9 +278,9 @@ private:
         else if (goesOn())
             carry(node, places, scratch);
         if (isDynamic() && n.childCount > 0)
-            packDynamically(node, profile, places);
-        else if (profile != nullptr)
-            fillProfile(section, *profile, places, scratch);
+            packDynamically(node, places);
+        else if (m_profiles.has(node))
+            fillProfile(section, m_profiles.at(node), places, scratch);
         else
             approachSlots(section, places);
     }
@@ -393,21 +379,24 @@ private:
             places[i] = slots.places[scratch.chosen[i]];
     }
 
-    void packDynamically(std::uint32_t node, const StrandProfile* profile, std::span<Vec2> places)
+    void packDynamically(std::uint32_t node, std::span<Vec2> places)
     {
         Section& section = m_layouts.m_sections[node];
-        if (profile != nullptr)
+        std::optional<StrandProfile> profile;
+        if (m_profiles.has(node)) {
+            profile = m_profiles.at(node);
             section.profileScale = profileSlots(*profile, m_skeleton.nodes[node].strands).scale;
-        packByDynamics(places, m_wood.steps, profile, section.profileScale);
+        }
+        packByDynamics(places, m_wood.steps, profile ? &*profile : nullptr, section.profileScale);
     }
 
-    const Tree& m_tree;
     const WoodParameters& m_wood;
     const StrandLayouts* m_last;
     WorkProgress* m_progress;
     std::vector<std::uint32_t> m_before; ///< By node: its number in the last layouts
     StrandLayouts& m_layouts;
     StrandSkeleton& m_skeleton;
+    NodeProfiles m_profiles;
     std::vector<std::uint32_t> m_owner;
     std::vector<std::uint32_t> m_round;
     float m_share; ///< Of the way to the packed arrangement that a node goes

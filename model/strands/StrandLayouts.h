@@ -21,10 +21,10 @@ namespace espalier {
 /// of its thickest child. The strands of the others take the slots nearest to the side that they come from
 /// (equations 1 and 2 give that side), and push the strands there away, each by a slot, toward the free slots
 /// at the rim. So neighbours stay neighbours, and strands at the rim stay there. WoodParameters::steps says
-/// how far a node comes toward that arrangement from the one above it. A profile draws the strands of its own
-/// node alone.
+/// how far a node comes toward that arrangement from the one above it. Profiles draw the strands of their
+/// nodes, and fade along the branch (NodeProfiles).
 ///
-/// A node with one child and no profile of its own has the layout of the child, once packing is at rest.
+/// A node with one child and no profile has the layout of the child, once packing is at rest.
 /// Twists turn the frames of the nodes, not what lies in them.
 class StrandLayouts {
 public:

@@ -4,10 +4,13 @@
 #include "model/tree/TreeIndex.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace espalier {
+
+inline constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 
 /// A place on the tree at which strands have a cross-section.
 struct StrandNode {

@@ -4,12 +4,11 @@
 #include "model/shape/Widths.h"
 #include "model/strands/StrandNode.h"
 
-#include <limits>
+#include <vector>
 
 namespace espalier {
 
 /// For each node of @p skeleton the one of @p other at the same place of the same internode, or kNoNode.
-inline constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 std::vector<std::uint32_t> matchingNodes(const StrandSkeleton& skeleton, const StrandSkeleton& other);
 
 StrandSkeleton strandSkeleton(const Tree& tree, const TreeIndex& index, const Widths& widths);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/SetParameters.h"
 #include "model/strands/ProfileShapes.h"
 #include "panels/ProfilePanel.h"
 #include "tests/support/TestClasses.h"
@@ -32,6 +33,7 @@ private Q_SLOTS:
     void attractor_isDragged();
     void point_isMoved();
     void shapesClearAndUndo_changeTheProfile();
+    void sketchOnThickWood_reachesAsFarAsItIsThick();
     void copyAndInterpolate_goToTheOtherEnd();
     void escape_dropsTheStroke();
     void escape_dropsAPenStrokeWhateverHasTheFocus();
@@ -253,6 +255,31 @@ void ProfilesTest::shapesClearAndUndo_changeTheProfile()
     press("profileClear");
     QVERIFY(profile() == nullptr);
     QVERIFY(!button("profileClear")->isEnabled());
+}
+
+void ProfilesTest::sketchOnThickWood_reachesAsFarAsItIsThick()
+{
+    chooseTrunk();
+    TreeParameters parameters = tree().parameters();
+    parameters.widths.baseDiameter = 0.6F;
+    QVERIFY(setParameters(m_window->document(), parameters));
+    const auto isAtRest = [&] { return !m_window->isBusy() && m_window->profiles().isUpToDate(); };
+    while (!tree().isRoot(*m_window->profiles().chosen()))
+        press("profileDown");
+    QTRY_VERIFY_WITH_TIMEOUT(isAtRest(), 20'000);
+    const auto count = [&] { return tree().content().sparse.profile.cells().size(); };
+    const int steps = m_window->document().undoStack().count();
+    press("shapeTwo");
+    const std::size_t shaped = count();
+    QVERIFY2(shaped > 1, qPrintable(QString::number(shaped)));
+    QCOMPARE(m_window->document().undoStack().count(), steps + 1);
+    QTRY_VERIFY_WITH_TIMEOUT(isAtRest(), 20'000);
+    // The next sketch shapes the same nodes, and Clear clears them all.
+    press("shapeRing");
+    QCOMPARE(count(), shaped);
+    QTRY_VERIFY_WITH_TIMEOUT(isAtRest(), 20'000);
+    press("profileClear");
+    QCOMPARE(count(), 0U);
 }
 
 void ProfilesTest::copyAndInterpolate_goToTheOtherEnd()

@@ -30,7 +30,7 @@ void ProfileMorphTest::blend_betweenAnyTwoShapes_hasNoFault()
             const StrandProfile from = profileOf(static_cast<ProfileShape>(a));
             const StrandProfile to = scaled(profileOf(static_cast<ProfileShape>(b)), 1.3F);
             for (const float share : {0.0F, 0.2F, 0.5F, 0.7F, 1.0F}) {
-                const StrandProfile blended = blendedProfile(from, to, share);
+                const StrandProfile blended = ProfileBlend(from, to).at(share);
                 QCOMPARE(profileFault(blended), QString());
                 QVERIFY(share != 0.0F || blended == from);
                 QVERIFY(share != 1.0F || blended == to);
@@ -44,7 +44,7 @@ void ProfileMorphTest::blend_betweenAnyTwoShapes_hasNoFault()
 void ProfileMorphTest::blend_ofSquares_isTheSquareBetween()
 {
     const StrandProfile blended =
-        blendedProfile(rectangle(2.0F, 2.0F), rectangle(4.0F, 4.0F, Vec2(2.0F, 0.0F)), 0.5F);
+        ProfileBlend(rectangle(2.0F, 2.0F), rectangle(4.0F, 4.0F, Vec2(2.0F, 0.0F))).at(0.5F);
     QVERIFY(std::abs(areaOf(blended) - 9.0F) < 0.2F);
     for (const Vec2& point : blended.boundaries.front()) {
         const Vec2 fromMiddle = point - Vec2(1.0F, 0.0F);
@@ -56,18 +56,18 @@ void ProfileMorphTest::blend_fromOnePartToTwo_divides()
 {
     const StrandProfile from = profileOf(ProfileShape::Elongated);
     const StrandProfile to = profileOf(ProfileShape::TwoParts);
-    QCOMPARE(blendedProfile(from, to, 0.1F).boundaries.size(), 1U);
-    QCOMPARE(blendedProfile(from, to, 0.9F).boundaries.size(), 2U);
+    QCOMPARE(ProfileBlend(from, to).at(0.1F).boundaries.size(), 1U);
+    QCOMPARE(ProfileBlend(from, to).at(0.9F).boundaries.size(), 2U);
 }
 
 void ProfileMorphTest::blend_fromARingToADisc_closesTheCavity()
 {
     const StrandProfile ring = profileOf(ProfileShape::Ring);
     const StrandProfile disc = profileOf(ProfileShape::Round);
-    const StrandProfile early = blendedProfile(ring, disc, 0.1F);
+    const StrandProfile early = ProfileBlend(ring, disc).at(0.1F);
     QCOMPARE(early.boundaries.size(), 2U);
     QVERIFY(!isInside(early, Vec2::Zero()));
-    QVERIFY(isInside(blendedProfile(ring, disc, 0.9F), Vec2::Zero()));
+    QVERIFY(isInside(ProfileBlend(ring, disc).at(0.9F), Vec2::Zero()));
 }
 
 void ProfileMorphTest::attractors_areBlended()
@@ -76,10 +76,10 @@ void ProfileMorphTest::attractors_areBlended()
     StrandProfile to = from;
     from.attractors = {{Vec2(0.0F, 0.0F), Vec2(1.0F, 0.0F)}};
     to.attractors = {{Vec2(0.0F, 1.0F), Vec2(1.0F, 1.0F)}, {Vec2(5.0F, 5.0F), Vec2(6.0F, 5.0F)}};
-    const StrandProfile early = blendedProfile(from, to, 0.25F);
+    const StrandProfile early = ProfileBlend(from, to).at(0.25F);
     QCOMPARE(early.attractors.size(), 1U);
     QVERIFY((early.attractors.front().from - Vec2(0.0F, 0.25F)).norm() < 1e-6F);
-    QCOMPARE(blendedProfile(from, to, 0.75F).attractors.size(), 2U);
+    QCOMPARE(ProfileBlend(from, to).at(0.75F).attractors.size(), 2U);
 }
 
 namespace {

@@ -32,8 +32,8 @@ private Q_SLOTS:
     void twist_keepsRadiiAndDistances();
     void twist_turnsTheNodeAndAllAbove();
     void twist_turnsProfiles();
-    void profile_drawsItsOwnNodeAlone_data();
-    void profile_drawsItsOwnNodeAlone();
+    void profile_drawsItsNode_data();
+    void profile_drawsItsNode();
     void profile_ofABaseInternode_holdsTenThousandStrands();
     void profile_ofADeadBranch_hasNoEffect();
     void seedling_hasOneSectionOfItsStrands();
@@ -440,7 +440,7 @@ void StrandLayoutsTest::twist_turnsProfiles()
     }
 }
 
-void StrandLayoutsTest::profile_drawsItsOwnNodeAlone_data()
+void StrandLayoutsTest::profile_drawsItsNode_data()
 {
     QTest::addColumn<StrandProfile>("profile");
     for (int i = 0; i < kProfileShapeCount; ++i)
@@ -452,7 +452,7 @@ void StrandLayoutsTest::profile_drawsItsOwnNodeAlone_data()
     QTest::newRow("attractor outside") << attracted;
 }
 
-void StrandLayoutsTest::profile_drawsItsOwnNodeAlone()
+void StrandLayoutsTest::profile_drawsItsNode()
 {
     QFETCH(const StrandProfile, profile);
     for (const InternodeId id : {0U, 2U, 5U, 40U}) {
@@ -469,9 +469,11 @@ void StrandLayoutsTest::profile_drawsItsOwnNodeAlone()
         for (const Vec2& place : places)
             QVERIFY(distanceOutside(profile, place / after.profileScale(node)) * after.profileScale(node) <
                     0.5F);
+        const StrandNode& drawn = after.skeleton().nodes[node];
         for (std::uint32_t i = 0; i < after.skeleton().nodes.size(); ++i) {
-            // The foot of a trunk has the profile of its first node.
-            if (i == node || (id == 0 && after.skeleton().isBase(i)))
+            // It fades over twice the radius of the wood. The foot of a trunk has that of its first node.
+            const float distance = (after.skeleton().nodes[i].position - drawn.position).norm();
+            if (distance < 2.01F * drawn.radius || (id == 0 && after.skeleton().isBase(i)))
                 continue;
             QCOMPARE(after.profileScale(i), 0.0F);
             QVERIFY(placesAt(after, i) == placesAt(before, i));
