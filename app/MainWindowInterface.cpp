@@ -56,6 +56,9 @@ void MainWindow::makeInterface()
     m_profiles = std::make_unique<ProfileController>(
         m_document, m_workspace->profilePanel(), [this] { return isBusy(); },
         [this] { m_workspace->viewport().update(); });
+    m_sketching = std::make_unique<SketchController>(
+        m_document, m_viewSettings, m_workspace->sketchPopOut(), [this] { return isBusy(); },
+        [this](const QString& what) { m_workspace->notice().showInformation(what); });
     connectPopOuts();
     connectViewport();
 }
@@ -89,6 +92,7 @@ void MainWindow::remakeInterface()
     m_help.reset();
     m_library.reset();
     m_looks.reset();
+    m_sketching.reset();
     // The tool in hand refers to the profiles.
     m_workspace.reset();
     m_profiles.reset();

@@ -19,6 +19,7 @@
 #include "views/tools/PruneTool.h"
 #include "views/tools/ReduceTool.h"
 #include "views/tools/SelectBudTool.h"
+#include "views/tools/SketchTool.h"
 #include "views/tools/TwistTool.h"
 #include "views/tools/WidthTool.h"
 
@@ -105,6 +106,11 @@ void MainWindow::takeTool()
     case ActionId::AddBuds:
         viewport.setTool(std::make_unique<AddBudsTool>(context));
         popOut = Workspace::PopOut::AddBuds;
+        break;
+    case ActionId::Sketch:
+        viewport.setTool(
+            std::make_unique<SketchTool>(context, [this](const QString& why) { m_sketching->refuse(why); }));
+        popOut = Workspace::PopOut::Sketch;
         break;
     case ActionId::Profile:
         viewport.setTool(std::make_unique<ProfileTool>(context, *m_profiles));

@@ -32,6 +32,7 @@ class LibraryPanel;
 class Notice;
 class ProfilePanel;
 class RotationStrip;
+class SketchPopOut;
 class TwistPopOut;
 class Viewport;
 
@@ -41,7 +42,7 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds, Profile };
+    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds, Profile, Sketch };
     static constexpr int kSheetCount = 5;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -52,6 +53,7 @@ public:
     Notice& notice() { return *m_notice; }
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
+    SketchPopOut& sketchPopOut() { return *m_sketchPopOut; }
     ProfilePanel& profilePanel() { return *m_profilePanel; }
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
     ArchitecturePanel& architecture() { return *m_architecture; }
@@ -101,6 +103,7 @@ private:
     LassoPopOut* m_lassoPopOut;
     TwistPopOut* m_twistPopOut;
     AddBudsPopOut* m_addBudsPopOut;
+    SketchPopOut* m_sketchPopOut;
     ProfilePanel* m_profilePanel;
     ArchitecturePanel* m_architecture;
     BrushPanel* m_brushSheet;

@@ -58,9 +58,7 @@ Result<void> drawSketch(TreeDocument& document, TreeSketch sketch)
     if (document.tree().size() > 1)
         return sketchError(
             QT_TRANSLATE_NOOP("Commands", "a sketch can only become a tree where nothing has grown"));
-    const PlacedTree placed =
-        inferDepth(SketchedTree::ofStrokes(smoothStrokes(sketch)),
-                   {.seed = sketch.seed, .secondTree = sketch.secondTree, .sideways = sketch.sideways});
+    const PlacedTree placed = inferDepth(SketchedTree::ofStrokes(smoothStrokes(sketch)), sketch.depth);
     if (placed.branches.empty())
         return sketchError(QT_TRANSLATE_NOOP("Commands", "no stroke of the sketch is a branch"));
     Result<TreeDelta> delta = growSkeleton(

@@ -43,6 +43,10 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions",
                            "Drag from the tree outward: it grows into the space that the brush passes."),
          "B", "brush", true},
+        {Sketch, Group::Tools, "sketch", QT_TRANSLATE_NOOP("Actions", "Sketch"),
+         QT_TRANSLATE_NOOP("Actions",
+                           "Draw the trunk and its branches as lines, then give the drawing depth."),
+         "S", "sketch", true},
         {Grow, Group::Tools, "grow", QT_TRANSLATE_NOOP("Actions", "Grow"),
          QT_TRANSLATE_NOOP(
              "Actions", "Press anywhere and hold: the tree grows on its own, competing for light and space."),
@@ -136,10 +140,10 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 
 std::span<const ActionId> Actions::tools()
 {
-    static constexpr std::array kTools{ActionId::Brush,      ActionId::Lasso,   ActionId::Grow,
-                                       ActionId::Prune,      ActionId::Bend,    ActionId::Width,
-                                       ActionId::Invigorate, ActionId::Reduce,  ActionId::SelectBud,
-                                       ActionId::Twist,      ActionId::AddBuds, ActionId::Profile};
+    static constexpr std::array kTools{
+        ActionId::Brush, ActionId::Sketch,  ActionId::Lasso,      ActionId::Grow,   ActionId::Prune,
+        ActionId::Bend,  ActionId::Width,   ActionId::Invigorate, ActionId::Reduce, ActionId::SelectBud,
+        ActionId::Twist, ActionId::AddBuds, ActionId::Profile};
     return kTools;
 }
 

@@ -25,6 +25,7 @@ enum class ActionId {
     Undo,
     Redo,
     Brush,
+    Sketch,
     Grow,
     Prune,
     SelectBud,

@@ -375,6 +375,14 @@
         <source>Strand Lines</source>
         <translation>Stranglinien</translation>
     </message>
+    <message>
+        <source>Sketch</source>
+        <translation>Skizze</translation>
+    </message>
+    <message>
+        <source>Draw the trunk and its branches as lines, then give the drawing depth.</source>
+        <translation>Stamm und Äste als Linien zeichnen, dann der Zeichnung Tiefe geben.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -671,6 +679,14 @@ geschrieben werden konnte.
     <message>
         <source>Remove Twist</source>
         <translation>Verdrehung entfernen</translation>
+    </message>
+    <message>
+        <source>Give Depth</source>
+        <translation>Tiefe geben</translation>
+    </message>
+    <message>
+        <source>Draw Branch</source>
+        <translation>Ast zeichnen</translation>
     </message>
 </context>
 <context>
@@ -2409,6 +2425,54 @@ geschrieben werden konnte.
         <source>TreeSketch</source>
         <translation>TreeSketch</translation>
     </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>A stroke takes away: a branch that it crosses once is cut there, one that it crosses twice is erased. Shift or a pen&apos;s eraser does so, too.</source>
+        <translation>Ein Strich nimmt weg: ein Ast, den er einmal kreuzt, wird dort abgeschnitten, einer, den er zweimal kreuzt, wird gelöscht. Mit Umschalt oder dem Radierer eines Stifts geht es auch.</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Each branch is drawn on the other side of the trunk as well.</source>
+        <translation>Jeder Ast wird auch auf der anderen Seite des Stamms gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Fill the sides</source>
+        <translation>Seiten füllen</translation>
+    </message>
+    <message>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front.</source>
+        <translation>Die Zeichnung wird zweimal eingesetzt, das zweite Mal um 90° um den Stamm gedreht, sodass der Baum von der Seite so voll ist wie von vorn.</translation>
+    </message>
+    <message>
+        <source>Crown</source>
+        <translation>Krone</translation>
+    </message>
+    <message>
+        <source>How much wider than the drawing the crown may be in depth.</source>
+        <translation>Wie viel breiter als die Zeichnung die Krone in der Tiefe sein darf.</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>How much longer than drawn ones branches may become in depth.</source>
+        <translation>Wie viel länger als gezeichnete die Äste in der Tiefe werden dürfen.</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>How much wider than the widest drawn one an angle between branches may be.</source>
+        <translation>Wie viel weiter als der weiteste gezeichnete ein Winkel zwischen Ästen sein darf.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -2873,6 +2937,18 @@ geschrieben werden konnte.
         <source>one of these is expected: %1</source>
         <translation>eines von diesen wird erwartet: %1</translation>
     </message>
+    <message>
+        <source>a stroke has at least %1 points</source>
+        <translation>ein Strich hat mindestens %1 Punkte</translation>
+    </message>
+    <message>
+        <source>at most %1 radii are expected</source>
+        <translation>höchstens %1 Radien werden erwartet</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1 are expected, in m</source>
+        <translation>Zahlen von 0 bis %1 werden erwartet, in m</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2964,6 +3040,44 @@ geschrieben werden konnte.
     <message>
         <source>no segment has a length</source>
         <translation>kein Segment hat eine Länge</translation>
+    </message>
+</context>
+<context>
+    <name>Sketch</name>
+    <message>
+        <source>a trunk can only be drawn where nothing has grown</source>
+        <translation>ein Stamm lässt sich nur zeichnen, wo nichts gewachsen ist</translation>
+    </message>
+    <message>
+        <source>the stroke has no length</source>
+        <translation>der Strich hat keine Länge</translation>
+    </message>
+    <message>
+        <source>the stroke is longer than %1 m, or more than %2 m away</source>
+        <translation>der Strich ist länger als %1 m oder mehr als %2 m entfernt</translation>
+    </message>
+    <message>
+        <source>only a tree with one root can be given depth</source>
+        <translation>nur einem Baum mit einer Wurzel lässt sich Tiefe geben</translation>
+    </message>
+    <message>
+        <source>the tree has depth already</source>
+        <translation>der Baum hat schon Tiefe</translation>
+    </message>
+    <message>
+        <source>draw branches first: a trunk alone has no depth to find</source>
+        <translation>zeichnen Sie zuerst Äste: ein Stamm allein hat keine Tiefe zu finden</translation>
+    </message>
+</context>
+<context>
+    <name>SketchTool</name>
+    <message>
+        <source>Draw the trunk, then branches; two strokes side by side give a branch its width</source>
+        <translation>Zeichnen Sie den Stamm, dann Äste; zwei Striche nebeneinander geben einem Ast seine Dicke</translation>
+    </message>
+    <message>
+        <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
+        <translation>Zeichnen Sie einen Ast vom Holz aus; mit Umschalt quer über Äste gezeichnet, nimmt der Strich sie weg</translation>
     </message>
 </context>
 <context>
@@ -4243,6 +4357,32 @@ geschrieben werden konnte.
     <message>
         <source>Lengths</source>
         <translation>Längen</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SketchController</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SketchPopOut</name>
+    <message>
+        <source>Give depth</source>
+        <translation>Tiefe geben</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Give depth&lt;/b&gt;&lt;br&gt;The branches of the drawing spread into depth, as far from each other as they can. From the front the tree looks as you drew it.</source>
+        <translation>&lt;b&gt;Tiefe geben&lt;/b&gt;&lt;br&gt;Die Äste der Zeichnung breiten sich in die Tiefe aus, so weit voneinander entfernt wie möglich. Von vorn sieht der Baum aus wie gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Another depth</source>
+        <translation>Andere Tiefe</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose the depths of the branches anew.</source>
+        <translation>&lt;b&gt;Andere Tiefe&lt;/b&gt;&lt;br&gt;Die Tiefen der Äste neu wählen.</translation>
     </message>
 </context>
 <context>

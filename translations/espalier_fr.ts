@@ -375,6 +375,14 @@
         <source>Strand Lines</source>
         <translation>Lignes des brins</translation>
     </message>
+    <message>
+        <source>Sketch</source>
+        <translation>Esquisse</translation>
+    </message>
+    <message>
+        <source>Draw the trunk and its branches as lines, then give the drawing depth.</source>
+        <translation>Dessiner le tronc et ses branches en lignes, puis donner sa profondeur au dessin.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -670,6 +678,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Remove Twist</source>
         <translation>Retrait de torsade</translation>
+    </message>
+    <message>
+        <source>Give Depth</source>
+        <translation>Donner la profondeur</translation>
+    </message>
+    <message>
+        <source>Draw Branch</source>
+        <translation>Dessiner une branche</translation>
     </message>
 </context>
 <context>
@@ -2408,6 +2424,54 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>TreeSketch</source>
         <translation>TreeSketch</translation>
     </message>
+    <message>
+        <source>Take away</source>
+        <translation>Enlever</translation>
+    </message>
+    <message>
+        <source>A stroke takes away: a branch that it crosses once is cut there, one that it crosses twice is erased. Shift or a pen&apos;s eraser does so, too.</source>
+        <translation>Un trait enlève : une branche qu’il croise une fois est coupée à cet endroit, une branche qu’il croise deux fois est effacée. Maj ou la gomme d’un stylet font de même.</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Each branch is drawn on the other side of the trunk as well.</source>
+        <translation>Chaque branche est dessinée aussi de l’autre côté du tronc.</translation>
+    </message>
+    <message>
+        <source>Fill the sides</source>
+        <translation>Remplir les côtés</translation>
+    </message>
+    <message>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front.</source>
+        <translation>Le dessin est placé deux fois, la seconde tourné de 90° autour du tronc, pour que l’arbre soit aussi fourni de côté que de face.</translation>
+    </message>
+    <message>
+        <source>Crown</source>
+        <translation>Couronne</translation>
+    </message>
+    <message>
+        <source>How much wider than the drawing the crown may be in depth.</source>
+        <translation>De combien la couronne peut être plus large en profondeur que le dessin.</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
+    </message>
+    <message>
+        <source>How much longer than drawn ones branches may become in depth.</source>
+        <translation>De combien les branches peuvent devenir plus longues en profondeur que celles dessinées.</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Angles</translation>
+    </message>
+    <message>
+        <source>How much wider than the widest drawn one an angle between branches may be.</source>
+        <translation>De combien un angle entre branches peut dépasser le plus ouvert du dessin.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -2872,6 +2936,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>one of these is expected: %1</source>
         <translation>l’un de ceux-ci est attendu&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>a stroke has at least %1 points</source>
+        <translation>un trait a au moins %1 points</translation>
+    </message>
+    <message>
+        <source>at most %1 radii are expected</source>
+        <translation>au plus %1 rayons sont attendus</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1 are expected, in m</source>
+        <translation>des nombres de 0 à %1 sont attendus, en m</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2963,6 +3039,44 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>no segment has a length</source>
         <translation>aucun segment n’a de longueur</translation>
+    </message>
+</context>
+<context>
+    <name>Sketch</name>
+    <message>
+        <source>a trunk can only be drawn where nothing has grown</source>
+        <translation>un tronc ne peut être dessiné que là où rien n’a poussé</translation>
+    </message>
+    <message>
+        <source>the stroke has no length</source>
+        <translation>le trait n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>the stroke is longer than %1 m, or more than %2 m away</source>
+        <translation>le trait fait plus de %1 m, ou se trouve à plus de %2 m</translation>
+    </message>
+    <message>
+        <source>only a tree with one root can be given depth</source>
+        <translation>seul un arbre à une racine peut recevoir une profondeur</translation>
+    </message>
+    <message>
+        <source>the tree has depth already</source>
+        <translation>l’arbre a déjà une profondeur</translation>
+    </message>
+    <message>
+        <source>draw branches first: a trunk alone has no depth to find</source>
+        <translation>dessinez d’abord des branches : un tronc seul n’a pas de profondeur à trouver</translation>
+    </message>
+</context>
+<context>
+    <name>SketchTool</name>
+    <message>
+        <source>Draw the trunk, then branches; two strokes side by side give a branch its width</source>
+        <translation>Dessinez le tronc, puis des branches ; deux traits côte à côte donnent son épaisseur à une branche</translation>
+    </message>
+    <message>
+        <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
+        <translation>Dessinez une branche depuis le bois ; avec Maj, un trait en travers enlève les branches</translation>
     </message>
 </context>
 <context>
@@ -4242,6 +4356,32 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Lengths</source>
         <translation>Longueurs</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SketchController</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SketchPopOut</name>
+    <message>
+        <source>Give depth</source>
+        <translation>Donner la profondeur</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Give depth&lt;/b&gt;&lt;br&gt;The branches of the drawing spread into depth, as far from each other as they can. From the front the tree looks as you drew it.</source>
+        <translation>&lt;b&gt;Donner la profondeur&lt;/b&gt;&lt;br&gt;Les branches du dessin s’écartent en profondeur, aussi loin que possible les unes des autres. De face, l’arbre reste tel que vous l’avez dessiné.</translation>
+    </message>
+    <message>
+        <source>Another depth</source>
+        <translation>Autre profondeur</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose the depths of the branches anew.</source>
+        <translation>&lt;b&gt;Autre profondeur&lt;/b&gt;&lt;br&gt;Choisir à nouveau la profondeur des branches.</translation>
     </message>
 </context>
 <context>

@@ -375,6 +375,14 @@
         <source>Strand Lines</source>
         <translation>ストランドの線</translation>
     </message>
+    <message>
+        <source>Sketch</source>
+        <translation>スケッチ</translation>
+    </message>
+    <message>
+        <source>Draw the trunk and its branches as lines, then give the drawing depth.</source>
+        <translation>幹と枝を線で描き、絵に奥行きを与えます。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -669,6 +677,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Remove Twist</source>
         <translation>ねじりの解除</translation>
+    </message>
+    <message>
+        <source>Give Depth</source>
+        <translation>奥行きを与える</translation>
+    </message>
+    <message>
+        <source>Draw Branch</source>
+        <translation>枝を描く</translation>
     </message>
 </context>
 <context>
@@ -2407,6 +2423,54 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>TreeSketch</source>
         <translation>TreeSketch</translation>
     </message>
+    <message>
+        <source>Take away</source>
+        <translation>取り去る</translation>
+    </message>
+    <message>
+        <source>A stroke takes away: a branch that it crosses once is cut there, one that it crosses twice is erased. Shift or a pen&apos;s eraser does so, too.</source>
+        <translation>線が取り去ります。一度横切った枝はそこで切れ、二度横切った枝は消えます。Shift やペンの消しゴムでも同じです。</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>左右対称</translation>
+    </message>
+    <message>
+        <source>Each branch is drawn on the other side of the trunk as well.</source>
+        <translation>枝は幹の反対側にも描かれます。</translation>
+    </message>
+    <message>
+        <source>Fill the sides</source>
+        <translation>側面を埋める</translation>
+    </message>
+    <message>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front.</source>
+        <translation>絵を二度置き、二度目は幹のまわりに 90° 回します。横から見ても正面と同じくらい茂ります。</translation>
+    </message>
+    <message>
+        <source>Crown</source>
+        <translation>樹冠</translation>
+    </message>
+    <message>
+        <source>How much wider than the drawing the crown may be in depth.</source>
+        <translation>樹冠が奥行きで絵よりどれだけ広くなってよいか。</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>長さ</translation>
+    </message>
+    <message>
+        <source>How much longer than drawn ones branches may become in depth.</source>
+        <translation>枝が奥行きで描いた枝よりどれだけ長くなってよいか。</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>How much wider than the widest drawn one an angle between branches may be.</source>
+        <translation>枝の間の角度が、描いた中で最も広い角度よりどれだけ広くてよいか。</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -2871,6 +2935,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>one of these is expected: %1</source>
         <translation>次のいずれかが必要です: %1</translation>
     </message>
+    <message>
+        <source>a stroke has at least %1 points</source>
+        <translation>線には点が %1 個以上必要です</translation>
+    </message>
+    <message>
+        <source>at most %1 radii are expected</source>
+        <translation>半径は %1 個までです</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1 are expected, in m</source>
+        <translation>0 から %1 までの数が必要です（m）</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2962,6 +3038,44 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>no segment has a length</source>
         <translation>長さのあるセグメントがありません</translation>
+    </message>
+</context>
+<context>
+    <name>Sketch</name>
+    <message>
+        <source>a trunk can only be drawn where nothing has grown</source>
+        <translation>幹は何も育っていないところにだけ描けます</translation>
+    </message>
+    <message>
+        <source>the stroke has no length</source>
+        <translation>線に長さがありません</translation>
+    </message>
+    <message>
+        <source>the stroke is longer than %1 m, or more than %2 m away</source>
+        <translation>線が %1 m より長いか、%2 m より遠くにあります</translation>
+    </message>
+    <message>
+        <source>only a tree with one root can be given depth</source>
+        <translation>奥行きを与えられるのは根が一つの木だけです</translation>
+    </message>
+    <message>
+        <source>the tree has depth already</source>
+        <translation>木にはもう奥行きがあります</translation>
+    </message>
+    <message>
+        <source>draw branches first: a trunk alone has no depth to find</source>
+        <translation>先に枝を描いてください。幹だけでは奥行きを決められません</translation>
+    </message>
+</context>
+<context>
+    <name>SketchTool</name>
+    <message>
+        <source>Draw the trunk, then branches; two strokes side by side give a branch its width</source>
+        <translation>幹を描き、次に枝を描きます。並べて描いた二本の線は枝の太さになります</translation>
+    </message>
+    <message>
+        <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
+        <translation>木部から枝を描きます。Shift を押して枝を横切ると取り去ります</translation>
     </message>
 </context>
 <context>
@@ -4240,6 +4354,32 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Lengths</source>
         <translation>長さ</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SketchController</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SketchPopOut</name>
+    <message>
+        <source>Give depth</source>
+        <translation>奥行きを与える</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Give depth&lt;/b&gt;&lt;br&gt;The branches of the drawing spread into depth, as far from each other as they can. From the front the tree looks as you drew it.</source>
+        <translation>&lt;b&gt;奥行きを与える&lt;/b&gt;&lt;br&gt;絵の枝が、できるだけ離れるように奥行きへ広がります。正面からは描いたとおりです。</translation>
+    </message>
+    <message>
+        <source>Another depth</source>
+        <translation>別の奥行き</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose the depths of the branches anew.</source>
+        <translation>&lt;b&gt;別の奥行き&lt;/b&gt;&lt;br&gt;枝の奥行きを選び直します。</translation>
     </message>
 </context>
 <context>

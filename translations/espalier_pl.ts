@@ -375,6 +375,14 @@
         <source>Strand Lines</source>
         <translation>Linie pasm</translation>
     </message>
+    <message>
+        <source>Sketch</source>
+        <translation>Szkic</translation>
+    </message>
+    <message>
+        <source>Draw the trunk and its branches as lines, then give the drawing depth.</source>
+        <translation>Narysuj pień i gałęzie liniami, a potem nadaj rysunkowi głębię.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -670,6 +678,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Remove Twist</source>
         <translation>Usunięcie skręcenia</translation>
+    </message>
+    <message>
+        <source>Give Depth</source>
+        <translation>Nadaj głębię</translation>
+    </message>
+    <message>
+        <source>Draw Branch</source>
+        <translation>Rysuj gałąź</translation>
     </message>
 </context>
 <context>
@@ -2408,6 +2424,54 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>TreeSketch</source>
         <translation>TreeSketch</translation>
     </message>
+    <message>
+        <source>Take away</source>
+        <translation>Zabieraj</translation>
+    </message>
+    <message>
+        <source>A stroke takes away: a branch that it crosses once is cut there, one that it crosses twice is erased. Shift or a pen&apos;s eraser does so, too.</source>
+        <translation>Kreska zabiera: gałąź, którą przetnie raz, zostaje tam odcięta, a ta, którą przetnie dwa razy, znika. Tak samo działa Shift albo gumka pióra.</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Odbicie</translation>
+    </message>
+    <message>
+        <source>Each branch is drawn on the other side of the trunk as well.</source>
+        <translation>Każda gałąź jest rysowana także po drugiej stronie pnia.</translation>
+    </message>
+    <message>
+        <source>Fill the sides</source>
+        <translation>Wypełnij boki</translation>
+    </message>
+    <message>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front.</source>
+        <translation>Rysunek jest umieszczany dwa razy, drugi raz obrócony o 90° wokół pnia, więc drzewo jest z boku tak samo pełne jak z przodu.</translation>
+    </message>
+    <message>
+        <source>Crown</source>
+        <translation>Korona</translation>
+    </message>
+    <message>
+        <source>How much wider than the drawing the crown may be in depth.</source>
+        <translation>O ile szersza niż rysunek może być korona w głąb.</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Długości</translation>
+    </message>
+    <message>
+        <source>How much longer than drawn ones branches may become in depth.</source>
+        <translation>O ile dłuższe niż narysowane mogą stać się gałęzie w głąb.</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Kąty</translation>
+    </message>
+    <message>
+        <source>How much wider than the widest drawn one an angle between branches may be.</source>
+        <translation>O ile szerszy niż najszerszy narysowany może być kąt między gałęziami.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -2872,6 +2936,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>one of these is expected: %1</source>
         <translation>oczekiwano jednej z wartości: %1</translation>
     </message>
+    <message>
+        <source>a stroke has at least %1 points</source>
+        <translation>kreska ma co najmniej %1 punkty</translation>
+    </message>
+    <message>
+        <source>at most %1 radii are expected</source>
+        <translation>oczekiwanych jest najwyżej %1 promieni</translation>
+    </message>
+    <message>
+        <source>numbers from 0 to %1 are expected, in m</source>
+        <translation>oczekiwane są liczby od 0 do %1, w m</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -2963,6 +3039,44 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>no segment has a length</source>
         <translation>żaden segment nie ma długości</translation>
+    </message>
+</context>
+<context>
+    <name>Sketch</name>
+    <message>
+        <source>a trunk can only be drawn where nothing has grown</source>
+        <translation>pień można narysować tylko tam, gdzie nic nie urosło</translation>
+    </message>
+    <message>
+        <source>the stroke has no length</source>
+        <translation>kreska nie ma długości</translation>
+    </message>
+    <message>
+        <source>the stroke is longer than %1 m, or more than %2 m away</source>
+        <translation>kreska jest dłuższa niż %1 m albo oddalona o więcej niż %2 m</translation>
+    </message>
+    <message>
+        <source>only a tree with one root can be given depth</source>
+        <translation>głębię można nadać tylko drzewu o jednym korzeniu</translation>
+    </message>
+    <message>
+        <source>the tree has depth already</source>
+        <translation>drzewo ma już głębię</translation>
+    </message>
+    <message>
+        <source>draw branches first: a trunk alone has no depth to find</source>
+        <translation>najpierw narysuj gałęzie: sam pień nie ma głębi do znalezienia</translation>
+    </message>
+</context>
+<context>
+    <name>SketchTool</name>
+    <message>
+        <source>Draw the trunk, then branches; two strokes side by side give a branch its width</source>
+        <translation>Narysuj pień, potem gałęzie; dwie kreski obok siebie nadają gałęzi grubość</translation>
+    </message>
+    <message>
+        <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
+        <translation>Narysuj gałąź od drewna; z Shiftem kreska w poprzek zabiera gałęzie</translation>
     </message>
 </context>
 <context>
@@ -4243,6 +4357,32 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Lengths</source>
         <translation>Długości</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SketchController</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::SketchPopOut</name>
+    <message>
+        <source>Give depth</source>
+        <translation>Nadaj głębię</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Give depth&lt;/b&gt;&lt;br&gt;The branches of the drawing spread into depth, as far from each other as they can. From the front the tree looks as you drew it.</source>
+        <translation>&lt;b&gt;Nadaj głębię&lt;/b&gt;&lt;br&gt;Gałęzie rysunku rozkładają się w głąb, jak najdalej od siebie. Od przodu drzewo wygląda tak, jak je narysowano.</translation>
+    </message>
+    <message>
+        <source>Another depth</source>
+        <translation>Inna głębia</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose the depths of the branches anew.</source>
+        <translation>&lt;b&gt;Inna głębia&lt;/b&gt;&lt;br&gt;Wybierz głębie gałęzi na nowo.</translation>
     </message>
 </context>
 <context>

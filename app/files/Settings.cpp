@@ -70,6 +70,10 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/bendingWeight"), values.bendingWeight);
     visit(QStringLiteral("view/stretchingWeight"), values.stretchingWeight);
     visit(QStringLiteral("view/twistsSubtree"), values.twistsSubtree);
+    visit(QStringLiteral("view/secondTree"), values.secondTree);
+    visit(QStringLiteral("view/depthHull"), values.depthHull);
+    visit(QStringLiteral("view/depthLength"), values.depthLength);
+    visit(QStringLiteral("view/depthAngle"), values.depthAngle);
     visit(QStringLiteral("view/newBuds"), values.newBuds);
     visit(QStringLiteral("view/budSpacing"), values.budSpacing);
     visit(QStringLiteral("view/groundShown"), values.groundShown);

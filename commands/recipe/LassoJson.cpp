@@ -22,7 +22,7 @@ constexpr PlaneVector kPlane[] = {{QLatin1StringView("origin"), &LassoStroke::or
 
 } // namespace
 
-LassoStroke readLasso(JsonReader& reader, RecipeReading& reading)
+LassoStroke readLasso(JsonReader& reader, RecipeReading& reading, qsizetype least)
 {
     LassoStroke stroke;
     for (const auto& [key, vector] : kPlane) {
@@ -39,8 +39,10 @@ LassoStroke readLasso(JsonReader& reader, RecipeReading& reading)
                     RecipeText::tr("right and up must have length 1 and be at right angles"));
 
     const QJsonArray array = reader.array(kPointsKey);
-    if (array.size() < kLeastLassoPoints)
-        reader.fail(kPointsKey, RecipeText::tr("a lasso has at least three points"));
+    if (array.size() < least)
+        reader.fail(kPointsKey, least == kLeastLassoPoints
+                                    ? RecipeText::tr("a lasso has at least three points")
+                                    : RecipeText::tr("a stroke has at least %1 points").arg(least));
     if (!reading.admitSamples(reader, kPointsKey, array.size()))
         return stroke;
     stroke.points.reserve(static_cast<std::size_t>(array.size()));

@@ -10,13 +10,14 @@
 
 namespace espalier {
 
-// JSON that all operations on envelopes have in common.
+// JSON that all operations with strokes in a plane have in common.
 
 inline constexpr qsizetype kLeastLassoPoints = 3;
 
-/// Reads the members of a lasso stroke: "origin", "right", "up" (each may be missing) and "points", at least
-/// kLeastLassoPoints. @p reader gets the errors.
-LassoStroke readLasso(JsonReader& reader, RecipeReading& reading);
+/// Reads the members of a stroke in a plane: "origin", "right", "up" (each may be missing) and "points", at
+/// least
+/// @p least. @p reader gets the errors.
+LassoStroke readLasso(JsonReader& reader, RecipeReading& reading, qsizetype least = kLeastLassoPoints);
 /// The object from which readLasso() reads the same stroke.
 QJsonObject lassoToJson(const LassoStroke& stroke);
 

@@ -5,6 +5,7 @@
 #include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/GrowOperation.h"
 #include "commands/recipe/ImportOperation.h"
+#include "commands/recipe/InferOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
 #include "commands/recipe/PruneOperation.h"
@@ -18,6 +19,7 @@
 #include "commands/recipe/SetProfileOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
 #include "commands/recipe/SketchOperation.h"
+#include "commands/recipe/SketchStrokeOperation.h"
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"
@@ -51,7 +53,8 @@ constexpr OperationKind kKinds[] = {
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
     kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
     kindOf<ReduceOperation>(),        kindOf<TwistOperation>(),       kindOf<AddBudsOperation>(),
-    kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),
+    kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),      kindOf<SketchStrokeOperation>(),
+    kindOf<InferOperation>(),
 };
 
 } // namespace

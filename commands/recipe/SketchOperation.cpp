@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/SketchOperation.h"
 
+#include "commands/recipe/DepthJson.h"
 #include "commands/recipe/RecipeJson.h"
 #include "commands/recipe/RecipeLimits.h"
 #include "commands/recipe/RecipeText.h"
@@ -10,19 +11,6 @@ namespace espalier {
 namespace {
 
 constexpr QLatin1StringView kStrokesKey("strokes");
-constexpr QLatin1StringView kSketchSeedKey("seed");
-constexpr QLatin1StringView kTreesKey("trees");
-constexpr QLatin1StringView kSidewaysKey("sideways");
-
-struct SidewaysName {
-    QLatin1StringView name;
-    DepthOptions::Sideways sideways;
-};
-constexpr SidewaysName kSideways[] = {
-    {QLatin1StringView("all"), DepthOptions::Sideways::All},
-    {QLatin1StringView("limbs"), DepthOptions::Sideways::FirstOrder},
-    {QLatin1StringView("none"), DepthOptions::Sideways::None},
-};
 
 /// The points of one stroke; @p reader gets the errors.
 std::vector<Vec2> readStroke(JsonReader& reader, RecipeReading& reading, const QJsonArray& array,
@@ -53,15 +41,7 @@ SketchOperation SketchOperation::read(JsonReader& reader, RecipeReading& reading
 {
     SketchOperation operation;
     TreeSketch& sketch = operation.sketch;
-    sketch.seed = reader.seed(kSketchSeedKey, 1);
-    sketch.secondTree = reader.integer(kTreesKey, 1, 2, 2) == 2;
-    const QString sideways = reader.text(kSidewaysKey, QString(kSideways[0].name));
-    const auto* const named = std::ranges::find(kSideways, sideways, &SidewaysName::name);
-    if (named == std::end(kSideways))
-        reader.fail(kSidewaysKey,
-                    RecipeText::tr("one of these is expected: %1").arg(QStringLiteral("all, limbs, none")));
-    else
-        sketch.sideways = named->sideways;
+    sketch.depth = readDepth(reader);
     const QJsonArray strokes = reader.array(kStrokesKey);
     if (strokes.isEmpty() || static_cast<std::size_t>(strokes.size()) > kMostSketchStrokes) {
         reader.fail(kStrokesKey, RecipeText::tr("1 to %1 strokes are expected").arg(kMostSketchStrokes));
@@ -82,13 +62,7 @@ QJsonObject SketchOperation::write(RecipeWriting&) const
         strokes.append(points);
     }
     QJsonObject json{{kStrokesKey, strokes}};
-    if (sketch.seed != 1)
-        json[kSketchSeedKey] = seedToJson(sketch.seed);
-    if (!sketch.secondTree)
-        json[kTreesKey] = 1;
-    const auto* const named = std::ranges::find(kSideways, sketch.sideways, &SidewaysName::sideways);
-    if (named != std::begin(kSideways))
-        json[kSidewaysKey] = QString(named->name);
+    writeDepth(json, sketch.depth);
     return json;
 }
 

@@ -3,7 +3,6 @@
 
 #include "model/sketch/DepthInference.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace espalier {
@@ -11,9 +10,7 @@ namespace espalier {
 /// A tree as the user drew it, and how its depths are to be chosen.
 struct TreeSketch {
     std::vector<std::vector<Vec2>> strokes; ///< m, right and up, in any order; as drawn, not smoothed
-    std::uint64_t seed = 1;                 ///< DepthOptions::seed
-    bool secondTree = true;                 ///< DepthOptions::secondTree
-    DepthOptions::Sideways sideways = DepthOptions::Sideways::All;
+    DepthOptions depth{};                   ///< Those that readDepth() reads
 
     bool operator==(const TreeSketch&) const = default;
 };

@@ -47,6 +47,8 @@ void ViewSettings::setValues(const ViewValues& values)
     for (double* weight : {&wanted.bendingWeight, &wanted.stretchingWeight})
         *weight = std::clamp(*weight, kLeastBendWeight, kMostBendWeight);
     wanted.newBuds = std::round(std::clamp(wanted.newBuds, kLeastNewBuds, kMostNewBuds));
+    for (double* factor : {&wanted.depthHull, &wanted.depthLength, &wanted.depthAngle})
+        *factor = std::clamp(*factor, kLeastDepthFactor, kMostDepthFactor);
     wanted.budSpacing = std::clamp(wanted.budSpacing, 0.0, kMostBudSpacing);
     wanted.sunElevation = std::clamp(wanted.sunElevation, kLeastSunElevation, radians(90));
     TracingImage& tracing = wanted.tracing;

@@ -23,6 +23,10 @@ inline constexpr double kLeastNewBuds = 3;
 inline constexpr double kMostNewBuds = 8;
 inline constexpr double kMostBudSpacing = 0.3;
 
+/// Limits of the factors by which a drawing's depth may exceed it.
+inline constexpr double kLeastDepthFactor = 0.5;
+inline constexpr double kMostDepthFactor = 3.0;
+
 /// The next larger (@p notches > 0) or smaller radius, for the wheel and the keys [ and ]: a notch changes it
 /// by a tenth, down to the radius 0 of a single axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
@@ -71,7 +75,15 @@ struct ViewValues {
     double stretchingWeight = 1.0;
     bool twistsSubtree = false; ///< A twist reaches all that a branch carries, not only the branch itself
     double newBuds = 5;         ///< Buds that a tap adds, a whole number, kLeastNewBuds...kMostNewBuds
-    double budSpacing = 0.03;   ///< Distance along the branch between them, m, 0...kMostBudSpacing
+    bool sketchCuts = false;    ///< Strokes of the pencil take branches away
+    bool sketchMirror = false;  ///< Strokes of the pencil are drawn on the other side of the trunk as well
+    bool secondTree = true;     ///< Depth is given to the drawing twice, the second time turned by 90°
+    /// DepthOptions::hullMagnification, lengthMagnification and angleMagnification,
+    /// kLeastDepthFactor...kMostDepthFactor.
+    double depthHull = 1.41;
+    double depthLength = 1.2;
+    double depthAngle = 1.2;
+    double budSpacing = 0.03; ///< Distance along the branch between them, m, 0...kMostBudSpacing
     bool leavesShown = true;
     bool fibresShown = false; ///< Wood of strands shows as lines, one for each strand
     bool groundShown = true;

@@ -36,6 +36,8 @@ struct DepthOptions {
     double curvatureQuantile = 0.9;  ///< Of a stroke's curvature, which its curve has in space (uncertain)
     double elevationLimit = radians(45.0); ///< Of a curve's tangent relative to its chord's depth, rad
     bool bentTrunk = true; ///< Whether the trunk, too, is a curve in space; else it stays in the plane z = 0
+
+    bool operator==(const DepthOptions&) const = default;
 };
 
 /// The rules that a branch breaks because no place within the limits was left.

@@ -168,6 +168,14 @@ const SketchedBranch* SketchedTree::branch(SketchId id) const
     return row < m_branches.size() ? &m_branches[row] : nullptr;
 }
 
+SketchedTree SketchedTree::ofBranches(std::vector<SketchedBranch> branches)
+{
+    SketchedTree tree;
+    tree.m_next = branches.empty() ? 0 : branches.back().id + 1;
+    tree.m_branches = std::move(branches);
+    return tree;
+}
+
 SketchId SketchedTree::addBranch(SketchLine line, std::vector<double> radii)
 {
     SketchedBranch added{.id = m_next++, .parent = std::nullopt, .along = 0.0, .line = {}, .radii = {}};

@@ -59,6 +59,9 @@ public:
     /// by one. Open strokes that follow each other are tried as pairs. Loops come last. Dots are left out.
     static SketchedTree ofStrokes(std::span<const SketchStroke> strokes, const StrokePairRule& rule = {});
 
+    /// The drawing of branches that hang together already: by ascending id, parents first.
+    static SketchedTree ofBranches(std::vector<SketchedBranch> branches);
+
     /// Adds a stroke, in metres, and returns the id of what came of it; nothing for a dot, or for a loop
     /// while there is no branch.
     ///

@@ -307,6 +307,13 @@ void shootBud(Photographer& by)
     by.window().viewSettings().set(&ViewValues::leavesShown, true);
 }
 
+void shootSketch(Photographer& by)
+{
+    by.begin("sketch", 9, ActionId::Sketch);
+    by.hover(by.at(0.25, 1.85));
+    by.shoot("sketch-window", by.left(60));
+}
+
 void shootTwist(Photographer& by)
 {
     by.begin("twist", 3, ActionId::Twist);
@@ -365,7 +372,7 @@ int main(int argc, char** argv)
     Photographer photographer;
     for (void (*shoot)(Photographer&) :
          {shootBrush, shootLasso, shootGrow, shootPrune, shootBend, shootWidth, shootProfile, shootBud,
-          shootTwist, shootAddBuds, shootHistory, shootView})
+          shootTwist, shootAddBuds, shootSketch, shootHistory, shootView})
         shoot(photographer);
     return 0;
 }

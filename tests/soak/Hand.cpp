@@ -7,6 +7,7 @@
 #include "commands/DrawSketch.h"
 #include "commands/GrowGesture.h"
 #include "commands/ImportSkeleton.h"
+#include "commands/InferDepth.h"
 #include "commands/InvigorateGesture.h"
 #include "commands/LassoGesture.h"
 #include "commands/ParameterGesture.h"
@@ -14,6 +15,7 @@
 #include "commands/Prune.h"
 #include "commands/ReduceGesture.h"
 #include "commands/SetParameters.h"
+#include "commands/SketchStroke.h"
 #include "commands/TimeGesture.h"
 #include "commands/TwistGesture.h"
 #include "commands/WidthGesture.h"
@@ -189,6 +191,25 @@ public:
         (void)drawSketch(m_document, operation.sketch);
     }
 
+    void operator()(const SketchStrokeOperation& operation)
+    {
+        BranchStroke stroke{.stroke = operation.stroke, .base = {}, .radii = operation.radii};
+        stroke.isMirrored = operation.mirror;
+        if (operation.on)
+            stroke.base = WoodPlace{operation.on->number(), operation.along};
+        // Refused if a stroke has hardly any length.
+        (void)sketchBranch(m_document, stroke);
+    }
+
+    void operator()(const InferOperation& operation)
+    {
+        // Refused unless the tree is flat.
+        DepthTrial trial(m_document);
+        if (m_random.onceIn(2))
+            (void)trial.tryOut({});
+        (void)trial.tryOut(operation.options);
+    }
+
     void operator()(const TwistOperation& operation)
     {
         TwistGesture gesture(m_document, operation.internode.number(), operation.scope);
@@ -248,7 +269,7 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
                 SetProfileOperation, RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation,
                 ImportOperation, InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation,
-                SketchOperation>(Hand(document, random), operation);
+                SketchOperation, SketchStrokeOperation, InferOperation>(Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

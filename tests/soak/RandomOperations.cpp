@@ -405,14 +405,44 @@ ImportOperation RandomOperations::make(const TreeDocument& document, int)
     return operation;
 }
 
+DepthOptions RandomOperations::depth()
+{
+    return {.seed = static_cast<std::uint64_t>(below(1000)),
+            .secondTree = !onceIn(3),
+            .sideways = static_cast<DepthOptions::Sideways>(below(3))};
+}
+
+template <>
+SketchStrokeOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    SketchStrokeOperation operation;
+    const float l = internode(document);
+    operation.stroke.points = {5.0F * l * m_random.inBall().head<2>()};
+    for (int j = 1 + below(8); j > 0; --j)
+        operation.stroke.points.emplace_back(operation.stroke.points.back() +
+                                             2.0F * l * m_random.inBall().head<2>());
+    if (onceIn(2)) {
+        operation.on = any(document);
+        operation.along = static_cast<float>(m_random.uniform());
+    }
+    if (onceIn(3))
+        operation.radii = {l * static_cast<float>(m_random.uniform()), 0.1F * l};
+    operation.mirror = onceIn(3);
+    return operation;
+}
+
+template <>
+InferOperation RandomOperations::make(const TreeDocument&, int)
+{
+    return {.options = depth()};
+}
+
 template <>
 SketchOperation RandomOperations::make(const TreeDocument& document, int)
 {
     SketchOperation operation;
     TreeSketch& sketch = operation.sketch;
-    sketch.seed = static_cast<std::uint64_t>(below(1000));
-    sketch.secondTree = !onceIn(3);
-    sketch.sideways = static_cast<DepthOptions::Sideways>(below(3));
+    sketch.depth = depth();
     const float l = internode(document);
     for (int i = below(12); i >= 0; --i) {
         std::vector<Vec2> stroke{5.0F * l * m_random.inBall().head<2>()};
@@ -455,6 +485,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<InvigorateOperation>(8, 0),     kindOf<ReduceOperation>(8, 14),
         kindOf<TwistOperation>(6, 2),          kindOf<AddBudsOperation>(6, 0),
         kindOf<SetProfileOperation>(6, 2),     kindOf<SketchOperation>(1, 1),
+        kindOf<SketchStrokeOperation>(8, 0),   kindOf<InferOperation>(2, 1),
     };
     return kKinds;
 }

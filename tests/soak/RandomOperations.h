@@ -21,6 +21,7 @@ public:
     /// 0...@p count - 1.
     int below(int count);
     /// True once in @p count times.
+    DepthOptions depth();
     bool onceIn(int count) { return below(count) == 0; }
 
 private:

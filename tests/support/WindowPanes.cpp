@@ -16,6 +16,7 @@
 #include "panels/ParameterRow.h"
 #include "panels/RotationStrip.h"
 #include "panels/SettingsSheet.h"
+#include "panels/SketchPopOut.h"
 #include "panels/TourCard.h"
 #include "panels/TwistPopOut.h"
 #include "panels/architecture/ArchitecturePanel.h"
@@ -60,6 +61,7 @@ std::vector<WindowPanes::Pane> WindowPanes::all()
         {"bend", of(ActionId::Bend, *m_window.workspace().findChild<BendPopOut*>())},
         {"twist", of(ActionId::Twist, *m_window.workspace().findChild<TwistPopOut*>())},
         {"new buds", of(ActionId::AddBuds, *m_window.workspace().findChild<AddBudsPopOut*>())},
+        {"sketch", of(ActionId::Sketch, m_window.workspace().sketchPopOut())},
         {"lasso", of(ActionId::Lasso, m_window.workspace().lassoPopOut())},
         {"history", of(ActionId::History, m_window.workspace().history())},
         {"help",

@@ -4,8 +4,6 @@
 #include "commands/Prune.h"
 #include "model/shape/Pruning.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace espalier {
@@ -16,12 +14,6 @@ namespace {
 constexpr double kPruneReach = 8.0;
 /// Samples nearer than this to the last one add nothing to a stroke, px.
 constexpr double kLeastStride = 2.0;
-/// Radius of the ring around the place of the cut, px.
-constexpr float kPruneRing = 9.0F;
-
-const QColor kFallingColour(235, 84, 72, 200);
-const QColor kCutColour(255, 214, 120);
-
 double cross(const QPointF& a, const QPointF& b)
 {
     return a.x() * b.y() - a.y() * b.x();
@@ -84,7 +76,7 @@ void PruneTool::finish()
 
 void PruneTool::cut()
 {
-    const std::vector<InternodeId> cuts = std::exchange(m_cuts, {});
+    const std::vector<InternodeId> cuts = m_preview.take(context());
     cancel();
     pruneBranches(context().document(), cuts);
 }
@@ -121,7 +113,7 @@ void PruneTool::cutAcross(const QPointF& from, const QPointF& to)
     const Tree& tree = context().document().tree();
     const TreeIndex& index = context().document().index();
     const Camera& camera = context().camera();
-    std::vector<InternodeId> cuts = m_cuts;
+    std::vector<InternodeId> cuts = m_preview.cuts();
     for (InternodeId id = 0; id < tree.size(); ++id) {
         if (!tree.isAlive(id) || tree.isRoot(id))
             continue;
@@ -130,51 +122,20 @@ void PruneTool::cutAcross(const QPointF& from, const QPointF& to)
         if (lower && upper && intersect(from, to, *lower, *upper))
             cuts.push_back(id);
     }
-    if (cuts.size() > m_cuts.size())
+    if (cuts.size() > m_preview.cuts().size())
         show(std::move(cuts));
 }
 
 void PruneTool::show(std::vector<InternodeId> cuts)
 {
-    const TreeDocument& document = context().document();
-    m_cuts = std::move(cuts);
-    m_falling = falling(document.tree(), document.index(), m_cuts);
-    context().requestRepaint();
+    m_preview.show(context(), std::move(cuts));
 }
 
 void PruneTool::paint(Overlay& overlay) const
 {
-    const Tree& tree = context().document().tree();
-    const TreeIndex& index = context().document().index();
-    const Camera& camera = context().camera();
-    // An undo takes away what the pointer hovers over.
-    const auto isGone = [&tree](InternodeId id) { return id >= tree.size() || !tree.isAlive(id); };
-    if (std::ranges::any_of(m_falling, isGone) || std::ranges::any_of(m_cuts, isGone))
-        return;
-    // Axis by axis: a line each.
-    std::vector<Vec3> line;
-    for (const InternodeId id : m_falling) {
-        const InternodeId parent = tree.parent(id);
-        if (index.mainChild(parent) == id && std::ranges::binary_search(m_falling, parent))
-            continue; // it is drawn with its axis
-        line.assign({index.nodePosition(parent)});
-        for (InternodeId along = id; along != kNoInternode; along = index.mainChild(along))
-            line.push_back(index.nodePosition(along));
-        const float width = 2.0F * context().branchRadius(id) * camera.pixelsPerMetre(camera.depth(line[1]));
-        overlay.addLine(line, kFallingColour, std::clamp(width, 1.5F, 12.0F));
-    }
-    for (const InternodeId cut : m_cuts) {
-        const Vec3& place = index.nodePosition(tree.parent(cut));
-        if (!m_isStroke)
-            overlay.addCircle(place, camera.right(), camera.up(),
-                              kPruneRing / camera.pixelsPerMetre(camera.depth(place)), kCutColour, 2.0F);
-    }
-    if (m_isStroke) {
-        std::vector<Vec3> blade;
-        for (const QPointF& point : m_path)
-            blade.push_back(camera.onPlane(point, camera.target()));
-        overlay.addLine(blade, kCutColour, 2.0F, 6.0F);
-    }
+    m_preview.paint(context(), overlay, !m_isStroke);
+    if (m_isStroke)
+        CutPreview::paintBlade(context().camera(), m_path, overlay);
 }
 
 QString PruneTool::tip() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/tools/CutPreview.h"
 #include "views/tools/Tool.h"
 
 #include <QCoreApplication>
@@ -38,8 +39,7 @@ private:
     bool m_isActive = false;
     bool m_isStroke = false; ///< The pointer has moved too far for a tap
     std::vector<QPointF> m_path;
-    std::vector<InternodeId> m_cuts;    ///< Internodes at which the gesture cuts
-    std::vector<InternodeId> m_falling; ///< All internodes that would fall
+    CutPreview m_preview;
 };
 
 } // namespace espalier

@@ -109,12 +109,29 @@ inline Recipe randomRecipe(std::uint64_t seed)
                                        static_cast<float>(random.uniform())});
         result.operations.emplace_back(import);
         SketchOperation sketch;
-        sketch.sketch.seed = random.bits();
-        sketch.sketch.secondTree = i % 2 == 0;
-        sketch.sketch.sideways = static_cast<DepthOptions::Sideways>(i % 3);
+        sketch.sketch.depth = {.seed = random.bits(),
+                               .secondTree = i % 2 == 0,
+                               .sideways = static_cast<DepthOptions::Sideways>(i % 3)};
         for (int j = 0; j <= i; ++j)
             sketch.sketch.strokes.emplace_back(1 + j, Vec2(10.0F * random.inBall().head<2>()));
         result.operations.emplace_back(sketch);
+        InferOperation infer{.options = sketch.sketch.depth};
+        infer.options.hullMagnification = random.uniform(0.5, 3.0);
+        infer.options.angleMagnification = random.uniform(0.5, 3.0);
+        result.operations.emplace_back(infer);
+        SketchStrokeOperation branch;
+        branch.stroke.origin = random.inBall();
+        for (int j = 0; j <= i + 1; ++j)
+            branch.stroke.points.emplace_back(random.inBall().head<2>());
+        branch.mirror = i % 2 == 0;
+        if (i % 3 == 0) {
+            branch.on = static_cast<InternodeId>(i);
+            branch.along = static_cast<float>(random.uniform());
+            branch.radii = {static_cast<float>(random.uniform()), 0.01F};
+        } else if (i % 3 == 1) {
+            branch.replaces = static_cast<InternodeId>(i);
+        }
+        result.operations.emplace_back(branch);
     }
     return result;
 }

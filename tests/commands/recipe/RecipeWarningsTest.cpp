@@ -59,6 +59,11 @@ LassoOperation lassoOf(BudReference only)
     return {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{-0.5F, 1.0F}, {0.5F, 1.0F}, {0.0F, 2.0F}}}, only};
 }
 
+SketchStrokeOperation branchOn(std::optional<InternodeReference> on)
+{
+    return {.stroke = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {1, 2}}}, .on = std::move(on)};
+}
+
 std::vector<Case> cases()
 {
     const QString missing = QStringLiteral("there is no internode 700");
@@ -147,6 +152,14 @@ std::vector<Case> cases()
          QStringLiteral("a skeleton can only be imported where nothing has grown")},
         {"sketch where something has grown", SketchOperation{{.strokes = {{{0, 0}, {0, 1}}}}},
          QStringLiteral("a sketch can only become a tree where nothing has grown")},
+        {"sketchStroke", branchOn({}), {}},
+        {"sketchStroke without a length",
+         SketchStrokeOperation{.stroke = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0, 0}, {0, 0}}},
+                               .on = InternodeReference(1)},
+         QStringLiteral("the stroke has no length")},
+        {"sketchStroke on a missing branch", branchOn(InternodeReference(kMissing)), missing},
+        {"infer of a trunk", InferOperation{},
+         QStringLiteral("draw branches first: a trunk alone has no depth to find")},
         {"removeLasso without an envelope", RemoveLassoOperation{}, QStringLiteral("there is no envelope")},
     };
 }

@@ -113,6 +113,12 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].trees: a whole number from 1 to 2 is expected");
     row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1]]], "sideways": "some"})"),
         "operations[0].sideways: one of these is expected: all, limbs, none");
+    row(operationsOf(R"({"op": "sketchStroke", "points": [[0, 0]]})"),
+        "operations[0].points: a stroke has at least 2 points");
+    row(operationsOf(R"({"op": "sketchStroke", "points": [[0, 0], [0, 1]], "radii": [0.1, -1]})"),
+        "operations[0].radii: numbers from 0 to 100 are expected, in m");
+    row(operationsOf(R"({"op": "infer", "hull": 9})"),
+        "operations[0].hull: a number from 0.5 to 3 is expected");
     row(operationsOf(R"({"op": "import", "file": "tree.csv"})"),
         "operations[0].file: tree.csv: a recipe that was not read from a file cannot name files");
     row(operationsOf(R"({"op": "undo", "count": -1})"),

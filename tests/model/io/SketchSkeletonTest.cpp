@@ -111,7 +111,7 @@ void SketchSkeletonTest::drawnSketch_isOneUndoStepAndARecipe()
     const DocumentState before(document);
     TreeSketch sketch = sketchOf(drawnTree(2, 12));
     sketch.strokes.front().front() = Vec2(-0.0F, 0.0F);
-    sketch.seed = 5;
+    sketch.depth.seed = 5;
     QVERIFY(drawSketch(document, sketch));
     QVERIFY(document.index().livingCount() > 100);
     QCOMPARE(replayFault(document), QString());

@@ -6,7 +6,6 @@
 #include "tests/model/sketch/DrawnTrees.h"
 #include "tests/support/TestClasses.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <algorithm>
@@ -34,7 +33,6 @@ private Q_SLOTS:
     void radii_comeAlong();
     void sameInput_givesTheSameTree();
     void nothingOrATrunk_isEnough();
-    void twoHundredStrokes_takeLessThanATenthOfASecond();
 };
 
 namespace {
@@ -426,19 +424,6 @@ void DepthInferenceTest::nothingOrATrunk_isEnough()
     QCOMPARE(tree.branches.size(), std::size_t{3});
     for (const PlacedBranch& branch : tree.branches)
         QVERIFY(branch.line.back().allFinite());
-}
-
-void DepthInferenceTest::twoHundredStrokes_takeLessThanATenthOfASecond()
-{
-    const SketchedTree drawn = drawing(1, 200);
-    qint64 least = std::numeric_limits<qint64>::max();
-    for (int i = 0; i < 5; ++i) {
-        QElapsedTimer timer;
-        timer.start();
-        QCOMPARE(inferDepth(drawn).branches.size(), std::size_t{399});
-        least = std::min(least, timer.elapsed());
-    }
-    QVERIFY2(least < 100, qPrintable(QStringLiteral("%1 ms").arg(least)));
 }
 
 const TestClass<DepthInferenceTest> depthInferenceTest;

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/sketch/DrawnBranch.h"
+
+#include "model/base/Random.h"
+#include "model/sketch/SketchText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace espalier {
+
+namespace {
+
+/// Of the line's length: how far a chord may be from it.
+constexpr float kChordShare = 0.002F;
+constexpr std::size_t kMostDrawnPieces = 400;
+/// Shorter lines are no branches, m.
+constexpr float kShortestLine = 1e-3F;
+/// A branch that begins nearer than this share of an internode to a node begins at the node.
+constexpr float kAtNode = 0.02F;
+
+float lengthOfLine(const std::vector<Vec3>& line)
+{
+    float length = 0.0F;
+    for (std::size_t i = 1; i < line.size(); ++i)
+        length += (line[i] - line[i - 1]).norm();
+    return length;
+}
+
+/// Moves the first point to @p base, and the others the less the farther they are from it.
+void moveBase(std::vector<Vec3>& line, const Vec3& base)
+{
+    const float length = lengthOfLine(line);
+    const Vec3 shift = base - line.front();
+    float passed = 0.0F;
+    Vec3 last = line.front();
+    for (Vec3& point : line) {
+        passed += (point - last).norm();
+        last = point;
+        if (length > 0.0F)
+            point += (1.0F - passed / length) * shift;
+    }
+    line.front() = base;
+}
+
+/// The ends of @p count pieces of equal length, base first.
+std::vector<Vec3> endsOfPieces(const std::vector<Vec3>& line, float length, std::size_t count)
+{
+    std::vector<Vec3> ends{line.front()};
+    float passed = 0.0F;
+    std::size_t segment = 1;
+    for (std::size_t i = 1; i < count; ++i) {
+        const float place = length * static_cast<float>(i) / static_cast<float>(count);
+        float here = (line[segment] - line[segment - 1]).norm();
+        while (segment + 1 < line.size() && passed + here < place) {
+            passed += here;
+            ++segment;
+            here = (line[segment] - line[segment - 1]).norm();
+        }
+        const float share = here > 0.0F ? std::clamp((place - passed) / here, 0.0F, 1.0F) : 0.0F;
+        ends.emplace_back(line[segment - 1] + share * (line[segment] - line[segment - 1]));
+    }
+    ends.push_back(line.back());
+    return ends;
+}
+
+/// The greatest distance of the line's points from the chord of the piece that they are on.
+float farthestFromChords(const std::vector<Vec3>& line, const std::vector<Vec3>& ends, float length)
+{
+    const float piece = length / static_cast<float>(ends.size() - 1);
+    float farthest = 0.0F;
+    float passed = 0.0F;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        passed += (line[i] - line[i - 1]).norm();
+        const std::size_t on = std::min(static_cast<std::size_t>(passed / piece), ends.size() - 2);
+        const Vec3 chord = ends[on + 1] - ends[on];
+        const float square = chord.squaredNorm();
+        const float share =
+            square > 0.0F ? std::clamp((line[i] - ends[on]).dot(chord) / square, 0.0F, 1.0F) : 0.0F;
+        farthest = std::max(farthest, (line[i] - ends[on] - share * chord).norm());
+    }
+    return farthest;
+}
+
+std::vector<Vec3> piecesOfLine(const std::vector<Vec3>& line, float length, double internodeLength)
+{
+    const double wanted = std::round(double{length} / internodeLength);
+    auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(kMostDrawnPieces)));
+    for (;;) {
+        std::vector<Vec3> ends = endsOfPieces(line, length, count);
+        if (count == kMostDrawnPieces || farthestFromChords(line, ends, length) <= kChordShare * length)
+            return ends;
+        count = std::min(kMostDrawnPieces, count + 1 + count / 4);
+    }
+}
+
+float radiusOn(const std::vector<float>& radii, float share)
+{
+    const float place = share * static_cast<float>(radii.size() - 1);
+    const auto below = std::min(static_cast<std::size_t>(place), radii.size() - 1);
+    const std::size_t above = std::min(below + 1, radii.size() - 1);
+    return std::lerp(radii[below], radii[above], place - static_cast<float>(below));
+}
+
+/// The slot that a branch beside the axis takes: an adventitious one without a bud or a child, or the last
+/// one.
+int freeSlot(const Tree& tree, const TreeIndex& index, InternodeId parent)
+{
+    int slot = kFirstAdventitiousSlot;
+    const auto isTaken = [&](int candidate) {
+        for (InternodeId child = index.firstChild(parent); child != kNoInternode;
+             child = index.nextSibling(child)) {
+            if (tree.columns().slot[child] == candidate)
+                return true;
+        }
+        return tree.budStates(parent).state(candidate) != BudState::None;
+    };
+    while (slot < kBudSlots - 1 && isTaken(slot))
+        ++slot;
+    return slot;
+}
+
+Error drawnError(const QString& message)
+{
+    return {Error::Kind::Input, message};
+}
+
+} // namespace
+
+Vec3 positionOf(const Tree& tree, const TreeIndex& index, const WoodPlace& place)
+{
+    return index.nodePosition(place.internode) -
+           (1.0F - place.along) * tree.length(place.internode) * index.heading(place.internode);
+}
+
+std::optional<Attachment> nearestAttachment(const Tree& tree, const TreeIndex& index,
+                                            const Projection& projection, const Eigen::Vector2d& first,
+                                            const Eigen::Vector2d& last)
+{
+    std::optional<Attachment> nearest;
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id))
+            continue;
+        const std::optional<Eigen::Vector2d> from = projection(index.basePosition(tree, id));
+        const std::optional<Eigen::Vector2d> to = projection(index.nodePosition(id));
+        if (!from || !to)
+            continue;
+        const Eigen::Vector2d way = *to - *from;
+        const double square = way.squaredNorm();
+        for (const bool isLast : {false, true}) {
+            const Eigen::Vector2d& end = isLast ? last : first;
+            const double along = square > 0.0 ? std::clamp((end - *from).dot(way) / square, 0.0, 1.0) : 1.0;
+            const double distance = (end - *from - along * way).norm();
+            if (!nearest || distance < nearest->distance)
+                nearest = {{id, static_cast<float>(along)}, isLast, distance};
+        }
+    }
+    return nearest;
+}
+
+Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, DrawnBranch branch,
+                                  double internodeLength)
+{
+    const bool isTrunk = !branch.base;
+    if (isTrunk && index.livingCount() > 1)
+        return drawnError(SketchText::tr("a trunk can only be drawn where nothing has grown"));
+    WoodPlace base = branch.base.value_or(WoodPlace());
+    if (base.along > 1.0F - kAtNode)
+        base.along = 1.0F;
+    if (lengthOfLine(branch.line) < kShortestLine)
+        return drawnError(SketchText::tr("the stroke has no length"));
+    moveBase(branch.line, isTrunk ? Vec3(branch.line.front().x(), 0.0F, branch.line.front().z())
+                                  : positionOf(tree, index, base));
+    const float length = lengthOfLine(branch.line);
+    if (length < kShortestLine) // It was drawn to its base
+        return drawnError(SketchText::tr("the stroke has no length"));
+    for (const Vec3& point : branch.line) {
+        const float farthest = isTrunk ? kFarthestRoot : kFarthestNode;
+        if (!point.allFinite() || point.cwiseAbs().maxCoeff() > farthest || length > kGreatestLength)
+            return drawnError(SketchText::tr("the stroke is longer than %1 m, or more than %2 m away")
+                                  .arg(static_cast<double>(kGreatestLength))
+                                  .arg(static_cast<double>(farthest)));
+    }
+
+    const std::vector<Vec3> ends = piecesOfLine(branch.line, length, internodeLength);
+    const std::size_t pieces = ends.size() - 1;
+    TreeDelta delta = deltaStartingAt(tree);
+    delta.stepAfter = delta.stepBefore + 1;
+    delta.born.count = static_cast<std::uint32_t>(isTrunk ? pieces - 1 : pieces);
+    delta.rows = std::make_shared<TreeRows>();
+    const auto laterals = static_cast<BudMask>((1U << tree.parameters().growth.lateralsPerNode) - 1U);
+    InternodeId parent = base.internode;
+    InternodeKey key = tree.key(parent);
+    Placement below{ends.front(), isTrunk ? Rotation(Rotation::Identity()) : index.rotation(parent)};
+    for (std::size_t i = 0; i < pieces; ++i) {
+        Vec3 way = below.rotation.conjugate() * Vec3(ends[i + 1] - below.node);
+        const float shortest = kShortestLine / static_cast<float>(kMostDrawnPieces);
+        const float pieceLength = std::max(way.norm(), shortest);
+        if (way.norm() < shortest) // The line turns back on itself
+            way = Vec3::UnitY();
+        const Rotation local =
+            Rotation(Eigen::Quaternionf::FromTwoVectors(Vec3(Vec3::UnitY()), way)).normalized();
+        const BudStates buds =
+            BudStates::active(static_cast<BudMask>(i + 1 == pieces ? laterals | kTerminalBud : laterals));
+        const bool isSeedling = isTrunk && i == 0;
+        InternodeId id = 0;
+        if (isSeedling) {
+            delta.addFrame(id, tree.columns().rotation[id], local, tree.length(id), pieceLength);
+            delta.internodes.buds.push_back({id, tree.budStates(id), buds});
+            delta.sparse.rootPosition.push_back(
+                {id, tree.content().sparse.rootPosition.at(id), Vec3(ends.front())});
+        } else {
+            const bool isFirst = i == 0;
+            const bool continues =
+                !isFirst || (base.along == 1.0F && index.mainChild(parent) == kNoInternode);
+            const int slot = continues ? kTerminalSlot : freeSlot(tree, index, parent);
+            if (isFirst && continues && (tree.budStates(parent).living & kTerminalBud) != 0) {
+                BudStates rest = tree.budStates(parent);
+                rest.living = static_cast<BudMask>(rest.living & ~kTerminalBud);
+                rest.other = static_cast<BudMask>(rest.other & ~kTerminalBud);
+                delta.internodes.buds.push_back({parent, tree.budStates(parent), rest});
+            }
+            key = childKey(key, slot, delta.stepAfter);
+            id = delta.born.first + delta.rows->internodes.size();
+            delta.rows->internodes.append(
+                {.parent = parent,
+                 .along = isFirst ? base.along : 1.0F,
+                 .rotation = local,
+                 .length = pieceLength,
+                 .vigour = 1.0F,
+                 .slot = static_cast<std::uint8_t>(slot),
+                 .buds = buds,
+                 .birth = delta.stepAfter,
+                 .parameterSet = static_cast<std::uint16_t>(tree.currentParameterSet()),
+                 .key = key});
+        }
+        if (!branch.radii.empty()) {
+            const float share = static_cast<float>(i + 1) / static_cast<float>(pieces);
+            const float diameter = std::min(2.0F * radiusOn(branch.radii, share), kGreatestDiameter);
+            if (diameter > 0.0F)
+                delta.sparse.width.push_back({id, tree.content().sparse.width.at(id), diameter});
+        }
+        below = placeOn(below.node, below.rotation, local, pieceLength);
+        parent = id;
+    }
+    return delta;
+}
+
+} // namespace espalier

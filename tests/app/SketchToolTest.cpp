@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/tools/SketchTool.h"
+
+#include "model/sketch/FlatTree.h"
+#include "panels/SketchPopOut.h"
+#include "tests/support/TestClasses.h"
+#include "tests/support/WindowFixture.h"
+#include "views/Viewport.h"
+
+#include <QAbstractButton>
+#include <QTest>
+
+using namespace espalier;
+
+/// The user at the real window with the pencil.
+class SketchToolTest : public test::WindowFixture {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void strokes_becomeTrunkAndBranches();
+    void finger_drawsABranch();
+    void hover_showsWhereAStrokeWouldJoin();
+    void escape_dropsTheStroke();
+    void twoSides_giveABranchItsWidth();
+    void mirror_drawsBothSides();
+    void strokeAcrossOnce_cuts_twice_erases();
+    void giveDepth_spreadsTheBranches();
+    void controls_tryDepthsOutAsOneStep();
+    void strokesAfterwards_lieParallelToTheScreen();
+    void tap_drawsNothing();
+
+private:
+    struct Place {
+        float right;
+        float up;
+    };
+    const Tree& tree() { return m_window->document().tree(); }
+    const TreeIndex& index() { return m_window->document().index(); }
+    int steps() { return m_window->document().undoStack().count(); }
+    QAbstractButton* button(const char* name)
+    {
+        return workspace().sketchPopOut().findChild<QAbstractButton*>(QString::fromLatin1(name));
+    }
+    void press(const char* name)
+    {
+        QVERIFY(button(name)->isEnabled());
+        QTest::mouseClick(button(name), Qt::LeftButton);
+    }
+    void take() { action(ActionId::Sketch)->trigger(); }
+    /// Draws with the mouse from place to place.
+    void draw(const std::vector<Place>& places, Qt::KeyboardModifiers keys = {});
+    /// A trunk with two branches.
+    void drawTree();
+    std::uint32_t axes();
+};
+
+void SketchToolTest::draw(const std::vector<Place>& places, Qt::KeyboardModifiers keys)
+{
+    const QPoint first = at(places.front().right, places.front().up);
+    QTest::mouseMove(handle(), first);
+    QTest::mousePress(handle(), Qt::LeftButton, keys, first);
+    QPoint last = first;
+    for (const Place& place : places) {
+        const QPoint next = at(place.right, place.up);
+        for (int i = 1; i <= 8; ++i)
+            QTest::mouseMove(handle(), last + (next - last) * i / 8);
+        last = next;
+    }
+    QTest::mouseRelease(handle(), Qt::LeftButton, keys, last);
+    QCoreApplication::processEvents();
+}
+
+void SketchToolTest::drawTree()
+{
+    take();
+    draw({{0.0F, 0.0F}, {0.0F, 2.0F}});
+    draw({{0.0F, 1.0F}, {0.5F, 1.3F}, {0.9F, 1.8F}});
+    draw({{0.0F, 1.4F}, {-0.6F, 1.6F}, {-0.9F, 2.0F}});
+    QCOMPARE(axes(), 3U);
+}
+
+std::uint32_t SketchToolTest::axes()
+{
+    std::uint32_t count = 0;
+    for (InternodeId id = 0; id < tree().size(); ++id)
+        count += tree().isAlive(id) && index().axis(id) == id ? 1 : 0;
+    return count;
+}
+
+void SketchToolTest::strokes_becomeTrunkAndBranches()
+{
+    drawTree();
+    QCOMPARE(steps(), 3);
+    QVERIFY(isFlat(tree(), index()));
+    // The tip is where the stroke ended, within two pixels.
+    const InternodeId tip = tree().size() - 1;
+    const QPointF seen = viewport().camera().project(index().nodePosition(tip)).value_or(QPointF());
+    const QPoint wanted = at(-0.9F, 2.0F);
+    QVERIFY((viewport().mapTo(m_window.get(), seen.toPoint()) - wanted).manhattanLength() <= 3);
+    action(ActionId::Undo)->trigger();
+    QCOMPARE(axes(), 2U);
+    action(ActionId::Redo)->trigger();
+    QCOMPARE(axes(), 3U);
+}
+
+void SketchToolTest::finger_drawsABranch()
+{
+    drawTree();
+    const QPoint from = at(0.0F, 1.7F);
+    const QPoint to = at(0.5F, 2.3F);
+    QTest::touchEvent(handle(), m_screen).press(0, from);
+    for (int i = 1; i <= 10; ++i)
+        QTest::touchEvent(handle(), m_screen).move(0, from + (to - from) * i / 10);
+    QTest::touchEvent(handle(), m_screen).release(0, to);
+    QTRY_COMPARE(axes(), 4U);
+}
+
+void SketchToolTest::hover_showsWhereAStrokeWouldJoin()
+{
+    drawTree();
+    QTest::mouseMove(handle(), at(0.3F, 0.5F));
+    const auto& tool = dynamic_cast<const SketchTool&>(viewport().tool());
+    QTRY_VERIFY(tool.shownPlace().has_value());
+    QCOMPARE(index().axis(tool.shownPlace()->internode), 0U);
+    const Vec3 place = positionOf(tree(), index(), *tool.shownPlace());
+    QVERIFY(std::abs(place.y() - 0.5F) < 0.1F);
+}
+
+void SketchToolTest::escape_dropsTheStroke()
+{
+    take();
+    const QPoint from = at(0.0F, 0.0F);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(handle(), from - QPoint(0, 150));
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, from - QPoint(0, 150));
+    QCOMPARE(steps(), 0);
+    QCOMPARE(tree().size(), 1U);
+}
+
+void SketchToolTest::twoSides_giveABranchItsWidth()
+{
+    take();
+    draw({{-0.15F, 0.0F}, {-0.05F, 2.0F}});
+    draw({{0.15F, 0.0F}, {0.05F, 2.0F}});
+    QCOMPARE(axes(), 1U);
+    QVERIFY(std::abs(tree().widthConstraint(0) - 0.3F) < 0.05F);
+    QVERIFY(std::abs(tree().rootPosition(0).x()) < 0.02F);
+    // The next branch has its form: a tenth of its length at the tip's end.
+    draw({{0.0F, 1.2F}, {1.0F, 1.6F}});
+    QCOMPARE(axes(), 2U);
+    InternodeId first = tree().size() - 1;
+    while (tree().continuesAxis(first))
+        first = tree().parent(first);
+    QVERIFY(tree().widthConstraint(first) > 0.06F);
+    QVERIFY(tree().widthConstraint(first) < tree().widthConstraint(0));
+}
+
+void SketchToolTest::mirror_drawsBothSides()
+{
+    take();
+    draw({{0.0F, 0.0F}, {0.0F, 2.0F}});
+    m_window->viewSettings().set(&ViewValues::sketchMirror, true);
+    draw({{0.0F, 1.0F}, {0.8F, 1.5F}});
+    QCOMPARE(axes(), 3U);
+    QCOMPARE(steps(), 2);
+    Box3 box;
+    for (InternodeId id = 0; id < tree().size(); ++id)
+        box.extend(index().nodePosition(id));
+    QVERIFY(std::abs(box.min().x() + box.max().x()) < 0.02F);
+}
+
+void SketchToolTest::strokeAcrossOnce_cuts_twice_erases()
+{
+    drawTree();
+    draw({{0.4F, 1.6F}, {0.6F, 1.0F}}, Qt::ShiftModifier);
+    QCOMPARE(axes(), 3U);
+    Box3 box;
+    for (InternodeId id = 0; id < tree().size(); ++id) {
+        if (tree().isAlive(id))
+            box.extend(index().nodePosition(id));
+    }
+    QVERIFY(box.max().x() < 0.65F);
+    QCOMPARE(m_window->document().undoStack().undoText(), QStringLiteral("Prune"));
+    draw({{-0.2F, 1.7F}, {-0.3F, 1.2F}, {-0.5F, 1.2F}, {-0.6F, 1.9F}}, Qt::ShiftModifier);
+    QCOMPARE(axes(), 2U);
+}
+
+void SketchToolTest::giveDepth_spreadsTheBranches()
+{
+    take();
+    QVERIFY(!button("giveDepth")->isEnabled());
+    drawTree();
+    press("giveDepth");
+    QCOMPARE(axes(), 5U);
+    QVERIFY(!isFlat(tree(), index()));
+    QVERIFY(!button("giveDepth")->isEnabled() && button("otherDepth")->isEnabled());
+    action(ActionId::Undo)->trigger();
+    QVERIFY(isFlat(tree(), index()));
+    QVERIFY(button("giveDepth")->isEnabled() && !button("otherDepth")->isEnabled());
+}
+
+void SketchToolTest::controls_tryDepthsOutAsOneStep()
+{
+    drawTree();
+    press("giveDepth");
+    const int given = steps();
+    const auto depths = [&] {
+        std::vector<float> found;
+        for (InternodeId id = 0; id < tree().size(); ++id)
+            found.push_back(index().nodePosition(id).z());
+        return found;
+    };
+    const std::vector<float> first = depths();
+    // Two branches have few depths to choose from.
+    for (int i = 0; i < 8 && depths() == first; ++i)
+        press("otherDepth");
+    QVERIFY(depths() != first);
+    QCOMPARE(steps(), given);
+    m_window->viewSettings().set(&ViewValues::secondTree, false);
+    QCOMPARE(axes(), 3U);
+    QCOMPARE(steps(), given);
+    // Another edit ends the trial.
+    draw({{0.0F, 0.6F}, {0.5F, 0.9F}});
+    QVERIFY(!button("otherDepth")->isEnabled());
+    m_window->viewSettings().set(&ViewValues::secondTree, true);
+    QCOMPARE(axes(), 4U);
+}
+
+void SketchToolTest::strokesAfterwards_lieParallelToTheScreen()
+{
+    drawTree();
+    press("giveDepth");
+    const std::uint32_t before = tree().size();
+    draw({{0.0F, 0.5F}, {0.4F, 0.7F}, {0.7F, 1.0F}});
+    QVERIFY(tree().size() > before);
+    const Vec3 base = index().basePosition(tree(), before);
+    for (InternodeId id = before; id < tree().size(); ++id)
+        QVERIFY(std::abs((index().nodePosition(id) - base).dot(viewport().camera().forward())) < 1e-3F);
+}
+
+void SketchToolTest::tap_drawsNothing()
+{
+    drawTree();
+    QTest::mouseClick(handle(), Qt::LeftButton, {}, at(0.4F, 1.2F));
+    QCOMPARE(steps(), 3);
+    QCOMPARE(notice(), QString());
+}
+
+static const test::TestClass<SketchToolTest> sketchToolTest;
+
+#include "SketchToolTest.moc"

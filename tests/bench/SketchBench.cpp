@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/SketchStroke.h"
+#include "model/base/Random.h"
+#include "model/sketch/FlatTree.h"
+
+#include <benchmark/benchmark.h>
+
+namespace espalier {
+
+namespace {
+
+/// A trunk, and strokes that join whatever is near.
+void drawStrokes(TreeDocument& document, int count)
+{
+    const auto draw = [&](std::vector<Vec2> points) {
+        const LassoStroke stroke{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), std::move(points)};
+        (void)sketchBranch(document, {.stroke = stroke, .base = {}});
+    };
+    draw({{0.0F, 0.0F}, {0.0F, 4.0F}});
+    Random random(7, 0, 0, Purpose::ShootLength);
+    for (int i = 1; i < count; ++i) {
+        const Vec2 from(static_cast<float>(random.uniform(-1.5, 1.5)),
+                        static_cast<float>(random.uniform(1.0, 4.0)));
+        const Vec2 way(static_cast<float>(random.uniform(-0.8, 0.8)),
+                       static_cast<float>(random.uniform(0.2, 0.8)));
+        draw({from, from + 0.5F * way + Vec2(0.05F, 0.0F), from + way});
+    }
+}
+
+void sketch_giveDepth(benchmark::State& state)
+{
+    TreeDocument document;
+    drawStrokes(document, static_cast<int>(state.range(0)));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(giveDepth(document.tree(), document.index(), {}));
+}
+BENCHMARK(sketch_giveDepth)->Arg(50)->Arg(200)->Unit(benchmark::kMillisecond);
+
+void sketch_stroke(benchmark::State& state)
+{
+    TreeDocument document;
+    drawStrokes(document, 200);
+    for (auto _ : state) {
+        const LassoStroke stroke{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0.1F, 2.0F}, {0.9F, 2.7F}}};
+        benchmark::DoNotOptimize(sketchBranch(document, {.stroke = stroke, .base = {}}));
+        document.undo();
+    }
+}
+BENCHMARK(sketch_stroke)->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+} // namespace espalier

@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/tools/SketchTool.h"
+
+#include "commands/Prune.h"
+#include "model/sketch/FlatTree.h"
+#include "views/tools/ToolColours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace espalier {
+
+namespace {
+
+/// The drawing's plane is drawn in unless it is seen at a sharper angle than this from its edge.
+constexpr float kLeastFacing = 0.25F;
+/// Radii that a branch gets.
+constexpr std::size_t kFormRadii = 12;
+/// A branch is at its base at most so many times as thick as the wood below it.
+constexpr float kMostOfParent = 0.65F;
+/// The ring around the place where a stroke would join: its least radius, px, and its radius in those of the
+/// wood.
+constexpr float kJoinRing = 6.0F;
+constexpr float kRingInRadii = 1.25F;
+
+/// px to the right and up.
+Eigen::Vector2d upward(const QPointF& screen)
+{
+    return {screen.x(), -screen.y()};
+}
+
+QPointF downward(const Eigen::Vector2d& pixel)
+{
+    return {pixel.x(), -pixel.y()};
+}
+
+} // namespace
+
+void SketchTool::begin(const PointerSample& sample)
+{
+    m_isActive = true;
+    m_isCutting = sample.isEraser || sample.modifiers.testFlag(Qt::ShiftModifier) ||
+                  context().viewSettings().values().sketchCuts;
+    m_path = {sample.position};
+    m_place.reset();
+    context().requestRepaint();
+}
+
+void SketchTool::move(const PointerSample& sample)
+{
+    if (!m_isActive || m_path.back() == sample.position)
+        return;
+    // The ink comes first: nothing is computed until the pointer is lifted.
+    m_path.push_back(sample.position);
+    if (m_isCutting)
+        crossOut();
+    context().requestRepaint();
+}
+
+void SketchTool::end(const PointerSample& sample)
+{
+    move(sample);
+    finish();
+}
+
+void SketchTool::finish()
+{
+    if (!std::exchange(m_isActive, false))
+        return;
+    if (m_isCutting) {
+        const std::vector<InternodeId> cuts = m_preview.take(context());
+        if (!cuts.empty())
+            pruneBranches(context().document(), cuts);
+    } else {
+        draw();
+    }
+    m_path.clear();
+    context().requestRepaint();
+}
+
+void SketchTool::cancel()
+{
+    m_isActive = false;
+    m_path.clear();
+    m_preview.show(context(), {});
+    leave();
+}
+
+void SketchTool::hover(const PointerSample& sample)
+{
+    m_pointer = sample.position;
+    m_place.reset();
+    m_placeRevision = context().document().revision();
+    if (!isSeedling() && !sample.isEraser && !context().viewSettings().values().sketchCuts) {
+        const Eigen::Vector2d pixel = upward(sample.position);
+        if (const std::optional<Attachment> nearest = attachmentOf(pixel, pixel))
+            m_place = nearest->place;
+    }
+    context().requestRepaint();
+}
+
+void SketchTool::leave()
+{
+    m_place.reset();
+    context().requestRepaint();
+}
+
+bool SketchTool::isSeedling() const
+{
+    return context().document().index().livingCount() == 1;
+}
+
+std::optional<Attachment> SketchTool::attachmentOf(const Eigen::Vector2d& first,
+                                                   const Eigen::Vector2d& last) const
+{
+    const Camera& camera = context().camera();
+    const auto seen = [&camera](const Vec3& point) {
+        const std::optional<QPointF> place = camera.project(point);
+        return place ? std::optional(upward(*place)) : std::nullopt;
+    };
+    const TreeDocument& document = context().document();
+    return nearestAttachment(document.tree(), document.index(), seen, first, last);
+}
+
+SketchTool::Plane SketchTool::planeThrough(const Vec3& base) const
+{
+    const TreeDocument& document = context().document();
+    const Camera& camera = context().camera();
+    if (std::abs(camera.forward().z()) > kLeastFacing && isFlat(document.tree(), document.index()))
+        return {};
+    return {.origin = base, .right = camera.right(), .up = camera.up(), .isDrawing = false};
+}
+
+Vec3 SketchTool::onPlane(const Plane& plane, const Eigen::Vector2d& pixel) const
+{
+    const Camera& camera = context().camera();
+    if (!plane.isDrawing)
+        return camera.onPlane(downward(pixel), plane.origin);
+    const Ray ray = camera.ray(downward(pixel));
+    // planeThrough() has seen to it that the ray is not parallel to the plane.
+    return ray.origin - ray.origin.z() / ray.direction.z() * ray.direction;
+}
+
+void SketchTool::draw()
+{
+    SketchLine samples;
+    for (const QPointF& point : m_path)
+        samples.push_back(upward(point));
+    std::optional<SketchStroke> stroke = fitStroke(samples);
+    if (!stroke || stroke->kind == SketchStroke::Kind::Dot)
+        return;
+    if (stroke->kind == SketchStroke::Kind::Closed)
+        stroke->line.push_back(stroke->line.front());
+    drawLine(std::move(stroke->line));
+}
+
+void SketchTool::drawLine(SketchLine line)
+{
+    TreeDocument& document = context().document();
+    const Camera& camera = context().camera();
+    const std::optional<Side> last = std::exchange(m_last, std::nullopt);
+    std::vector<double> sides; // px
+    const bool mayBeSide = last && last->revision == document.revision() && last->camera == camera;
+    SketchLine drawn = line;
+    if (mayBeSide) {
+        if (std::optional<TwoSidedBranch> branch = twoSidedBranch(last->line, line)) {
+            line = std::move(branch->axis);
+            sides = std::move(branch->radii);
+        }
+    }
+    BranchStroke stroke{.stroke = {}, .base = {}};
+    stroke.isMirrored = context().viewSettings().values().sketchMirror;
+    if (!sides.empty()) {
+        stroke.base = last->base;
+        stroke.replaces = last->branch;
+    } else if (!isSeedling()) {
+        const std::optional<Attachment> nearest = attachmentOf(line.front(), line.back());
+        if (!nearest)
+            return;
+        stroke.base = nearest->place;
+        if (nearest->isReversed) {
+            std::ranges::reverse(line);
+            std::ranges::reverse(drawn);
+        }
+    }
+    const Vec3 base = stroke.base ? positionOf(document.tree(), document.index(), *stroke.base)
+                                  : document.tree().rootPosition(0);
+    const Plane plane = planeThrough(base);
+    stroke.stroke = {plane.origin, plane.right, plane.up, {}};
+    float length = 0.0F;
+    for (const Eigen::Vector2d& pixel : line) {
+        const Vec3 offset = onPlane(plane, pixel) - plane.origin;
+        const Vec2 point(offset.dot(plane.right), offset.dot(plane.up));
+        if (!stroke.stroke.points.empty())
+            length += (point - stroke.stroke.points.back()).norm();
+        stroke.stroke.points.push_back(point);
+    }
+    if (!sides.empty()) {
+        const float scale = 1.0F / camera.pixelsPerMetre(std::max(camera.depth(base), Camera::kMinDistance));
+        m_form.clear();
+        for (std::size_t i = 0; i < kFormRadii; ++i) {
+            const std::size_t at = i * (sides.size() - 1) / (kFormRadii - 1);
+            stroke.radii.push_back(scale * static_cast<float>(sides[at]));
+            m_form.push_back(length > 0.0F ? stroke.radii.back() / length : 0.0F);
+        }
+    } else {
+        stroke.radii = usualRadii(stroke.base, length);
+    }
+    const Result<InternodeId> first = sketchBranch(document, stroke);
+    if (!first) {
+        m_refused(first.error().message);
+        return;
+    }
+    if (sides.empty())
+        m_last = Side{.line = std::move(drawn),
+                      .branch = *first,
+                      .base = stroke.base,
+                      .camera = camera,
+                      .revision = document.revision()};
+}
+
+std::vector<float> SketchTool::usualRadii(const std::optional<WoodPlace>& base, float length) const
+{
+    float scale = length;
+    if (base && m_form.front() > 0.0F)
+        scale = std::min(scale, kMostOfParent * context().branchRadius(base->internode) / m_form.front());
+    std::vector<float> radii;
+    for (const float radius : m_form)
+        radii.push_back(scale * radius);
+    return radii;
+}
+
+void SketchTool::crossOut()
+{
+    const Tree& tree = context().document().tree();
+    const TreeIndex& index = context().document().index();
+    const Camera& camera = context().camera();
+    SketchLine blade;
+    for (const QPointF& point : m_path)
+        blade.push_back(upward(point));
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& point : blade)
+        box.extend(point);
+    std::vector<InternodeId> crossed; // Axis by axis, base first
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id))
+            continue;
+        const auto lower = camera.project(index.basePosition(tree, id));
+        const auto upper = camera.project(index.nodePosition(id));
+        if (!lower || !upper)
+            continue;
+        Eigen::AlignedBox2d piece(upward(*lower));
+        piece.extend(upward(*upper));
+        if (piece.intersects(box)) {
+            const SketchLine segment{upward(*lower), upward(*upper)};
+            for (std::size_t i = properCrossings(segment, blade).size(); i > 0; --i)
+                crossed.push_back(id);
+        }
+    }
+    std::ranges::stable_sort(crossed, {}, [&](InternodeId id) { return index.axis(id); });
+    std::vector<InternodeId> cuts;
+    for (std::size_t i = 0; i < crossed.size();) {
+        const InternodeId axis = index.axis(crossed[i]);
+        std::size_t end = i;
+        while (end < crossed.size() && index.axis(crossed[end]) == axis)
+            ++end;
+        const InternodeId cut = end - i > 1 ? axis : crossed[i];
+        i = end;
+        if (!tree.isRoot(cut)) {
+            cuts.push_back(cut);
+            continue;
+        }
+        // A trunk's first internode stays.
+        for (InternodeId child = index.firstChild(cut); child != kNoInternode;
+             child = index.nextSibling(child))
+            cuts.push_back(child);
+    }
+    if (cuts != m_preview.cuts())
+        m_preview.show(context(), std::move(cuts));
+}
+
+void SketchTool::paintInk(Overlay& overlay) const
+{
+    const Camera& camera = context().camera();
+    const Vec3 foot = context().document().tree().rootPosition(0);
+    std::vector<Vec3> ink;
+    std::vector<Vec3> image;
+    const float middle = foot.dot(camera.right());
+    for (const QPointF& point : m_path) {
+        ink.push_back(camera.onPlane(point, foot));
+        image.push_back(ink.back() + 2.0F * (middle - ink.back().dot(camera.right())) * camera.right());
+    }
+    overlay.addLine(ink, kBrushColour, 2.4F);
+    if (context().viewSettings().values().sketchMirror)
+        overlay.addLine(image, kBrushColour, 1.6F, 5.0F);
+}
+
+void SketchTool::paint(Overlay& overlay) const
+{
+    const Camera& camera = context().camera();
+    if (m_isActive && m_isCutting) {
+        m_preview.paint(context(), overlay, false);
+        CutPreview::paintBlade(camera, m_path, overlay);
+    } else if (m_isActive) {
+        paintInk(overlay);
+    } else if (m_place && m_placeRevision == context().document().revision()) {
+        const Vec3 place = positionOf(context().document().tree(), context().document().index(), *m_place);
+        const float radius =
+            std::max(kJoinRing / camera.pixelsPerMetre(std::max(camera.depth(place), Camera::kMinDistance)),
+                     kRingInRadii * context().branchRadius(m_place->internode));
+        overlay.addCircle(place, camera.right(), camera.up(), radius, kPickedColour, 2.0F);
+        overlay.addLine(std::array{place, camera.onPlane(m_pointer, place)}, kPickedColour, 1.2F, 4.0F);
+    }
+}
+
+QString SketchTool::tip() const
+{
+    return isSeedling()
+               ? tr("Draw the trunk, then branches; two strokes side by side give a branch its width")
+               : tr("Draw a branch from the wood; press Shift and draw across branches to take them away");
+}
+
+} // namespace espalier
