@@ -112,6 +112,13 @@ int runProgram(int argc, char** argv)
     const bool opensWindow = line && line->needsDisplay() && line->picture.isEmpty();
     if (!opensWindow)
         qInstallMessageHandler(onlyFatal);
+    if (line && line->verb == CommandLine::Verb::Sketch && !line->needsDisplay()) {
+        // Drawings are read with a painter, which wants an application with fonts, but no display.
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        QGuiApplication application(argc, argv);
+        speakLanguage(Settings().preferences().language);
+        return runWithoutWindow(arguments);
+    }
     if (!line || !line->needsDisplay()) {
         QCoreApplication application(argc, argv);
         speakLanguage(Settings().preferences().language);

@@ -47,6 +47,11 @@ std::vector<SketchStroke> smoothStrokes(const TreeSketch& sketch)
 
 } // namespace
 
+SketchedTree sketchedTree(const TreeSketch& sketch)
+{
+    return SketchedTree::ofStrokes(smoothStrokes(sketch));
+}
+
 Result<void> drawSketch(TreeDocument& document, TreeSketch sketch)
 {
     // A recipe does not keep the sign of zeros, so the tree must not depend on it.
@@ -58,7 +63,7 @@ Result<void> drawSketch(TreeDocument& document, TreeSketch sketch)
     if (document.tree().size() > 1)
         return sketchError(
             QT_TRANSLATE_NOOP("Commands", "a sketch can only become a tree where nothing has grown"));
-    const PlacedTree placed = inferDepth(SketchedTree::ofStrokes(smoothStrokes(sketch)), sketch.depth);
+    const PlacedTree placed = inferDepth(sketchedTree(sketch), sketch.depth);
     if (placed.branches.empty())
         return sketchError(QT_TRANSLATE_NOOP("Commands", "no stroke of the sketch is a branch"));
     Result<TreeDelta> delta = growSkeleton(

@@ -6,6 +6,10 @@
 
 namespace espalier {
 
+/// The drawing that a sketch's strokes make: smoothed, a pixel being a thousandth of the sketch's diagonal,
+/// and joined.
+SketchedTree sketchedTree(const TreeSketch& sketch);
+
 /// Makes a tree of a sketch out of the document's seedling, as one undo step: the strokes are smoothed (a
 /// pixel being a thousandth of the sketch's diagonal), joined (SketchedTree), given depths (inferDepth()) and
 /// divided into internodes of the length that the parameters of growth have (skeletonOf()). The trunk's foot

@@ -496,6 +496,14 @@
         <translation>--fibres verlangt --png DATEI</translation>
     </message>
     <message>
+        <source>--index wants a whole number from 0, not &quot;%1&quot;</source>
+        <translation>--index verlangt eine ganze Zahl ab 0, nicht „%1“</translation>
+    </message>
+    <message>
+        <source>sketch wants at least one drawing</source>
+        <translation>sketch verlangt mindestens eine Zeichnung</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -521,6 +529,15 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
+
+espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
+                [--size WxH] [--camera ...] [--stats FILE] [--seed N]
+                [--set GROUP.NAME=VALUE]...
+    Makes a tree of what somebody drew: lines are branches, small loops leaves,
+    a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
+    .ndjson, of which --index takes a line, from 0. Of several drawings each is
+    drawn over the one before. --front-only: depth is given once, without a
+    second placing from the side.
 
 espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     Writes a project in other formats. --set changes parameters for what is
@@ -570,6 +587,16 @@ espalier import SKELETT.csv -o AUSGABE...
     Macht aus einem gemessenen Baum einen eigenen: Zeilen aus id, parent, beiden
     Enden und Radius.
 
+espalier sketch ZEICHNUNG... [--index N] [--front-only] [-o AUSGABE]...
+                [--png DATEI] [--size BxH] [--camera ...] [--stats DATEI]
+                [--seed N] [--set GRUPPE.NAME=WERT]...
+    Macht einen Baum aus dem, was jemand gezeichnet hat: Linien sind Äste,
+    kleine Schleifen Blätter, eine große Schleife ist eine Krone, in die er
+    wächst. Zeichnungen sind SVG oder .ndjson von Quick, Draw!, aus denen
+    --index eine Zeile nimmt, von 0 an. Von mehreren wird jede über die vorige
+    gezeichnet. --front-only: Tiefe wird einmal gegeben, ohne die Zeichnung
+    von der Seite noch einmal einzusetzen.
+
 espalier export PROJEKT [-o AUSGABE]... [--set GRUPPE.NAME=WERT]...
     Schreibt ein Projekt in anderen Formaten. --set ändert Parameter für das,
     was geschrieben wird; das Projekt bleibt, wie es ist.
@@ -592,6 +619,14 @@ AUSGABE endet auf .espalier (Projekt) oder auf die Endung eines Formats:
 3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
 geschrieben werden konnte.
 </translation>
+    </message>
+    <message>
+        <source>it has more than %1 strokes</source>
+        <translation>sie hat mehr als %1 Striche</translation>
+    </message>
+    <message>
+        <source>it has no line that can be a trunk, and no crown</source>
+        <translation>sie hat keine Linie, die ein Stamm sein kann, und keine Krone</translation>
     </message>
 </context>
 <context>
@@ -698,6 +733,33 @@ geschrieben werden konnte.
     <message>
         <source>the display %1 does not answer</source>
         <translation>die Anzeige %1 antwortet nicht</translation>
+    </message>
+</context>
+<context>
+    <name>Drawing</name>
+    <message>
+        <source>it is not an SVG</source>
+        <translation>sie ist kein SVG</translation>
+    </message>
+    <message>
+        <source>it has no drawing %1</source>
+        <translation>sie hat keine Zeichnung %1</translation>
+    </message>
+    <message>
+        <source>a stroke has not as many x as y</source>
+        <translation>ein Strich hat nicht so viele x wie y</translation>
+    </message>
+    <message>
+        <source>a stroke has a point that is no number</source>
+        <translation>ein Strich hat einen Punkt, der keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>it is greater than 32 MB</source>
+        <translation>sie ist größer als 32 MB</translation>
+    </message>
+    <message>
+        <source>it has no strokes</source>
+        <translation>sie hat keine Striche</translation>
     </message>
 </context>
 <context>
@@ -3067,6 +3129,10 @@ geschrieben werden konnte.
     <message>
         <source>draw branches first: a trunk alone has no depth to find</source>
         <translation>zeichnen Sie zuerst Äste: ein Stamm allein hat keine Tiefe zu finden</translation>
+    </message>
+    <message>
+        <source>the wood that it would grow from is gone</source>
+        <translation>das Holz, aus dem er wachsen würde, ist nicht mehr da</translation>
     </message>
 </context>
 <context>

@@ -496,6 +496,14 @@
         <translation>--fibres demande --png FICHIER</translation>
     </message>
     <message>
+        <source>--index wants a whole number from 0, not &quot;%1&quot;</source>
+        <translation>--index demande un nombre entier à partir de 0, pas « %1 »</translation>
+    </message>
+    <message>
+        <source>sketch wants at least one drawing</source>
+        <translation>sketch demande au moins un dessin</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -522,6 +530,15 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
 
+espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
+                [--size WxH] [--camera ...] [--stats FILE] [--seed N]
+                [--set GROUP.NAME=VALUE]...
+    Makes a tree of what somebody drew: lines are branches, small loops leaves,
+    a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
+    .ndjson, of which --index takes a line, from 0. Of several drawings each is
+    drawn over the one before. --front-only: depth is given once, without a
+    second placing from the side.
+
 espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     Writes a project in other formats. --set changes parameters for what is
     written; the project stays as it is.
@@ -542,13 +559,13 @@ OUT ends in .espalier (project) or in the ending of a format:
 %1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
+        <translation>Espalier : peindre des arbres et les voir naître.
 
 espalier [PROJET]
     Ouvre la fenêtre.
 
 espalier --demo [RECETTE]
-    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
+    Ouvre la fenêtre et y peint un arbre ; ensuite il est à vous.
 
 espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
@@ -557,28 +574,38 @@ espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--strict] [--set GROUPE.NOM=VALEUR]...
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
     D’un projet, tout ce qui a été fait à son arbre est refait.
-    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
+    De plusieurs recettes, chacune continue l’arbre de la précédente : la
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
-    --profiles&#xa0;: la place des brins dans chaque section, en JSON.
-    Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
+    --profiles : la place des brins dans chaque section, en JSON.
+    Ce que les opérations ne trouvent pas dans l’arbre est affiché ; avec
     --strict, c’est une erreur, et rien n’est écrit.
     --set donne une valeur à un paramètre pour tout le rejeu, quoi que disent
-    les recettes&#xa0;: --set growth.shedding=0.1 --set leaves.visible=false. Les
+    les recettes : --set growth.shedding=0.1 --set leaves.visible=false. Les
     angles sont en degrés.
 
 espalier import SQUELETTE.csv -o SORTIE...
-    Fait un arbre d’un arbre mesuré&#xa0;: des lignes d’id, parent, deux bouts et
+    Fait un arbre d’un arbre mesuré : des lignes d’id, parent, deux bouts et
     rayon.
+
+espalier sketch DESSIN... [--index N] [--front-only] [-o SORTIE]...
+                [--png FICHIER] [--size LxH] [--camera ...] [--stats FICHIER]
+                [--seed N] [--set GROUPE.NOM=VALEUR]...
+    Fait un arbre de ce que quelqu’un a dessiné : les lignes sont des branches,
+    les petites boucles des feuilles, une grande boucle est une couronne à
+    remplir. Les dessins sont des SVG, ou des .ndjson de Quick, Draw!, dont
+    --index prend une ligne, à partir de 0. De plusieurs dessins, chacun est
+    tracé sur le précédent. --front-only : la profondeur est donnée une fois,
+    sans placer le dessin encore une fois de côté.
 
 espalier export PROJET [-o SORTIE]... [--set GROUPE.NOM=VALEUR]...
     Écrit un projet dans d’autres formats. --set change des paramètres pour ce
-    qui est écrit&#xa0;; le projet reste tel quel.
+    qui est écrit ; le projet reste tel quel.
 
 espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--set GROUPE.NOM=VALEUR]...
-    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
-    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
+    Prend une image. Il faut un affichage ; un affichage virtuel convient.
+    --transparent : l’arbre seul, avec un alpha non prémultiplié ;
     --ground-shadow garde son ombre, en noir plus ou moins opaque.
     --fibres : les brins du bois, en lignes.
 
@@ -587,10 +614,18 @@ espalier info FICHIER
 
 espalier --help, --version
 
-SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
+SORTIE se termine par .espalier (projet) ou par le suffixe d’un format :
 %1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
 une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 </translation>
+    </message>
+    <message>
+        <source>it has more than %1 strokes</source>
+        <translation>il a plus de %1 traits</translation>
+    </message>
+    <message>
+        <source>it has no line that can be a trunk, and no crown</source>
+        <translation>il n’a ni ligne qui puisse être un tronc, ni couronne</translation>
     </message>
 </context>
 <context>
@@ -697,6 +732,33 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>the display %1 does not answer</source>
         <translation>l’affichage %1 ne répond pas</translation>
+    </message>
+</context>
+<context>
+    <name>Drawing</name>
+    <message>
+        <source>it is not an SVG</source>
+        <translation>ce n’est pas un SVG</translation>
+    </message>
+    <message>
+        <source>it has no drawing %1</source>
+        <translation>il n’a pas de dessin %1</translation>
+    </message>
+    <message>
+        <source>a stroke has not as many x as y</source>
+        <translation>un trait n’a pas autant de x que de y</translation>
+    </message>
+    <message>
+        <source>a stroke has a point that is no number</source>
+        <translation>un trait a un point qui n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>it is greater than 32 MB</source>
+        <translation>il dépasse 32 Mo</translation>
+    </message>
+    <message>
+        <source>it has no strokes</source>
+        <translation>il n’a pas de traits</translation>
     </message>
 </context>
 <context>
@@ -3066,6 +3128,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>draw branches first: a trunk alone has no depth to find</source>
         <translation>dessinez d’abord des branches : un tronc seul n’a pas de profondeur à trouver</translation>
+    </message>
+    <message>
+        <source>the wood that it would grow from is gone</source>
+        <translation>le bois dont elle partirait n’existe plus</translation>
     </message>
 </context>
 <context>

@@ -496,6 +496,14 @@
         <translation>--fibres には --png ファイル が必要です</translation>
     </message>
     <message>
+        <source>--index wants a whole number from 0, not &quot;%1&quot;</source>
+        <translation>--index には 0 以上の整数が必要です。「%1」は使えません</translation>
+    </message>
+    <message>
+        <source>sketch wants at least one drawing</source>
+        <translation>sketch には絵が一つ以上必要です</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -521,6 +529,15 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
+
+espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
+                [--size WxH] [--camera ...] [--stats FILE] [--seed N]
+                [--set GROUP.NAME=VALUE]...
+    Makes a tree of what somebody drew: lines are branches, small loops leaves,
+    a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
+    .ndjson, of which --index takes a line, from 0. Of several drawings each is
+    drawn over the one before. --front-only: depth is given once, without a
+    second placing from the side.
 
 espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     Writes a project in other formats. --set changes parameters for what is
@@ -569,6 +586,14 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
 espalier import SKELETON.csv -o OUT...
     計測した木から木を作ります。各行は id、parent、両端、半径です。
 
+espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
+                [--size WxH] [--camera ...] [--stats FILE] [--seed N]
+                [--set GROUP.NAME=VALUE]...
+    描かれた絵から木を作ります。線は枝、小さな輪は葉、大きな輪は木が育って
+    満たす樹冠です。絵は SVG か Quick, Draw! の .ndjson で、--index はその行を
+    0 から数えて選びます。複数の絵は前の絵に重ねて描かれます。
+    --front-only: 絵を横からもう一度置かず、奥行きを一度だけ与えます。
+
 espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     プロジェクトをほかの形式で書き出します。--set は書き出す内容の
     パラメーターだけを変え、プロジェクトはそのまま残ります。
@@ -590,6 +615,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 %1終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
 正しくないときは 3、出力を書き込めないときは 4 です。
 </translation>
+    </message>
+    <message>
+        <source>it has more than %1 strokes</source>
+        <translation>線が %1 本を超えています</translation>
+    </message>
+    <message>
+        <source>it has no line that can be a trunk, and no crown</source>
+        <translation>幹になれる線も樹冠もありません</translation>
     </message>
 </context>
 <context>
@@ -696,6 +729,33 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>the display %1 does not answer</source>
         <translation>ディスプレイ %1 が応答しません</translation>
+    </message>
+</context>
+<context>
+    <name>Drawing</name>
+    <message>
+        <source>it is not an SVG</source>
+        <translation>SVG ではありません</translation>
+    </message>
+    <message>
+        <source>it has no drawing %1</source>
+        <translation>%1 番の絵がありません</translation>
+    </message>
+    <message>
+        <source>a stroke has not as many x as y</source>
+        <translation>線の x と y の数が違います</translation>
+    </message>
+    <message>
+        <source>a stroke has a point that is no number</source>
+        <translation>線に数でない点があります</translation>
+    </message>
+    <message>
+        <source>it is greater than 32 MB</source>
+        <translation>32 MB を超えています</translation>
+    </message>
+    <message>
+        <source>it has no strokes</source>
+        <translation>線がありません</translation>
     </message>
 </context>
 <context>
@@ -3065,6 +3125,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>draw branches first: a trunk alone has no depth to find</source>
         <translation>先に枝を描いてください。幹だけでは奥行きを決められません</translation>
+    </message>
+    <message>
+        <source>the wood that it would grow from is gone</source>
+        <translation>枝が出るはずの木部がもうありません</translation>
     </message>
 </context>
 <context>

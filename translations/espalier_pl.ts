@@ -496,6 +496,14 @@
         <translation>--fibres wymaga --png PLIK</translation>
     </message>
     <message>
+        <source>--index wants a whole number from 0, not &quot;%1&quot;</source>
+        <translation>--index wymaga liczby całkowitej od 0, a nie „%1”</translation>
+    </message>
+    <message>
+        <source>sketch wants at least one drawing</source>
+        <translation>sketch wymaga co najmniej jednego rysunku</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -521,6 +529,15 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
+
+espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
+                [--size WxH] [--camera ...] [--stats FILE] [--seed N]
+                [--set GROUP.NAME=VALUE]...
+    Makes a tree of what somebody drew: lines are branches, small loops leaves,
+    a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
+    .ndjson, of which --index takes a line, from 0. Of several drawings each is
+    drawn over the one before. --front-only: depth is given once, without a
+    second placing from the side.
 
 espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
     Writes a project in other formats. --set changes parameters for what is
@@ -570,6 +587,15 @@ espalier import SZKIELET.csv -o WYNIK...
     Tworzy drzewo ze zmierzonego: wiersze z id, parent, oboma końcami i
     promieniem.
 
+espalier sketch RYSUNEK... [--index N] [--front-only] [-o WYNIK]...
+                [--png PLIK] [--size SxW] [--camera ...] [--stats PLIK]
+                [--seed N] [--set GRUPA.NAZWA=WARTOŚĆ]...
+    Tworzy drzewo z tego, co ktoś narysował: linie to gałęzie, małe pętle to
+    liście, duża pętla to korona, w którą drzewo wrasta. Rysunki to SVG albo
+    .ndjson z Quick, Draw!, z którego --index bierze wiersz, od 0. Z kilku
+    rysunków każdy jest rysowany na poprzednim. --front-only: głębia jest
+    nadawana raz, bez drugiego umieszczenia rysunku z boku.
+
 espalier export PROJEKT [-o WYNIK]... [--set GRUPA.NAZWA=WARTOŚĆ]...
     Zapisuje projekt w innych formatach. --set zmienia parametry tylko w tym,
     co zostaje zapisane; projekt pozostaje bez zmian.
@@ -591,6 +617,14 @@ WYNIK kończy się na .espalier (projekt) lub na rozszerzenie formatu:
 %1Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
 da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 </translation>
+    </message>
+    <message>
+        <source>it has more than %1 strokes</source>
+        <translation>ma więcej niż %1 kresek</translation>
+    </message>
+    <message>
+        <source>it has no line that can be a trunk, and no crown</source>
+        <translation>nie ma linii, która mogłaby być pniem, ani korony</translation>
     </message>
 </context>
 <context>
@@ -697,6 +731,33 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>the display %1 does not answer</source>
         <translation>ekran %1 nie odpowiada</translation>
+    </message>
+</context>
+<context>
+    <name>Drawing</name>
+    <message>
+        <source>it is not an SVG</source>
+        <translation>to nie jest SVG</translation>
+    </message>
+    <message>
+        <source>it has no drawing %1</source>
+        <translation>nie ma rysunku %1</translation>
+    </message>
+    <message>
+        <source>a stroke has not as many x as y</source>
+        <translation>kreska nie ma tylu x co y</translation>
+    </message>
+    <message>
+        <source>a stroke has a point that is no number</source>
+        <translation>kreska ma punkt, który nie jest liczbą</translation>
+    </message>
+    <message>
+        <source>it is greater than 32 MB</source>
+        <translation>jest większy niż 32 MB</translation>
+    </message>
+    <message>
+        <source>it has no strokes</source>
+        <translation>nie ma kresek</translation>
     </message>
 </context>
 <context>
@@ -3066,6 +3127,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>draw branches first: a trunk alone has no depth to find</source>
         <translation>najpierw narysuj gałęzie: sam pień nie ma głębi do znalezienia</translation>
+    </message>
+    <message>
+        <source>the wood that it would grow from is gone</source>
+        <translation>drewna, z którego miałaby rosnąć, już nie ma</translation>
     </message>
 </context>
 <context>

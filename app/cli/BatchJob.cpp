@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/BatchJob.h"
 
+#include "app/cli/SketchJob.h"
 #include "app/files/Outputs.h"
 #include "commands/DocumentProject.h"
 #include "commands/ImportSkeleton.h"
@@ -125,8 +126,9 @@ QJsonObject countsToJson(const TreeCounts& counts)
             {QStringLiteral("steps"), number(counts.steps)}};
 }
 
+/// @p more: what else is to be said; its "infer" is a time.
 Result<void> writeStats(const TreeDocument& document, const MeshCounts& mesh, const Times& times,
-                        const QString& fileName)
+                        QJsonObject more, const QString& fileName)
 {
     QJsonObject stats = countsToJson(countTree(document.tree(), document.index()));
     stats[QStringLiteral("vertices")] = number(mesh.vertices);
@@ -144,10 +146,15 @@ Result<void> writeStats(const TreeDocument& document, const MeshCounts& mesh, co
                     {QStringLiteral("components"), number(surface.components)},
                     {QStringLiteral("inverted"), number(surface.inverted)},
                     {QStringLiteral("selfIntersections"), number(surface.selfIntersections)}};
-    stats[QStringLiteral("seconds")] = QJsonObject{
+    QJsonObject seconds{
         {QStringLiteral("growth"), times.growth},          {QStringLiteral("mesh"), times.mesh},
         {QStringLiteral("profiles"), mesh.profileSeconds}, {QStringLiteral("wood"), mesh.woodSeconds},
         {QStringLiteral("export"), times.exports},         {QStringLiteral("total"), times.total}};
+    if (const QJsonValue infer = more.take(QStringLiteral("infer")); infer.isDouble())
+        seconds[QStringLiteral("infer")] = infer;
+    stats[QStringLiteral("seconds")] = seconds;
+    for (auto i = more.constBegin(); i != more.constEnd(); ++i)
+        stats[i.key()] = i.value();
     stats[QStringLiteral("peakRssMb")] = peakMemory();
     return writeFile(fileName, QJsonDocument(stats).toJson());
 }
@@ -298,22 +305,17 @@ Result<QString> playRecipes(TreeDocument& document, QString& name, const Command
     return view;
 }
 
-Result<void> replay(const CommandLine& line)
+/// Writes all that the command line asks for. @p growth: s that making the tree has taken; @p view: that the
+/// picture has unless the command line says otherwise; @p more: for the statistics.
+Result<void> writeResults(const TreeDocument& document, const QString& name, const CommandLine& line,
+                          double growth, const QString& view, const QJsonObject& more)
 {
+    Times times;
+    times.growth = growth;
     QElapsedTimer total;
     total.start();
-    Times times;
-    TreeDocument document;
-
-    QElapsedTimer timer;
-    timer.start();
-    QString name;
-    const Result<QString> view = playRecipes(document, name, line);
-    if (!view)
-        return view.error();
-    times.growth = secondsOf(timer);
-
     MeshCounts mesh;
+    QElapsedTimer timer;
     timer.start();
     if (!line.stats.isEmpty())
         mesh = countMesh(document.tree(), document.index());
@@ -326,15 +328,39 @@ Result<void> replay(const CommandLine& line)
     times.exports = secondsOf(timer);
 
     if (!line.picture.isEmpty()) {
-        if (const Result<void> written = writePictureOf(document, line, *view); !written)
+        if (const Result<void> written = writePictureOf(document, line, view); !written)
             return written.error();
     }
     if (!line.profiles.isEmpty()) {
         if (const Result<void> written = writeProfiles(document, line.profiles); !written)
             return written.error();
     }
-    times.total = secondsOf(total);
-    return line.stats.isEmpty() ? Result<void>() : writeStats(document, mesh, times, line.stats);
+    times.total = growth + secondsOf(total);
+    return line.stats.isEmpty() ? Result<void>() : writeStats(document, mesh, times, more, line.stats);
+}
+
+Result<void> replay(const CommandLine& line)
+{
+    TreeDocument document;
+    QElapsedTimer timer;
+    timer.start();
+    QString name;
+    const Result<QString> view = playRecipes(document, name, line);
+    if (!view)
+        return view.error();
+    return writeResults(document, name, line, secondsOf(timer), *view, {});
+}
+
+Result<void> sketch(const CommandLine& line)
+{
+    TreeDocument document;
+    QElapsedTimer timer;
+    timer.start();
+    const Result<QJsonObject> stats = sketchTree(document, line);
+    if (!stats)
+        return stats.error();
+    return writeResults(document, QFileInfo(line.inputs.constFirst()).completeBaseName(), line,
+                        secondsOf(timer), {}, *stats);
 }
 
 /// Reads the input and prints a warning about parts of the file that could not be read.
@@ -454,6 +480,9 @@ ExitCode runBatchJob(const CommandLine& line)
         break;
     case CommandLine::Verb::Import:
         result = importTree(line);
+        break;
+    case CommandLine::Verb::Sketch:
+        result = sketch(line);
         break;
     case CommandLine::Verb::Export:
         result = exportProject(line);

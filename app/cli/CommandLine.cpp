@@ -58,7 +58,7 @@ struct Option {
 };
 
 constexpr Option kOptions[] = {
-    {"o", " replay import export ",
+    {"o", " replay import sketch export ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          if (QFileInfo(value).suffix().toLower() != QLatin1String("espalier") && !exportFormatOf(value)) {
              return usage(CommandLineText::tr(
@@ -68,12 +68,12 @@ constexpr Option kOptions[] = {
          line.outputs.append(value);
          return {};
      }},
-    {"png", " replay render ",
+    {"png", " replay sketch render ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          line.picture = value;
          return {};
      }},
-    {"size", " replay render ",
+    {"size", " replay sketch render ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          const Result<QSize> size = parseSize(value);
          if (!size)
@@ -81,7 +81,7 @@ constexpr Option kOptions[] = {
          line.size = *size;
          return {};
      }},
-    {"camera", " replay render ",
+    {"camera", " replay sketch render ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          static const QStringList known{QStringLiteral("front"), QStringLiteral("side"),
                                         QStringLiteral("top"), QStringLiteral("three-quarter")};
@@ -91,25 +91,25 @@ constexpr Option kOptions[] = {
          line.camera = value;
          return {};
      }},
-    {"transparent", " replay render ",
+    {"transparent", " replay sketch render ",
      [](CommandLine& line, const QString&) -> Result<void> {
          line.transparent = true;
          return {};
      },
      true},
-    {"fibres", " replay render ",
+    {"fibres", " replay sketch render ",
      [](CommandLine& line, const QString&) -> Result<void> {
          line.fibres = true;
          return {};
      },
      true},
-    {"ground-shadow", " replay render ",
+    {"ground-shadow", " replay sketch render ",
      [](CommandLine& line, const QString&) -> Result<void> {
          line.groundShadow = true;
          return {};
      },
      true},
-    {"stats", " replay ",
+    {"stats", " replay sketch ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          line.stats = value;
          return {};
@@ -125,7 +125,21 @@ constexpr Option kOptions[] = {
          return {};
      },
      true},
-    {"threads", " replay ",
+    {"index", " sketch ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         bool isNumber = false;
+         line.drawing = value.toInt(&isNumber);
+         if (!isNumber || line.drawing < 0)
+             return usage(CommandLineText::tr("--index wants a whole number from 0, not \"%1\"").arg(value));
+         return {};
+     }},
+    {"front-only", " sketch ",
+     [](CommandLine& line, const QString&) -> Result<void> {
+         line.frontOnly = true;
+         return {};
+     },
+     true},
+    {"threads", " replay sketch ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          bool isNumber = false;
          line.threads = value.toInt(&isNumber);
@@ -135,7 +149,7 @@ constexpr Option kOptions[] = {
                               .arg(value));
          return {};
      }},
-    {"seed", " replay ",
+    {"seed", " replay sketch ",
      [](CommandLine& line, const QString& value) -> Result<void> {
          bool isNumber = false;
          line.seed = value.toULongLong(&isNumber);
@@ -145,7 +159,7 @@ constexpr Option kOptions[] = {
                      .arg(value));
          return {};
      }},
-    {"set", " replay export render ",
+    {"set", " replay sketch export render ",
      [](CommandLine& line, const QString& value) -> Result<void> { return line.overrides.add(value); }},
 };
 
@@ -210,6 +224,10 @@ Result<void> checkComplete(const CommandLine& line)
         if (line.inputs.size() != 1 || line.outputs.isEmpty())
             return usage(CommandLineText::tr("import wants one skeleton and -o OUT"));
         break;
+    case Verb::Sketch:
+        if (line.inputs.isEmpty())
+            return usage(CommandLineText::tr("sketch wants at least one drawing"));
+        break;
     case Verb::Export:
     case Verb::Render:
         if (line.inputs.size() != 1)
@@ -268,6 +286,8 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments)
         line.verb = Verb::Replay;
     else if (first == QStringLiteral("import"))
         line.verb = Verb::Import;
+    else if (first == QStringLiteral("sketch"))
+        line.verb = Verb::Sketch;
     else if (first == QStringLiteral("export"))
         line.verb = Verb::Export;
     else if (first == QStringLiteral("render"))
@@ -316,6 +336,15 @@ QString commandLineHelp()
                "\n"
                "espalier import SKELETON.csv -o OUT...\n"
                "    Makes a tree of a measured one: lines of id, parent, both ends and radius.\n"
+               "\n"
+               "espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]\n"
+               "                [--size WxH] [--camera ...] [--stats FILE] [--seed N]\n"
+               "                [--set GROUP.NAME=VALUE]...\n"
+               "    Makes a tree of what somebody drew: lines are branches, small loops leaves,\n"
+               "    a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!\n"
+               "    .ndjson, of which --index takes a line, from 0. Of several drawings each is\n"
+               "    drawn over the one before. --front-only: depth is given once, without a\n"
+               "    second placing from the side.\n"
                "\n"
                "espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...\n"
                "    Writes a project in other formats. --set changes parameters for what is\n"

@@ -23,10 +23,10 @@ enum ExitCode : int {
 
 /// The content of a command line.
 struct CommandLine {
-    enum class Verb { Window, Demo, Replay, Import, Export, Render, Info, Help, Version };
+    enum class Verb { Window, Demo, Replay, Import, Sketch, Export, Render, Info, Help, Version };
 
     Verb verb = Verb::Window;
-    QStringList inputs;       ///< Recipes, a project, or a skeleton
+    QStringList inputs;       ///< Recipes, a project, a skeleton, or drawings
     QStringList outputs;      ///< Their suffixes say the formats
     QString picture;          ///< PNG; empty for none
     QSize size{1600, 1200};   ///< Of the picture, px
@@ -38,6 +38,8 @@ struct CommandLine {
     QString stats;                     ///< JSON; empty for none
     QString profiles;                  ///< JSON of the strands in each cross-section; empty for none
     bool strict = false;               ///< An operation that finds nothing to do is an error
+    int drawing = 0;                   ///< Of a file with many drawings, from 0
+    bool frontOnly = false;            ///< A drawing is placed once, not a second time turned by 90°
     int threads = 0;                   ///< 0 for as many as the machine has
     std::optional<std::uint64_t> seed; ///< In place of the recipe's
     ParameterOverrides overrides{};    ///< In place of the recipe's or project's

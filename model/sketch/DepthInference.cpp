@@ -20,6 +20,8 @@ using Vector3 = Eigen::Vector3d;
 
 /// Depths are tried on both sides in this many steps.
 constexpr int kDepthSteps = 24;
+/// Places for a branch with this share of the best one's clearance are about as good.
+constexpr double kAboutAsGood = 0.93;
 
 /// A random number of a branch in one of the two trees, of one use; a pure function of its arguments.
 std::uint64_t branchBits(std::uint64_t seed, bool isSecond, SketchId branch, std::uint64_t use)
@@ -219,10 +221,14 @@ private:
         branch.along = base.along;
         Random random(branchBits(m_options.seed, m_isSecond, drawn.id, 2), 0, Purpose::Direction);
 
-        double bestScore = -1.0;
+        struct Candidate {
+            double depth;
+            double score;
+            BrokenRules broken;
+        };
+        std::vector<Candidate> candidates;
+        double bestScore = 0.0;
         int leastBroken = std::numeric_limits<int>::max();
-        double tipDepth = base.point.z();
-        int equals = 0;
         for (const double depth : depthsToTry(row, base.point)) {
             const Vector3 tip = drawnPoint(drawn.line.back(), depth);
             const BrokenRules broken = brokenBy(row, base, tip);
@@ -231,22 +237,25 @@ private:
                              (broken.angle ? 8 : 0);
             if (rank > leastBroken)
                 continue;
+            if (rank < leastBroken) {
+                candidates.clear();
+                bestScore = 0.0;
+                leastBroken = rank;
+            }
             const GroundDistances::Clearance clearance =
                 m_field.clearance(onGround(base.point), onGround(tip));
             const double score =
                 m_options.clearance == DepthOptions::Clearance::Mean ? clearance.mean : clearance.least;
-            const double rounding = 1e-6 * std::max(bestScore, 0.0);
-            const bool isBetter = rank < leastBroken || score > bestScore + rounding;
-            // Each of several equals is taken with the same probability.
-            if (!isBetter && (score < bestScore - rounding || random.uniform() * ++equals >= 1.0))
-                continue;
-            if (isBetter)
-                equals = 1;
-            bestScore = score;
-            leastBroken = rank;
-            tipDepth = depth;
-            branch.broken = broken;
+            bestScore = std::max(bestScore, score);
+            candidates.push_back({depth, score, broken});
         }
+        // Each of those about as good as the best is taken with the same probability, so that seeds differ.
+        std::erase_if(candidates, [&](const Candidate& one) { return one.score < kAboutAsGood * bestScore; });
+        const auto chosen =
+            static_cast<std::size_t>(random.uniform() * static_cast<double>(candidates.size()));
+        const Candidate& taken = candidates[std::min(chosen, candidates.size() - 1)];
+        const double tipDepth = taken.depth;
+        branch.broken = taken.broken;
         branch.line = betterSide(row, base.point.z(), tipDepth, random);
     }
 

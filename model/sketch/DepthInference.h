@@ -82,10 +82,11 @@ struct PlacedTree {
 
 /// The depths of a drawing's branches (Okabe 2005, 4.1 and 4.2). The branches spread so that they are as far
 /// from each other as possible, in the projection to the ground: order by order, siblings in random order,
-/// each branch gets the depth of its tip at which its straight segment has the greatest clearance in
-/// GroundDistances, among depths that put it within the CrownHull, not longer and at no wider angle than the
-/// limits. If no depth satisfies all rules, the sideways rule is given up first, then hull, length and angle.
-/// No branch is left out. Curves get the depths of constantCurvatureDepths() between base and tip.
+/// each branch gets one of the depths of its tip at which its straight segment has about the greatest
+/// clearance in GroundDistances, among depths that put it within the CrownHull, not longer and at no wider
+/// angle than the limits. If no depth satisfies all rules, the sideways rule is given up first, then hull,
+/// length and angle. No branch is left out. Curves get the depths of constantCurvatureDepths() between base
+/// and tip.
 ///
 /// x and y of the first tree's points are the drawing's, exactly. The second tree is the same drawing, placed
 /// again and turned by 90° around the vertical at the base of each branch of first order; it shares the

@@ -166,6 +166,8 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
     if (isTrunk && index.livingCount() > 1)
         return drawnError(SketchText::tr("a trunk can only be drawn where nothing has grown"));
     WoodPlace base = branch.base.value_or(WoodPlace());
+    if (!tree.isAlive(base.internode))
+        return drawnError(SketchText::tr("the wood that it would grow from is gone"));
     if (base.along > 1.0F - kAtNode)
         base.along = 1.0F;
     if (lengthOfLine(branch.line) < kShortestLine)

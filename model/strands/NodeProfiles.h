@@ -22,6 +22,12 @@ public:
     NodeProfiles(const Tree& tree, const StrandSkeleton& skeleton, bool areFaded);
 
     bool has(std::uint32_t node) const { return m_shares[node].from != nullptr; }
+    /// How far the section is on the way from a drawn profile (0) to one without (1).
+    float roundness(std::uint32_t node) const
+    {
+        const Share& share = m_shares[node];
+        return share.from == nullptr ? 1.0F : share.to == nullptr ? share.share : 0.0F;
+    }
     /// Adds all that the profile of a node is made from.
     void addTo(ContentHash& hash, std::uint32_t node) const;
     /// Can be called by many threads. Precondition: has(node).

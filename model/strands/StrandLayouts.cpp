@@ -107,6 +107,7 @@ private:
             }
             if (m_profiles.has(node))
                 m_layouts.m_sections[i].profileScale = 1.0F; // The scale itself comes with the layout
+            m_layouts.m_sections[i].roundness = m_profiles.roundness(node);
         }
     }
 
@@ -426,7 +427,7 @@ StrandLayouts::StrandLayouts(const Tree& tree, const TreeIndex& index, const Wid
         .skeleton = m_skeleton,
         .scales = m_bundles.scales,
         .place = [this](std::uint32_t node, std::uint32_t strand) { return place(node, strand); },
-        .hasProfile = [this](std::uint32_t node) { return profileScale(node) > 0.0F; }});
+        .roundness = [this](std::uint32_t node) { return m_sections[node].roundness; }});
 }
 
 StrandLayouts::Counts StrandLayouts::count() const

@@ -96,6 +96,7 @@ private:
         bool isDisc = true;
         bool ownsSlots = false;
         float profileScale = 0.0F;
+        float roundness = 1.0F; ///< NodeProfiles::roundness()
     };
     class Builder;
 

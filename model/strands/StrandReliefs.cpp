@@ -136,8 +136,8 @@ private:
     /// Adds a bulge to the section of a node that may have reliefs; @p halfWidth rad.
     void add(std::uint32_t node, float angle, float height, float halfWidth)
     {
-        // A profile is drawn as it is meant.
-        if (!isThick(node) || m_sources.hasProfile(node))
+        height *= m_sources.roundness(node);
+        if (!isThick(node) || height == 0.0F)
             return;
         Table& table = m_reliefs.m_ridges.of(node, m_skeleton.nodes.size());
         constexpr float kStep = 2.0F * std::numbers::pi_v<float> / static_cast<float>(kAngles);
@@ -322,7 +322,7 @@ private:
         const Vec3 heading = at(node).frame.conjugate() * (grown * up());
         if (Vec2(heading.x(), heading.z()).norm() < 0.15F)
             return; // It went on in the direction of the wood, which has closed over it.
-        if (m_sources.hasProfile(node))
+        if (m_sources.roundness(node) == 0.0F)
             return;
         const float radius = std::min(share, kLargestHollow) * at(node).radius;
         const Vec3 outward = grown * up();
@@ -342,9 +342,9 @@ private:
     /// Notes a hollow whose middle is @p path above @p place, m.
     void cut(std::uint32_t place, const Vec3& outward, float path, float radius)
     {
-        const auto isOpen = [&](std::uint32_t n) { return isThick(n) && !m_sources.hasProfile(n); };
-        const float atNode = isOpen(place) ? 1.0F : 0.0F;
-        const float atBelow = isOpen(at(place).parent) ? 1.0F : 0.0F;
+        const auto shareAt = [&](std::uint32_t n) { return isThick(n) ? m_sources.roundness(n) : 0.0F; };
+        const float atNode = shareAt(place);
+        const float atBelow = shareAt(at(place).parent);
         if (atNode == 0.0F && atBelow == 0.0F)
             return;
         const Vec3 local = at(place).frame.conjugate() * outward;

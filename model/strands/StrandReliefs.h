@@ -23,8 +23,9 @@ struct ReliefSources {
     std::span<const float> scales; ///< Length of a strand radius, m, by node
     /// Place of one of the strands at a node, in strand radii.
     std::function<Vec2(std::uint32_t node, std::uint32_t strand)> place;
-    /// Whether the section of a node has a profile, which is shown as it is drawn.
-    std::function<bool(std::uint32_t node)> hasProfile;
+    /// 1 where wood is round, and has all its reliefs; 0 where a profile is drawn, which is shown as it is
+    /// meant; between them where a profile fades (NodeProfiles::roundness).
+    std::function<float(std::uint32_t node)> roundness;
 };
 
 /// How the outline of thick wood departs from that of its bundle, as wood does that thickens unevenly: along

@@ -4,6 +4,7 @@
 #include "app/Tour.h"
 #include "commands/GrowGesture.h"
 #include "commands/ParameterGesture.h"
+#include "commands/SketchStroke.h"
 #include "commands/recipe/RecipePlayer.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
@@ -15,6 +16,7 @@
 #include "panels/RadiusSlider.h"
 #include "panels/RotationStrip.h"
 #include "panels/SettingsSheet.h"
+#include "panels/SketchPopOut.h"
 #include "panels/Theme.h"
 #include "panels/ViewRow.h"
 #include "panels/architecture/ArchitecturePanel.h"
@@ -87,6 +89,8 @@ private:
     QAction* action(ActionId id) { return m_window->actions()[id]; }
     /// A tree with a history: one step can be undone, one be redone.
     void prepareDocument();
+    /// A drawing, which has got depth or not.
+    void drawFlatTree(bool hasDepth);
     /// Prepares a state in which using @p widget changes something.
     void prepare(QWidget& widget);
     void reveal(QWidget& widget);
@@ -214,6 +218,22 @@ void EveryWidgetTest::prepareDocument()
     stack.undo();
 }
 
+void EveryWidgetTest::drawFlatTree(bool hasDepth)
+{
+    document().undoStack().setClean();
+    action(ActionId::New)->trigger();
+    for (const std::vector<Vec2>& points : std::vector<std::vector<Vec2>>{{{0.0F, 0.0F}, {0.0F, 1.6F}},
+                                                                          {{0.0F, 0.5F}, {0.6F, 0.9F}},
+                                                                          {{0.0F, 0.7F}, {-0.5F, 1.2F}},
+                                                                          {{0.0F, 0.9F}, {0.5F, 1.5F}},
+                                                                          {{0.0F, 1.1F}, {-0.4F, 1.6F}},
+                                                                          {{0.3F, 0.7F}, {0.5F, 0.7F}}})
+        QVERIFY(sketchBranch(document(),
+                             {.stroke = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), points}, .base = {}}));
+    if (hasDepth)
+        Q_EMIT workspace().sketchPopOut().depthAsked();
+}
+
 void EveryWidgetTest::prepare(QWidget& widget)
 {
     prepareDocument();
@@ -236,6 +256,9 @@ void EveryWidgetTest::prepare(QWidget& widget)
         else
             own->trigger();
     }
+    if (widget.objectName() == QLatin1String("giveDepth") ||
+        widget.objectName() == QLatin1String("otherDepth"))
+        drawFlatTree(widget.objectName() == QLatin1String("otherDepth"));
     if (widget.objectName() == QLatin1String("lassoStop"))
         workspace().lassoPopOut().setGrowing(true);
     if (auto* sheet = qobject_cast<SettingsSheet*>(widget.window())) {
@@ -439,7 +462,7 @@ void EveryWidgetTest::enter_pressesTheButtonThatHasTheKeys()
 {
     m_panes->shutAll();
     m_panes->have(ActionId::BranchSheet);
-    auto* prune = workspace().findChild<SideBar*>()->findChildren<BarButton*>().at(3);
+    auto* prune = workspace().findChild<SideBar*>()->findChildren<BarButton*>().at(4);
     prune->setFocus();
     test::WindowHand::key(*prune, Qt::Key_Return);
     QTRY_VERIFY(action(ActionId::Prune)->isChecked());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/SetParameters.h"
+#include "commands/SketchStroke.h"
 #include "model/strands/ProfileShapes.h"
 #include "panels/ProfilePanel.h"
 #include "tests/support/TestClasses.h"
@@ -52,7 +53,7 @@ private:
     }
     void press(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }
     QString message() { return panel().faultText(); }
-    /// Takes the tool and taps the trunk of a brushed tree.
+    /// Draws a tree, takes the tool and taps the trunk.
     void chooseTrunk();
     void tap(float up);
     /// Points of the canvas around its middle.
@@ -68,18 +69,23 @@ void ProfilesTest::tap(float up)
 
 void ProfilesTest::chooseTrunk()
 {
-    brush();
+    // How a brushed trunk is made up depends on how fast the window takes the stroke.
+    const auto draw = [&](std::vector<Vec2> points) {
+        const LassoStroke stroke{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), std::move(points)};
+        QVERIFY(sketchBranch(m_window->document(), {.stroke = stroke, .base = {}}));
+    };
+    draw({{0.0F, 0.0F}, {0.0F, 1.6F}});
+    for (int i = 0; i < 24; ++i) {
+        const float height = 0.85F + 0.03F * static_cast<float>(i);
+        const float side = i % 2 == 0 ? 1.0F : -1.0F;
+        draw({{0.0F, height}, {0.25F * side, height + 0.2F}, {0.45F * side, height + 0.6F}});
+    }
     action(ActionId::Profile)->trigger();
     QVERIFY(panel().isVisible());
-    // The picture of the brushed tree comes to rest, and what is under the pointer with it.
+    // The picture of the tree comes to rest, and what is under the pointer with it.
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->isBusy() && viewport().isAtRest(), 20'000);
-    // The trunk of a brushed tree is not quite straight.
-    for (const float up : {0.4F, 0.3F, 0.5F, 0.2F, 0.6F}) {
-        tap(up);
-        if (QTest::qWaitFor([&] { return m_window->profiles().chosen().has_value(); }, 500))
-            break;
-    }
-    QVERIFY(m_window->profiles().chosen().has_value());
+    tap(0.4F);
+    QTRY_VERIFY(m_window->profiles().chosen().has_value());
     QTRY_VERIFY(m_window->profiles().isUpToDate());
     QVERIFY(!canvas().isEmpty());
 }
@@ -292,10 +298,6 @@ void ProfilesTest::copyAndInterpolate_goToTheOtherEnd()
             id = index.mainChild(id);
         return count;
     };
-    // How the trunk is made up depends on how fast the window took the stroke: from its foot there is room.
-    while (reach(*m_window->profiles().chosen()) < 3 && !tree().isRoot(*m_window->profiles().chosen()))
-        press("profileDown");
-    QTRY_VERIFY(m_window->profiles().isUpToDate());
     const InternodeId first = *m_window->profiles().chosen();
     QVERIFY(!button("profileCopy")->isEnabled());
     press("shapeRing");

@@ -32,6 +32,7 @@ private Q_SLOTS:
     void replay_givesTheSameBytesOnOneThreadAndOnTwo();
     void stats_haveTheirForm();
     void exportedProject_equalsReplayedExports();
+    void sketch_makesATreeOfADrawing();
     void info_describesAProject();
     void helpAndVersion_goToStandardOutput();
     void failures_areOneLineAndACode_data();
@@ -376,6 +377,34 @@ void ProgramTest::exportedProject_equalsReplayedExports()
     QVERIFY(read("t.csv") == read("again.csv"));
     QVERIFY(read("t.glb") == read("again.glb"));
     QVERIFY(read("t.espalier") == read("again.espalier"));
+}
+
+void ProgramTest::sketch_makesATreeOfADrawing()
+{
+    // A trunk from above, two branches, and a second drawing whose large loop is a crown.
+    write(QStringLiteral("d.ndjson"),
+          "{\"drawing\":[[[50,50],[20,100]],[[50,90,95],[60,40,20]],[[10,48],[30,70]]]}\n"
+          "{\"drawing\":[[[50,50],[60,120]],[[50,90,95,50,5,10,48],[60,55,20,0,20,55,60]]]}\n");
+    const Outcome outcome =
+        run({"sketch", "d.ndjson", "--stats", "s.json", "-o", "t.espalier"}, withoutDisplay());
+    QCOMPARE(outcome.code, 0);
+    const QJsonObject stats = QJsonDocument::fromJson(read(QStringLiteral("s.json"))).object();
+    QCOMPARE(stats[QStringLiteral("strokes")].toInt(), 3);
+    QCOMPARE(stats[QStringLiteral("attached")].toInt(), 3);
+    QVERIFY(stats[QStringLiteral("frontError")].toDouble(9.0) < 3.0);
+    QVERIFY(stats[QStringLiteral("sideOverFront")].toDouble() > 0.5);
+    QVERIFY(stats[QStringLiteral("seconds")].toObject()[QStringLiteral("infer")].toDouble() > 0.0);
+    QCOMPARE(stats[QStringLiteral("axes")].toInt(), 5);
+    QCOMPARE(run({"sketch", "d.ndjson", "--front-only", "--stats", "s.json"}).code, 0);
+    QCOMPARE(QJsonDocument::fromJson(read(QStringLiteral("s.json"))).object()[QStringLiteral("axes")].toInt(),
+             3);
+    QCOMPARE(run({"sketch", "d.ndjson", "--index", "1", "--stats", "s.json"}).code, 0);
+    const QJsonObject crown = QJsonDocument::fromJson(read(QStringLiteral("s.json"))).object();
+    QCOMPARE(crown[QStringLiteral("crowns")].toInt(), 1);
+    QVERIFY(crown[QStringLiteral("internodes")].toInt() > 100);
+    const Outcome none = run({"sketch", "d.ndjson", "--index", "7"});
+    QCOMPARE(none.code, 3);
+    QVERIFY(none.error.contains("d.ndjson: it has no drawing 7"));
 }
 
 void ProgramTest::info_describesAProject()
