@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/AddBudsOperation.h"
+#include "commands/recipe/ArrangeOperation.h"
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
@@ -7,6 +8,7 @@
 #include "commands/recipe/ImportOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/PlaceLeafOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/RecipeOperation.h"
 #include "commands/recipe/RecipeText.h"
@@ -51,7 +53,8 @@ constexpr OperationKind kKinds[] = {
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
     kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
     kindOf<ReduceOperation>(),        kindOf<TwistOperation>(),       kindOf<AddBudsOperation>(),
-    kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),
+    kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),      kindOf<PlaceLeafOperation>(),
+    kindOf<ArrangeOperation>(),
 };
 
 } // namespace
