@@ -66,8 +66,9 @@ Result<void> drawSketch(TreeDocument& document, TreeSketch sketch)
     const PlacedTree placed = inferDepth(sketchedTree(sketch), sketch.depth);
     if (placed.branches.empty())
         return sketchError(QT_TRANSLATE_NOOP("Commands", "no stroke of the sketch is a branch"));
-    Result<TreeDelta> delta = growSkeleton(
-        document.tree(), skeletonOf(placed, document.tree().parameters().growth.internodeLength));
+    const double internodeLength = document.tree().parameters().growth.internodeLength;
+    Result<TreeDelta> delta = growSkeleton(document.tree(), skeletonOf(placed, internodeLength),
+                                           skeletonLeavesOf(placed, internodeLength));
     if (!delta)
         return delta.error();
     edit.apply(std::move(*delta));

@@ -122,6 +122,7 @@ QJsonObject countsToJson(const TreeCounts& counts)
     return {{QStringLiteral("internodes"), number(counts.internodes)},
             {QStringLiteral("buds"), number(counts.buds)},
             {QStringLiteral("leaves"), number(counts.leaves)},
+            {QStringLiteral("leavesPlaced"), number(counts.leavesPlaced)},
             {QStringLiteral("axes"), number(counts.axes)},
             {QStringLiteral("steps"), number(counts.steps)}};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/recipe/AddBudsOperation.h"
+#include "commands/recipe/ArrangeOperation.h"
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
@@ -8,6 +9,7 @@
 #include "commands/recipe/InferOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/PlaceLeafOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/RecipeOperation.h"
 #include "commands/recipe/RecipeText.h"
@@ -54,7 +56,8 @@ constexpr OperationKind kKinds[] = {
     kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
     kindOf<ReduceOperation>(),        kindOf<TwistOperation>(),       kindOf<AddBudsOperation>(),
     kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),      kindOf<SketchStrokeOperation>(),
-    kindOf<InferOperation>(),
+    kindOf<InferOperation>(),         kindOf<SetProfileOperation>(),  kindOf<SketchOperation>(),
+    kindOf<PlaceLeafOperation>(),     kindOf<ArrangeOperation>(),
 };
 
 } // namespace

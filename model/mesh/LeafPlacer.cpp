@@ -32,6 +32,8 @@ constexpr float kOwnPlane = 0.25F;
 /// How far a flat spray turns from one node to the next toward the plane that it shall have: by some 17° at
 /// most.
 constexpr float kLevelling = 0.3F;
+/// Sine of the angle between wood and midrib below which a placed leaf's base moves into the wood.
+constexpr float kAlongWood = 0.2F;
 /// Hues from here on shift through magenta, smaller ones through green and yellow.
 constexpr double kBlue = radians(240);
 
@@ -98,11 +100,13 @@ std::uint32_t LeafRule::count(std::span<const InternodeId> internodes) const
 }
 
 LeafPlacer::LeafPlacer(const Tree& tree, const TreeIndex& index, const Widths& widths,
-                       std::span<const WoodLine> strands)
+                       std::span<const WoodLine> strands, const PlacedLeafIndex* placed)
     : m_tree(tree),
       m_index(index),
       m_wood(tree, index, widths, strands),
       m_rule(tree, index),
+      m_ownPlaced(placed == nullptr ? std::make_unique<const PlacedLeafIndex>(tree) : nullptr),
+      m_placed(placed == nullptr ? m_ownPlaced.get() : placed),
       m_parameters(tree.parameters().leaves),
       m_perNode(m_rule.leavesPerInternode())
 {
@@ -205,9 +209,7 @@ void LeafPlacer::place(InternodeId id, const Carried& carried, std::span<LeafIns
         (Rotation::FromTwoVectors(grown * up(), axis) * grown).normalized().toRotationMatrix();
     const auto droop = static_cast<float>(m_parameters.droop);
     const auto upward = static_cast<float>(m_parameters.upward);
-    const double shift = m_parameters.vigourHue * shootWeakness(m_tree.vigour(id));
-    const double hue = shiftedLeafHue(m_parameters.hue, shift);
-    const auto value = static_cast<float>(m_parameters.brightness * (1.0 - kWeakDarkening * shift));
+    const Look look = lookOf(id);
 
     for (std::uint32_t i = 0; i < m_perNode; ++i) {
         const std::array<float, 4> spread = fourSigned(random);
@@ -246,13 +248,79 @@ void LeafPlacer::place(InternodeId id, const Carried& carried, std::span<LeafIns
             .length = leafLength,
             .rotation = {rotation.x(), rotation.y(), rotation.z(), rotation.w()},
             .width = leafLength * static_cast<float>(m_parameters.aspect),
-            .hueShift = static_cast<float>(hue - kLeafTextureHue + m_parameters.hueVariation * variation[1]),
-            .value = value,
-            .shape =
-                static_cast<std::int32_t>(m_parameters.image.isNull() ? m_parameters.shape : LeafShape::Own),
+            .hueShift = static_cast<float>(look.hueShift + m_parameters.hueVariation * variation[1]),
+            .value = look.value,
+            .shape = shape(),
         };
         keepAboveGround(leaves[i], turned);
     }
+}
+
+LeafPlacer::Look LeafPlacer::lookOf(InternodeId id) const
+{
+    const double shift = m_parameters.vigourHue * shootWeakness(m_tree.vigour(id));
+    return {shiftedLeafHue(m_parameters.hue, shift) - kLeafTextureHue,
+            static_cast<float>(m_parameters.brightness * (1.0 - kWeakDarkening * shift))};
+}
+
+std::int32_t LeafPlacer::shape() const
+{
+    return static_cast<std::int32_t>(m_parameters.image.isNull() ? m_parameters.shape : LeafShape::Own);
+}
+
+std::uint32_t LeafPlacer::placedCount(InternodeId id) const
+{
+    std::uint32_t count = 0;
+    for (LeafId leaf = m_placed->first(id); leaf != kNoLeaf; leaf = m_placed->next(leaf))
+        count += isPlacedLeafShown(m_tree, leaf) ? 1 : 0;
+    return count;
+}
+
+/// Writes the placed leaves of one living internode to the begin of @p leaves; returns their number.
+std::uint32_t LeafPlacer::showPlaced(InternodeId id, std::span<LeafInstance> leaves) const
+{
+    if (m_placed->first(id) == kNoLeaf)
+        return 0;
+    const LeafColumns& rows = m_tree.placedLeaves();
+    const WoodLine wood = m_wood.of(id);
+    const Rotation grown = m_index.rotation(id);
+    const Rotation frame = Rotation::FromTwoVectors(grown * up(), wood.axis) * grown;
+    const float reach = (wood.upper - wood.lower).norm();
+    const Look look = lookOf(id);
+    std::uint32_t shown = 0;
+    std::uint32_t number = 0; // 0 is that of the leaves by rule
+    for (LeafId leaf = m_placed->first(id); leaf != kNoLeaf; leaf = m_placed->next(leaf)) {
+        ++number;
+        if (!isPlacedLeafShown(m_tree, leaf))
+            continue;
+        Random random(m_tree.key(id), number, Purpose::Leaf);
+        const float hue = fourSigned(random)[0];
+        const Rotation rotation = (frame * rows.rotation[leaf]).normalized();
+        const Vec3 outward = across(rotation * Vec3(Vec3::UnitY()), wood.axis);
+        // The wood of a branch begins where it leaves thicker wood.
+        const float down = std::min((1.0F - rows.along[leaf]) * m_tree.length(id), reach);
+        const Vec3 bark = wood.radius / std::max(outward.norm(), kAlongWood) * outward;
+        leaves[shown++] = {
+            .position = toArray(wood.upper - down * wood.axis + bark),
+            .length = rows.length[leaf],
+            .rotation = {rotation.x(), rotation.y(), rotation.z(), rotation.w()},
+            .width = rows.length[leaf] * static_cast<float>(m_parameters.aspect),
+            .hueShift = static_cast<float>(look.hueShift + m_parameters.hueVariation * hue),
+            .value = look.value,
+            .shape = shape(),
+        };
+    }
+    return shown;
+}
+
+std::uint32_t LeafPlacer::count(std::span<const InternodeId> internodes) const
+{
+    std::uint32_t count = m_rule.count(internodes);
+    if (!m_placed->isEmpty()) {
+        for (const InternodeId id : internodes)
+            count += placedCount(id);
+    }
+    return count;
 }
 
 /// @p frame is the leaf's rotation as a matrix.
@@ -294,16 +362,19 @@ void LeafPlacer::place(std::span<const InternodeId> internodes, std::span<LeafIn
     Carried carried;
     InternodeId previous = kNoInternode;
     for (const InternodeId id : internodes) {
-        // A lateral begins another axis.
-        if (previous != kNoInternode && m_tree.parent(id) == previous && m_index.axis(id) != id)
-            carryTo(id, carried);
-        else
-            carried = carriedTo(id);
-        previous = id;
-        if (!m_rule.bears(id))
-            continue;
-        place(id, carried, leaves.subspan(done, m_perNode));
-        done += m_perNode;
+        if (m_perNode > 0) {
+            // A lateral begins another axis.
+            if (previous != kNoInternode && m_tree.parent(id) == previous && m_index.axis(id) != id)
+                carryTo(id, carried);
+            else
+                carried = carriedTo(id);
+            previous = id;
+        }
+        if (m_rule.bears(id)) {
+            place(id, carried, leaves.subspan(done, m_perNode));
+            done += m_perNode;
+        }
+        done += showPlaced(id, leaves.subspan(done));
     }
     assert(done == leaves.size());
 }
@@ -321,7 +392,7 @@ MeshBuffer<LeafInstance> placeLeaves(const Tree& tree, const TreeIndex& index, c
         begins.push_back(internodes.size());
         for (InternodeId id = base; id != kNoInternode; id = tubeContinuation(index, id))
             internodes.push_back(id);
-        first.push_back(first.back() + placer.rule().count(std::span(internodes).subspan(begins.back())));
+        first.push_back(first.back() + placer.count(std::span(internodes).subspan(begins.back())));
     }
     begins.push_back(internodes.size());
 

@@ -4,7 +4,9 @@
 #include "model/mesh/LeafInstance.h"
 #include "model/mesh/Mesh.h"
 #include "model/mesh/WoodLines.h"
+#include "model/tree/PlacedLeafIndex.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -49,7 +51,8 @@ private:
     std::uint32_t m_reach;
 };
 
-/// Places leaves at the nodes of young shoots (LeafRule), on the bark of the wood that is shown.
+/// Places leaves at the nodes of young shoots (LeafRule), on the bark of the wood that is shown, and shows
+/// there the leaves that the user has placed (Tree::placedLeaves()).
 ///
 /// Frames are transported in parallel along each axis from its first internode (Strands 2024 §6), so leaves
 /// turn from node to node by their arrangement alone. LeafArrangement::Shoot uses the frames that the shoots
@@ -60,21 +63,28 @@ private:
 /// Random spread is a function of the tree's seed and the internode alone; its amount is
 /// GrowthParameters::irregularity: at 0 the arrangement is exact.
 ///
-/// No leaf reaches below the ground, y = 0: it turns upward as far as necessary. A leaf that stands below the
-/// ground is hidden.
+/// No leaf by rule reaches below the ground, y = 0: it turns upward as far as necessary. A leaf that stands
+/// below the ground is hidden.
+///
+/// A leaf that the user has placed has the frame and the length of its row, and looks like the leaves by
+/// rule: their shape, image and colours, which vary by the same amounts, as a function of the internode and
+/// of the leaf's number there. Flowers and fruit look like leaves. Its base is on the bark, on the side that
+/// the midrib points to; a leaf along the wood begins in the middle of the wood.
 class LeafPlacer {
 public:
     /// @p tree, @p index and @p widths must outlive this, and so must @p strands: the wood if it is shown as
-    /// strands.
+    /// strands. @p placed: the placed leaves of the tree if the caller knows them already.
     LeafPlacer(const Tree& tree, const TreeIndex& index, const Widths& widths,
-               std::span<const WoodLine> strands = {});
+               std::span<const WoodLine> strands = {}, const PlacedLeafIndex* placed = nullptr);
 
     const LeafRule& rule() const { return m_rule; }
 
-    /// Writes the leaves of one internode that bears into a span of LeafRule::leavesPerInternode().
+    /// Counts the leaves of living internodes: those by rule and those that the user has placed.
+    std::uint32_t count(std::span<const InternodeId> internodes) const;
+    /// Writes the leaves by rule of one internode that bears into a span of LeafRule::leavesPerInternode().
     void place(InternodeId id, std::span<LeafInstance> leaves) const;
-    /// Writes the leaves of living internodes into a span of LeafRule::count(). Fastest if each internode
-    /// follows its parent.
+    /// Writes the leaves of living internodes into a span of count(): for each, the leaves by rule and then
+    /// those that the user has placed. Fastest if each internode follows its parent.
     void place(std::span<const InternodeId> internodes, std::span<LeafInstance> leaves) const;
 
 private:
@@ -92,7 +102,17 @@ private:
         float along;  ///< From the internode's node (0) down to the one below (1)
     };
 
+    /// The colours of an internode's leaves before they vary.
+    struct Look {
+        double hueShift; ///< rad
+        float value;
+    };
+
     void place(InternodeId id, const Carried& carried, std::span<LeafInstance> leaves) const;
+    std::uint32_t placedCount(InternodeId id) const;
+    std::uint32_t showPlaced(InternodeId id, std::span<LeafInstance> leaves) const;
+    Look lookOf(InternodeId id) const;
+    std::int32_t shape() const;
     void keepAboveGround(LeafInstance& leaf, const Eigen::Matrix3f& frame) const;
     Carried firstOf(InternodeId first) const;
     void carryTo(InternodeId next, Carried& carried) const;
@@ -103,6 +123,8 @@ private:
     const TreeIndex& m_index;
     WoodLines m_wood;
     LeafRule m_rule;
+    std::unique_ptr<const PlacedLeafIndex> m_ownPlaced; ///< Where the caller does not know them
+    const PlacedLeafIndex* m_placed;
     LeafParameters m_parameters;
     std::uint32_t m_perNode;
     float m_jitter;

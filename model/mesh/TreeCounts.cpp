@@ -21,6 +21,8 @@ TreeCounts countTree(const Tree& tree, const TreeIndex& index)
         if (leaves.bears(id))
             counts.leaves += leaves.leavesPerInternode();
     }
+    counts.leavesPlaced = placedLeafCount(tree);
+    counts.leaves += counts.leavesPlaced;
     return counts;
 }
 
@@ -35,6 +37,7 @@ Box3 treeBounds(const Tree& tree, const TreeIndex& index)
         if (tree.isAlive(id))
             bounds.extend(index.nodePosition(id));
     }
+    extendByPlacedLeaves(bounds, tree, index);
     return bounds;
 }
 

@@ -28,6 +28,7 @@ void WoodTracker::restart(const Tree& tree, const TreeIndex& index)
     *this = WoodTracker(*m_mesher);
     m_options = options;
     m_parameters = tree.parameters();
+    m_placedLeaves.rebuild(tree);
     m_widths.emplace(tree, index);
     startRound();
     resize(tree.size());
@@ -72,6 +73,9 @@ void WoodTracker::follow(const Tree& tree, const TreeIndex& index, const TreeDel
     ++m_update;
     collectTouched(tree, index, delta);
     collectChanged(tree, index);
+    m_placedLeaves.update(tree, delta);
+    const std::span<const InternodeId> leafy = m_placedLeaves.recentlyChanged();
+    m_dirtyLeaves.insert(m_dirtyLeaves.end(), leafy.begin(), leafy.end());
 }
 
 WoodTracker::Work WoodTracker::take(const Tree& tree, const TreeIndex& index, std::size_t pieces)
@@ -155,7 +159,7 @@ bool WoodTracker::noteInexact(const Tree& tree, const TreeIndex& index)
 std::size_t WoodTracker::bytes() const
 {
     constexpr std::size_t row = 2 * sizeof(float) + 3 + 2 * sizeof(std::uint32_t);
-    return m_radius.capacity() * row;
+    return m_radius.capacity() * row + m_placedLeaves.bytes();
 }
 
 void WoodTracker::resize(std::uint32_t size)
@@ -325,6 +329,19 @@ void WoodTracker::forget(InternodeId id)
     m_bears[id] = 0;
 }
 
+/// The first internode of the piece that a living internode belongs to; kNoInternode if an earlier call of
+/// this update has reached that piece.
+InternodeId WoodTracker::newPieceOf(const Tree& tree, InternodeId id)
+{
+    while (std::exchange(m_visited[id], m_update) != m_update) {
+        const InternodeId below = tree.parent(id);
+        if (below == kNoInternode || m_joins[id] == 0)
+            return id;
+        id = below;
+    }
+    return kNoInternode;
+}
+
 /// Turns the noted internodes into pieces at the end of the queue. If the tree has changed, queued internodes
 /// may not begin pieces any more, so all are looked up again.
 void WoodTracker::collectWaiting(const Tree& tree)
@@ -337,19 +354,21 @@ void WoodTracker::collectWaiting(const Tree& tree)
     for (const InternodeId id : noted) {
         if (!tree.isAlive(id))
             continue; // it has died since it was noted
-        // Goes down to the base of the piece, or to an internode that an earlier walk has reached.
-        InternodeId place = id;
-        while (std::exchange(m_visited[place], m_update) != m_update) {
-            const InternodeId below = tree.parent(place);
-            if (below == kNoInternode || m_joins[place] == 0) {
-                m_waiting.push_back(place);
-                break;
-            }
-            place = below;
-        }
+        if (const InternodeId base = newPieceOf(tree, id); base != kNoInternode)
+            m_waiting.push_back(base);
     }
     std::ranges::reverse(m_waiting);
     std::erase_if(m_bare, [&](InternodeId id) { return !tree.isAlive(id) || m_joins[id] != 0; });
+    for (const InternodeId id : m_bare)
+        m_visited[id] = m_update;
+    std::vector<InternodeId> bare;
+    for (const InternodeId id : m_dirtyLeaves) {
+        const InternodeId base = tree.isAlive(id) ? newPieceOf(tree, id) : kNoInternode;
+        if (base != kNoInternode)
+            bare.push_back(base);
+    }
+    m_dirtyLeaves.clear();
+    m_bare.insert(m_bare.begin(), bare.rbegin(), bare.rend());
 }
 
 } // namespace espalier

@@ -58,6 +58,8 @@ public:
     /// Records which of these internodes have leaves now. Several threads can call this at the same time,
     /// each for other internodes.
     void noteLeaves(const LeafRule& rule, std::span<const InternodeId> internodes);
+    /// The placed leaves of the tree. Precondition: isStarted().
+    const PlacedLeafIndex& placedLeaves() const { return m_placedLeaves; }
     /// The widths that pieces are meshed with. Precondition: isStarted().
     const Widths& widths() const { return *m_widths; }
     /// The internodes of the piece that begins with @p base, parents before children.
@@ -80,10 +82,12 @@ private:
     void followWidths(const Tree& tree, const TreeIndex& index);
     void forget(InternodeId id);
     void collectWaiting(const Tree& tree);
+    InternodeId newPieceOf(const Tree& tree, InternodeId id);
 
     const WoodMesher* m_mesher;
     WoodMeshOptions m_options;
     TreeParameters m_parameters;
+    PlacedLeafIndex m_placedLeaves;
     std::optional<Widths> m_widths;
     bool m_widthsAreStale = false; ///< Used only where radii depend, or did depend, on more than tips
     // Power of the widths when this round of checks began, and when the one before began: every radius has
@@ -102,8 +106,9 @@ private:
     std::vector<std::uint32_t> m_visited;
     std::uint32_t m_update = 0;
     // What take() still has to return.
-    std::vector<InternodeId> m_gone;  ///< Pieces that are gone
-    std::vector<InternodeId> m_dirty; ///< Internodes whose pieces must be meshed
+    std::vector<InternodeId> m_gone;        ///< Pieces that are gone
+    std::vector<InternodeId> m_dirty;       ///< Internodes whose pieces must be meshed
+    std::vector<InternodeId> m_dirtyLeaves; ///< Internodes whose pieces need new leaves
     /// First internodes of the pieces to be meshed; the last one is the next.
     std::vector<InternodeId> m_waiting;
     /// First internodes of the pieces that only need leaves; the last one is the next.

@@ -345,12 +345,12 @@ void ProgramTest::stats_haveTheirForm()
 {
     runWell({"replay", "r.json", "-o", "t.glb", "--stats", "s.json"});
     const QJsonObject stats = QJsonDocument::fromJson(read("s.json")).object();
-    const QStringList keys{"axes",      "buds",      "contacts", "internodes", "leaves",
-                           "particles", "peakRssMb", "seconds",  "steps",      "strands",
-                           "surface",   "triangles", "vertices"};
+    const QStringList keys{"axes",         "buds",      "contacts",  "internodes", "leaves",
+                           "leavesPlaced", "particles", "peakRssMb", "seconds",    "steps",
+                           "strands",      "surface",   "triangles", "vertices"};
     QCOMPARE(stats.keys(), keys);
     // Tubes have no strands.
-    const QStringList others{"seconds", "contacts", "surface", "strands", "particles"};
+    const QStringList others{"seconds", "contacts", "surface", "strands", "particles", "leavesPlaced"};
     for (const QString& key : keys)
         QVERIFY2(others.contains(key) || stats[key].toDouble() > 0.0, qPrintable(key));
     QCOMPARE(stats[QStringLiteral("surface")].toObject()[QStringLiteral("openEdges")].toInt(-1), 0);
@@ -417,7 +417,7 @@ void ProgramTest::info_describesAProject()
     const QJsonObject stats = QJsonDocument::fromJson(read("s.json")).object();
     QCOMPARE(info[QStringLiteral("version")].toInt(), 2);
     const QJsonObject counts = info[QStringLiteral("counts")].toObject();
-    for (const char* key : {"internodes", "buds", "leaves", "axes", "steps"})
+    for (const char* key : {"internodes", "buds", "leaves", "leavesPlaced", "axes", "steps"})
         QCOMPARE(counts[QLatin1String(key)], stats[QLatin1String(key)]);
     const QJsonObject bounds = info[QStringLiteral("bounds")].toObject();
     QVERIFY(bounds[QStringLiteral("maximum")].toArray().at(1).toDouble() > 1.0);

@@ -4,6 +4,7 @@
 #include "commands/DocumentProject.h"
 #include "commands/LassoGesture.h"
 #include "commands/ParameterGesture.h"
+#include "commands/PlaceLeaves.h"
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
@@ -12,6 +13,7 @@
 #include "model/document/EditFollower.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
+#include "tests/support/PlacedLeaves.h"
 #include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
 
@@ -200,6 +202,21 @@ private:
                                    .count = 1 + below(4),
                                    .spacing = 0.1 * m_random.uniform()};
             return [spiral](TreeDocument& document) { addBuds(document, spiral); };
+        }
+        case 8: {
+            const std::uint32_t leaves = m_document.tree().placedLeaves().size();
+            const InternodeId id = leaves > 0 && below(3) > 0
+                                       ? m_document.tree().placedLeaves().internode[leaves - 1]
+                                       : living();
+            const auto along = static_cast<float>(m_random.uniform());
+            if (below(2) == 0) {
+                const LeafRow leaf = leafAround(id, along, m_random.uniform(0.0, 6.0));
+                return [leaf](TreeDocument& document) { placeLeaf(document, leaf); };
+            }
+            const LeafEngine engine = kLeafEngines[static_cast<std::size_t>(below(5))];
+            return [id, along, engine](TreeDocument& document) {
+                arrangeLeaves(document, engine, {id, along});
+            };
         }
         default:
             return [steps = 1 + below(2)](TreeDocument& document) { grow(document, steps); };

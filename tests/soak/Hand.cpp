@@ -11,6 +11,7 @@
 #include "commands/InvigorateGesture.h"
 #include "commands/LassoGesture.h"
 #include "commands/ParameterGesture.h"
+#include "commands/PlaceLeaves.h"
 #include "commands/ProfileEdits.h"
 #include "commands/Prune.h"
 #include "commands/ReduceGesture.h"
@@ -224,6 +225,16 @@ public:
         addBuds(m_document, operation.spiralAt(operation.internode.number()));
     }
 
+    void operator()(const PlaceLeafOperation& operation)
+    {
+        placeLeaf(m_document, operation.leafAt(operation.internode.number()));
+    }
+
+    void operator()(const ArrangeOperation& operation)
+    {
+        arrangeLeaves(m_document, operation.engine, {operation.internode.number(), operation.along});
+    }
+
     void operator()(const RemoveLassoOperation&) { removeEnvelopes(m_document); }
 
     /// Performs the operation if it is of this kind.
@@ -269,7 +280,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
                 SetProfileOperation, RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation,
                 ImportOperation, InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation,
-                SketchOperation, SketchStrokeOperation, InferOperation>(Hand(document, random), operation);
+                SketchOperation, SketchStrokeOperation, InferOperation, PlaceLeafOperation, ArrangeOperation>(
+            Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

@@ -472,6 +472,31 @@ AddBudsOperation RandomOperations::make(const TreeDocument& document, int)
             .azimuth = m_random.uniform(-360.0, 360.0)};
 }
 
+template <>
+PlaceLeafOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    // Several leaves on one branch can be arranged.
+    const std::uint32_t leaves = document.tree().placedLeaves().size();
+    const bool isBesideTheLast = leaves > 0 && !onceIn(3);
+    return {
+        .internode = isBesideTheLast ? document.tree().placedLeaves().internode[leaves - 1] : any(document),
+        .along = onceIn(4) ? static_cast<float>(below(2)) : static_cast<float>(m_random.uniform()),
+        .rotation =
+            Rotation(Eigen::AngleAxisf(static_cast<float>(m_random.uniform(0.0, 6.0)), m_random.direction())),
+        .length = internode(document) * static_cast<float>(m_random.uniform(0.1, 3.0)),
+        .kind = onceIn(6) ? LeafKind::Flower : LeafKind::Leaf};
+}
+
+template <>
+ArrangeOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const LeafColumns& leaves = document.tree().placedLeaves();
+    const bool isAtALeaf = leaves.size() > 0 && !onceIn(4);
+    return {.engine = kLeafEngines[static_cast<std::size_t>(below(static_cast<int>(kLeafEngines.size())))],
+            .internode = isAtALeaf ? leaves.internode[below(static_cast<int>(leaves.size()))] : any(document),
+            .along = static_cast<float>(m_random.uniform())};
+}
+
 std::span<const RandomOperations::Kind> RandomOperations::kinds()
 {
     static constexpr Kind kKinds[] = {
@@ -486,6 +511,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<TwistOperation>(6, 2),          kindOf<AddBudsOperation>(6, 0),
         kindOf<SetProfileOperation>(6, 2),     kindOf<SketchOperation>(1, 1),
         kindOf<SketchStrokeOperation>(8, 0),   kindOf<InferOperation>(2, 1),
+        kindOf<PlaceLeafOperation>(8, 2),      kindOf<ArrangeOperation>(5, 1),
     };
     return kKinds;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/recipe/AddBudsOperation.h"
+#include "commands/recipe/ArrangeOperation.h"
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
@@ -10,6 +11,7 @@
 #include "commands/recipe/InferOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/PlaceLeafOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/Recipe.h"
 #include "commands/recipe/RedoOperation.h"

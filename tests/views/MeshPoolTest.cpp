@@ -4,6 +4,7 @@
 #include "model/mesh/TubeMesher.h"
 #include "model/mesh/Tubes.h"
 #include "model/mesh/WoodMesh.h"
+#include "tests/support/PlacedLeaves.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 
@@ -25,6 +26,8 @@ private Q_SLOTS:
     void finish_afterManyChanges_isAsAfterEach();
     void finishedInParts_itIsTheSame();
     void pool_followsParameters();
+    void pool_followsPlacedLeaves();
+    void placedLeaf_touchesTheLeavesOfItsPieceAlone();
     void pool_followsTheTolerance();
     void lines_moveLeavesAlone();
     void pool_followsAStemThatTapersByLength();
@@ -102,7 +105,7 @@ QString faultOf(const MeshPool& pool, const TreeBuilder& builder, float toleranc
 
         // Leaves stand on bark that is as exact as the wood.
         const float thickest = std::max(mesher.supportRadius(), std::ranges::max(mesher.radii()));
-        std::vector<LeafInstance> leaves(placer.rule().count(mesher.internodes()));
+        std::vector<LeafInstance> leaves(placer.count(mesher.internodes()));
         placer.place(mesher.internodes(), leaves);
         const auto isAsPlaced = [&](const LeafInstance& there, const LeafInstance& placed) {
             LeafInstance moved = there;
@@ -401,6 +404,65 @@ void MeshPoolTest::pool_followsParameters()
     follower.revert();
     QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
     QCOMPARE(change([](TreeParameters& p) { p.growth.apicalDominance = 0.6; }), QString());
+}
+
+void MeshPoolTest::pool_followsPlacedLeaves()
+{
+    TreeParameters parameters;
+    parameters.leaves.maxTips = 2;
+    for (const bool waits : {false, true}) {
+        Follower follower(300, 7, parameters);
+        follower.waits = waits;
+        for (int step = 0; step < 120; ++step) {
+            if (follower.random.uniform() < 0.5) {
+                follower.undone.clear();
+                follower.apply(randomLeafEdit(follower.builder.tree, follower.random));
+            } else {
+                follower.actAtRandom();
+            }
+            if (waits && step % 10 != 9)
+                continue;
+            while (!follower.pool.finishSome(follower.builder.tree, follower.builder.index, 3)) {
+            }
+            QCOMPARE(faultOf(follower.pool, follower.builder, WoodTracker::kTolerance + 0.001F), QString());
+        }
+        QVERIFY(placedLeafCount(follower.builder.tree) > 20);
+        follower.pool.settle(follower.builder.tree, follower.builder.index);
+        QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
+    }
+}
+
+void MeshPoolTest::placedLeaf_touchesTheLeavesOfItsPieceAlone()
+{
+    Follower follower(4000, 9);
+    follower.pool.takeChanges();
+    const InternodeId tip = follower.builder.tree.size() - 1;
+    const auto expectFewLeaves = [&] {
+        const MeshPool::Changes changes = follower.pool.takeChanges();
+        QVERIFY(changes.vertices.empty() && changes.indices.empty());
+        std::uint32_t rewritten = 0;
+        for (const MeshPool::Range& range : changes.leaves)
+            rewritten += range.end - range.begin;
+        QVERIFY(rewritten > 0);
+        QVERIFY(rewritten < follower.pool.leaves().size() / 5);
+        QCOMPARE(faultOf(follower.pool, follower.builder, 0.0F), QString());
+    };
+    follower.pool.settle(follower.builder.tree, follower.builder.index);
+    follower.pool.takeChanges();
+    TreeDelta placed = deltaStartingAt(follower.builder.tree);
+    addLeaf(placed, leafAround(tip, 0.5F, 1.0));
+    follower.apply(std::move(placed));
+    expectFewLeaves();
+    TreeDelta moved = deltaStartingAt(follower.builder.tree);
+    moveLeaf(moved, follower.builder.tree, 0, leafAround(tip - 40, 0.5F, 2.0, 0.2F));
+    follower.apply(std::move(moved));
+    expectFewLeaves();
+    follower.apply(leafRemoval(follower.builder.tree, 0));
+    expectFewLeaves();
+    for (int i = 0; i < 3; ++i) {
+        follower.revert();
+        expectFewLeaves();
+    }
 }
 
 void MeshPoolTest::pool_followsTheTolerance()

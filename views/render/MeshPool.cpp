@@ -134,14 +134,15 @@ void MeshPool::mesh(const Tree& tree, const TreeIndex& index, std::span<const In
                     bool withWood)
 {
     const LeafPlacer placer(tree, index, m_tracker.widths(),
-                            m_lines ? std::span<const WoodLine>(*m_lines) : std::span<const WoodLine>());
+                            m_lines ? std::span<const WoodLine>(*m_lines) : std::span<const WoodLine>(),
+                            &m_tracker.placedLeaves());
     std::vector<Needs> needs(bases.size());
     parallelFor(bases.size(), kPiecesPerTask, [&](std::size_t begin, std::size_t end) {
         const auto mesher = m_tracker.pieceMesher(tree, index);
         for (std::size_t i = begin; i < end; ++i) {
             if (withWood)
                 needs[i].size = mesher->prepare(bases[i]);
-            needs[i].leaves = placer.rule().count(m_tracker.internodesOf(index, bases[i]));
+            needs[i].leaves = placer.count(m_tracker.internodesOf(index, bases[i]));
         }
     });
 

@@ -232,6 +232,7 @@ void TreeScene::updateBounds()
         if (tree.isAlive(id))
             m_bounds.extend(m_document.index().nodePosition(id));
     }
+    extendByPlacedLeaves(m_bounds, tree, m_document.index());
     const LeafParameters& leaves = parameters().leaves;
     const Vec3 beyond = Vec3::Constant(static_cast<float>(leaves.visible ? leaves.length : 0.02));
     m_bounds.min() -= beyond;

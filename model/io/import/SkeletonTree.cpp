@@ -157,9 +157,36 @@ Slots slotsOf(const std::vector<Piece>& pieces, const Skeleton& skeleton)
     return slots;
 }
 
+/// Adds the births of leaves to @p delta. @p offset: the place that becomes the world's origin.
+void addSkeletonLeaves(TreeDelta& delta, std::span<const SkeletonLeaf> leaves,
+                       const std::vector<Piece>& pieces, const Skeleton& skeleton, const Vec3& offset)
+{
+    if (leaves.empty())
+        return;
+    const std::vector<std::size_t> carriers = carriersOf(skeleton);
+    std::vector<std::size_t> pieceOf(skeleton.size(), kNoPiece);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        pieceOf[pieces[i].segment] = i;
+    for (const SkeletonLeaf& leaf : leaves) {
+        const std::size_t carrier = hasLength(skeleton[leaf.segment]) ? leaf.segment : carriers[leaf.segment];
+        if (carrier == kNoPiece)
+            continue; // there is no wood that it could stand on
+        const Piece& piece = pieces[pieceOf[carrier]];
+        const Vec3 heading = piece.end.rotation * Vec3(Vec3::UnitY());
+        const float down = (piece.end.node - (leaf.base - offset)).dot(heading);
+        LeafRow row;
+        row.internode = static_cast<InternodeId>(pieceOf[carrier]);
+        row.along = std::clamp(1.0F - down / piece.length, 0.0F, 1.0F);
+        row.rotation = (piece.end.rotation.conjugate() * leaf.blade.frame).normalized();
+        row.length = leaf.blade.length;
+        addLeaf(delta, row);
+    }
+}
+
 } // namespace
 
-Result<TreeDelta> growSkeleton(const Tree& tree, const Skeleton& skeleton)
+Result<TreeDelta> growSkeleton(const Tree& tree, const Skeleton& skeleton,
+                               std::span<const SkeletonLeaf> leaves)
 {
     std::vector<Piece> pieces = piecesOf(skeleton);
     if (pieces.empty())
@@ -216,6 +243,7 @@ Result<TreeDelta> growSkeleton(const Tree& tree, const Skeleton& skeleton)
         if (const float radius = skeleton[piece.segment].radius; radius > 0.0F)
             delta.sparse.width.push_back({id, sparse.width.at(id), 2.0F * radius});
     }
+    addSkeletonLeaves(delta, leaves, pieces, skeleton, offset);
     return delta;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace espalier {
 
@@ -54,36 +55,54 @@ float radiusAt(const std::vector<double>& radii, double share)
     return static_cast<float>(std::min(radius, 0.5 * double{kGreatestDiameter}));
 }
 
+/// How the branches of a tree are divided into pieces.
+struct BranchPieces {
+    std::vector<double> lengths; ///< m, of the branches
+    std::vector<std::size_t> counts;
+    std::vector<std::size_t> firsts; ///< Indices of their first pieces among all
+
+    /// The piece at a share of a branch's length.
+    std::size_t pieceAt(std::size_t branch, double along) const
+    {
+        const auto place = static_cast<std::size_t>(along * static_cast<double>(counts[branch]));
+        return firsts[branch] + std::min(place, counts[branch] - 1);
+    }
+};
+
+BranchPieces branchPiecesOf(const PlacedTree& tree, double internodeLength)
+{
+    BranchPieces pieces;
+    double whole = 0.0;
+    for (const PlacedBranch& branch : tree.branches) {
+        pieces.lengths.push_back(curveLength(branch.line));
+        whole += pieces.lengths.back();
+    }
+    // Each branch has at most one piece more than its length asks for.
+    const double spare =
+        std::max(1.0, static_cast<double>(kMostSegments) - static_cast<double>(pieces.lengths.size()));
+    const double pieceLength = std::max(internodeLength, whole / spare);
+    std::size_t first = 0;
+    for (const double length : pieces.lengths) {
+        pieces.counts.push_back(static_cast<std::size_t>(std::max(1.0, std::round(length / pieceLength))));
+        pieces.firsts.push_back(first);
+        first += pieces.counts.back();
+    }
+    return pieces;
+}
+
 } // namespace
 
 Skeleton skeletonOf(const PlacedTree& tree, double internodeLength)
 {
-    std::vector<double> lengths;
-    double whole = 0.0;
-    for (const PlacedBranch& branch : tree.branches) {
-        lengths.push_back(curveLength(branch.line));
-        whole += lengths.back();
-    }
-    // Each branch has at most one piece more than its length asks for.
-    const double spare =
-        std::max(1.0, static_cast<double>(kMostSegments) - static_cast<double>(lengths.size()));
-    const double pieceLength = std::max(internodeLength, whole / spare);
-
+    const BranchPieces pieces = branchPiecesOf(tree, internodeLength);
     Skeleton skeleton;
-    std::vector<std::size_t> firstPiece;
-    std::vector<std::size_t> pieces;
     for (std::size_t i = 0; i < tree.branches.size(); ++i) {
         const PlacedBranch& branch = tree.branches[i];
-        const auto count = static_cast<std::size_t>(std::max(1.0, std::round(lengths[i] / pieceLength)));
-        firstPiece.push_back(skeleton.size());
-        pieces.push_back(count);
+        const std::size_t count = pieces.counts[i];
         std::uint32_t carrier = kNoInternode;
-        if (branch.parent) {
-            const double place = branch.along * static_cast<double>(pieces[*branch.parent]);
-            const std::size_t piece = std::min(static_cast<std::size_t>(place), pieces[*branch.parent] - 1);
-            carrier = static_cast<std::uint32_t>(firstPiece[*branch.parent] + piece);
-        }
-        const SpaceCurve ends = pieceEnds(branch.line, lengths[i], count);
+        if (branch.parent)
+            carrier = static_cast<std::uint32_t>(pieces.pieceAt(*branch.parent, branch.along));
+        const SpaceCurve ends = pieceEnds(branch.line, pieces.lengths[i], count);
         for (std::size_t j = 0; j < count; ++j) {
             const double share = static_cast<double>(j + 1) / static_cast<double>(count);
             skeleton.push_back({.parent = carrier,
@@ -94,6 +113,22 @@ Skeleton skeletonOf(const PlacedTree& tree, double internodeLength)
         }
     }
     return skeleton;
+}
+
+std::vector<SkeletonLeaf> skeletonLeavesOf(const PlacedTree& tree, double internodeLength)
+{
+    const BranchPieces pieces = branchPiecesOf(tree, internodeLength);
+    std::vector<SkeletonLeaf> leaves;
+    for (const PlacedLeaf& leaf : tree.leaves) {
+        const Eigen::Vector3d viewer = tree.branches[leaf.branch].isTurned
+                                           ? Eigen::Vector3d(-Eigen::Vector3d::UnitX())
+                                           : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+        if (const std::optional<LeafBlade> blade = bladeOf(leaf.outline, viewer))
+            leaves.push_back({.segment = static_cast<std::uint32_t>(pieces.pieceAt(leaf.branch, leaf.along)),
+                              .base = leaf.outline.front().cast<float>(),
+                              .blade = *blade});
+    }
+    return leaves;
 }
 
 } // namespace espalier

@@ -6,6 +6,7 @@
 #include "commands/DocumentProject.h"
 #include "commands/LassoGesture.h"
 #include "commands/ParameterGesture.h"
+#include "commands/PlaceLeaves.h"
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
@@ -18,6 +19,7 @@
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/OwnImages.h"
+#include "tests/support/PlacedLeaves.h"
 #include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
 
@@ -222,6 +224,15 @@ void JournalRecipeTest::gesture_isPlayedAgain_data()
         grow(document, 3);
         QCOMPARE(addBuds(document, {.internode = 0, .count = 8, .spacing = 1.0}), 8);
         grow(document, 2);
+    });
+    row("placed leaves", [](TreeDocument& document) {
+        const std::vector<InternodeId> path = pathBetween(document.tree(), 0, farthest(document));
+        QVERIFY(placeLeaf(document, leafAround(path[4], 0.25F, 0.3, 0.0777F)));
+        QVERIFY(placeLeaf(document, leafAround(path[4], 0.25F, 2.1, 0.1F)));
+        QVERIFY(arrangeLeaves(document, LeafEngine::AddToWhorl, {path[4], 0.3F}));
+        grow(document, 1);
+        QVERIFY(arrangeLeaves(document, LeafEngine::AddToWhorl, {path[4], 0.3F}));
+        pruneBranches(document, std::array{path[3]});
     });
     row("parameters", [](TreeDocument& document) {
         TreeParameters parameters = document.parameters();

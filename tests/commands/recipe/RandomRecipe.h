@@ -102,6 +102,16 @@ inline Recipe randomRecipe(std::uint64_t seed)
                                                         .spacing = random.uniform(),
                                                         .along = random.uniform(),
                                                         .azimuth = random.uniform(-360.0, 360.0)});
+        result.operations.emplace_back(
+            PlaceLeafOperation{.internode = static_cast<InternodeId>(i),
+                               .along = static_cast<float>(random.uniform()),
+                               .rotation = Rotation(Eigen::AngleAxisf(2.0F, random.direction())),
+                               .length = static_cast<float>(random.uniform(0.001, 1.0)),
+                               .kind = static_cast<LeafKind>(i % 3)});
+        result.operations.emplace_back(
+            ArrangeOperation{.engine = kLeafEngines[static_cast<std::size_t>(i) % kLeafEngines.size()],
+                             .internode = InternodeReference(InternodeKey(i), {}),
+                             .along = static_cast<float>(random.uniform())});
         ImportOperation import;
         for (int j = 0; j <= i; ++j)
             import.skeleton.push_back({j == 0 ? kNoInternode : static_cast<std::uint32_t>(j - 1),

@@ -226,6 +226,30 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].along: a number from 0 to 1 is expected");
     row(operationsOf(R"({"op": "addBuds", "internode": 1, "azimuth": 400})"),
         "operations[0].azimuth: a number from -360 to 360 is expected");
+    const auto leaf = [&](const QByteArray& members) {
+        return operationsOf(R"({"op": "placeLeaf", "internode": 1)" + members + "}");
+    };
+    row(leaf(R"(, "rotation": [0, 0, 0, 1])"), "operations[0].length: it is missing");
+    row(leaf(R"(, "length": 0.1)"), "operations[0].rotation: it is missing");
+    for (const char* rotation : {"[0, 0, 1]", "[0, 0, 0, 0]", "[0, 0, 0, 2]", R"([0, 0, 0, "1"])", "1"}) {
+        row(leaf(QByteArray(R"(, "length": 0.1, "rotation": )") + rotation),
+            "operations[0].rotation: a quaternion is expected: four numbers x, y, z, w within ±1, not all of "
+            "them 0");
+    }
+    row(leaf(R"(, "rotation": [0, 0, 0, 1], "length": 0)"),
+        "operations[0].length: a number from 0.0001 to 100 is expected");
+    row(leaf(R"(, "rotation": [0, 0, 0, 1], "length": 1, "along": -1)"),
+        "operations[0].along: a number from 0 to 1 is expected");
+    row(leaf(R"(, "rotation": [0, 0, 0, 1], "length": 1, "kind": "thorn")"),
+        "operations[0].kind: one of these is expected: leaf, flower, fruit");
+    row(operationsOf(R"({"op": "arrange", "internode": 1})"), "operations[0].engine: it is missing");
+    row(operationsOf(R"({"op": "arrange", "internode": 1, "engine": "spiral"})"),
+        "operations[0].engine: one of these is expected: addToWhorl, extendWhorls, alternate, opposite, "
+        "decussate");
+    row(operationsOf(R"({"op": "arrange", "engine": "alternate"})"),
+        "operations[0].internode: it is missing");
+    row(operationsOf(R"({"op": "arrange", "engine": "alternate", "internode": 1, "along": 2})"),
+        "operations[0].along: a number from 0 to 1 is expected");
     row(operationsOf(R"({"op": "setWidth", "internode": 1})"), "operations[0].diameter: it is missing");
     row(operationsOf(R"({"op": "setWidth", "internode": 1, "diameter": -0.1})"),
         "operations[0].diameter: a number from 0 to 100 is expected");

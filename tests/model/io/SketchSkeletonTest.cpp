@@ -4,6 +4,7 @@
 #include "commands/DrawSketch.h"
 #include "commands/ImportSkeleton.h"
 #include "model/shape/Widths.h"
+#include "model/tree/PlacedLeafIndex.h"
 #include "tests/model/sketch/DrawnTrees.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Replaying.h"
@@ -12,6 +13,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace espalier::test {
@@ -26,6 +28,8 @@ private Q_SLOTS:
     void emptySketch_hasNoPieces();
     void drawnSketch_isOneUndoStepAndARecipe();
     void drawnSketch_endsWhereItsStrokesDo();
+    void drawnLeaves_becomePlacedLeaves_data();
+    void drawnLeaves_becomePlacedLeaves();
     void sketchWithoutABranch_isRefused();
 };
 
@@ -145,6 +149,67 @@ void SketchSkeletonTest::drawnSketch_endsWhereItsStrokesDo()
         }
         QVERIFY(nearest < 1e-4F);
     }
+}
+
+void SketchSkeletonTest::drawnLeaves_becomePlacedLeaves_data()
+{
+    QTest::addColumn<bool>("secondTree");
+    QTest::newRow("one tree") << false;
+    QTest::newRow("two trees") << true;
+}
+
+void SketchSkeletonTest::drawnLeaves_becomePlacedLeaves()
+{
+    QFETCH(const bool, secondTree);
+    // A trunk, a limb to the right, and the outlines of a leaf on each.
+    TreeSketch sketch =
+        sketchOf({openStroke({{0.0, 0.0}, {0.0, 3.0}}), openStroke({{0.0, 1.5}, {1.5, 2.5}})});
+    const auto leafFrom = [&](const Vec2& base, const Vec2& tip) {
+        const Vec2 side = 0.2F * Vec2(base.y() - tip.y(), tip.x() - base.x());
+        std::vector<Vec2>& stroke = sketch.strokes.emplace_back();
+        for (int i = 0; i <= 40; ++i) {
+            const float angle = static_cast<float>(i) / 40.0F * 2.0F * std::numbers::pi_v<float>;
+            const Vec2 middle = 0.5F * (base + tip);
+            stroke.emplace_back(middle + 0.5F * std::cos(angle) * (base - tip) + std::sin(angle) * side);
+        }
+    };
+    leafFrom({-0.02F, 2.5F}, {-0.4F, 2.8F});
+    leafFrom({0.9F, 2.12F}, {0.8F, 2.6F});
+    sketch.secondTree = secondTree;
+    TreeDocument document;
+    const DocumentState before(document);
+    QVERIFY(drawSketch(document, sketch));
+    QCOMPARE(treeFault(document.tree().content()), QString());
+    const Tree& tree = document.tree();
+    const TreeIndex& index = document.index();
+    // The second tree has no trunk, so only the limb's leaf is there twice.
+    QCOMPARE(tree.placedLeaves().size(), secondTree ? 3U : 2U);
+    int fromTheFront = 0;
+    for (LeafId leaf = 0; leaf < tree.placedLeaves().size(); ++leaf) {
+        const Vec3 base = placedLeafBase(tree, index, leaf);
+        const Rotation frame = placedLeafFrame(tree, index, leaf);
+        const Vec3 tip = base + tree.placedLeaves().length[leaf] * (frame * Vec3(Vec3::UnitY()));
+        const Vec3 upper = frame * Vec3(Vec3::UnitZ());
+        QCOMPARE(tree.placedLeaves().birth[leaf], tree.step());
+        const bool isFirst = upper.z() > 0.99F;
+        fromTheFront += isFirst ? 1 : 0;
+        if (!isFirst) {
+            QVERIFY((upper + Vec3(Vec3::UnitX())).norm() < 0.01F);
+            continue;
+        }
+        // From the front, base and tip are where they were drawn.
+        const Vec2 drawnBase = base.x() < 0.5F ? Vec2(0.0F, 2.5F) : Vec2(0.9F, 2.1F);
+        const Vec2 drawnTip = base.x() < 0.5F ? Vec2(-0.4F, 2.8F) : Vec2(0.8F, 2.6F);
+        QVERIFY((base.head<2>() - drawnBase).norm() < 0.08F);
+        QVERIFY((tip.head<2>() - drawnTip).norm() < 0.08F);
+    }
+    QCOMPARE(fromTheFront, 2);
+    QCOMPARE(replayFault(document), QString());
+    const DocumentState after(document);
+    document.undo();
+    QCOMPARE(differenceFrom(before, document), QString());
+    document.redo();
+    QCOMPARE(differenceFrom(after, document), QString());
 }
 
 void SketchSkeletonTest::sketchWithoutABranch_isRefused()
