@@ -7,6 +7,8 @@
 #include "commands/recipe/ImportOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/MultiplyOperation.h"
+#include "commands/recipe/PropagateOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/RecipeOperation.h"
 #include "commands/recipe/RecipeText.h"
@@ -14,6 +16,7 @@
 #include "commands/recipe/ReduceOperation.h"
 #include "commands/recipe/RegrowOperation.h"
 #include "commands/recipe/RemoveLassoOperation.h"
+#include "commands/recipe/ReproduceOperation.h"
 #include "commands/recipe/SetParametersOperation.h"
 #include "commands/recipe/SetProfileOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
@@ -21,6 +24,7 @@
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"
+#include "commands/recipe/VaryOperation.h"
 
 #include <QJsonDocument>
 
@@ -51,7 +55,8 @@ constexpr OperationKind kKinds[] = {
     kindOf<LassoOperation>(),         kindOf<RegrowOperation>(),      kindOf<RemoveLassoOperation>(),
     kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
     kindOf<ReduceOperation>(),        kindOf<TwistOperation>(),       kindOf<AddBudsOperation>(),
-    kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),
+    kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),      kindOf<MultiplyOperation>(),
+    kindOf<PropagateOperation>(),     kindOf<ReproduceOperation>(),   kindOf<VaryOperation>(),
 };
 
 } // namespace
