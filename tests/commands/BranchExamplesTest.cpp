@@ -5,16 +5,18 @@
 #include "commands/Prune.h"
 #include "commands/ReproduceTree.h"
 #include "commands/VaryTree.h"
-#include "commands/recipe/MultiplyOperation.h"
-#include "commands/recipe/VaryOperation.h"
+#include "commands/recipe/RecipeFile.h"
+#include "commands/recipe/RecipePlayer.h"
 #include "tests/model/sketch/DrawnTrees.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
 
+#include <QFile>
 #include <QTest>
 
+#include <cmath>
 #include <functional>
 
 namespace espalier::test {
@@ -29,6 +31,7 @@ private Q_SLOTS:
     void refusedCommands_changeNothing();
     void copies_goOnGrowing();
     void outsideBranches_areCounted();
+    void documentedExamples_findWhatTheyName();
 };
 
 namespace {
@@ -187,6 +190,26 @@ void BranchExamplesTest::outsideBranches_areCounted()
     const Result<std::uint32_t> some = reproduceTree(document, high);
     QVERIFY(some);
     QVERIFY(*some > 2);
+}
+
+void BranchExamplesTest::documentedExamples_findWhatTheyName()
+{
+    QFile file(QStringLiteral(SOURCE_DIR "/docs/recipes.md"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QString text = QString::fromUtf8(file.readAll());
+    for (const char* name : {"multiply", "propagate", "reproduce", "vary"}) {
+        const auto section = text.indexOf(QStringLiteral("\n### %1\n").arg(QLatin1String(name)));
+        QVERIFY2(section >= 0, name);
+        const auto begin = text.indexOf(QStringLiteral("```json\n"), section) + 8;
+        const Result<Recipe> recipe =
+            parseRecipe(text.mid(begin, text.indexOf(QStringLiteral("```"), begin) - begin).toUtf8());
+        QVERIFY2(recipe, name);
+        TreeDocument document;
+        RecipePlayer player(document, *recipe);
+        player.playAll();
+        QCOMPARE(player.warnings().join(QLatin1Char('\n')), QString());
+        QCOMPARE(document.undoStack().count(), static_cast<int>(recipe->operations.size()));
+    }
 }
 
 static const TestClass<BranchExamplesTest> branchExamplesTest;
