@@ -28,12 +28,7 @@ std::vector<SketchStroke> smoothStrokes(const TreeSketch& sketch)
     }
     const double diagonal = box.isEmpty() ? 0.0 : box.diagonal().norm();
     const double pixel = diagonal > 0.0 ? 1e-3 * diagonal : 1e-3;
-    const StrokeFitOptions pixels;
-    const StrokeFitOptions metres{.tolerance = pixels.tolerance * pixel,
-                                  .spacing = pixels.spacing * pixel,
-                                  .shake = pixels.shake * pixel,
-                                  .closingGap = pixels.closingGap * pixel,
-                                  .closingShare = pixels.closingShare};
+    const StrokeFitOptions metres = StrokeFitOptions::forPixels(pixel);
     std::vector<SketchStroke> strokes;
     for (const std::vector<Vec2>& drawn : sketch.strokes) {
         SketchLine samples;

@@ -9,7 +9,9 @@
 #include "commands/recipe/InferOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/MultiplyOperation.h"
 #include "commands/recipe/PlaceLeafOperation.h"
+#include "commands/recipe/PropagateOperation.h"
 #include "commands/recipe/PruneOperation.h"
 #include "commands/recipe/RecipeOperation.h"
 #include "commands/recipe/RecipeText.h"
@@ -17,6 +19,7 @@
 #include "commands/recipe/ReduceOperation.h"
 #include "commands/recipe/RegrowOperation.h"
 #include "commands/recipe/RemoveLassoOperation.h"
+#include "commands/recipe/ReproduceOperation.h"
 #include "commands/recipe/SetParametersOperation.h"
 #include "commands/recipe/SetProfileOperation.h"
 #include "commands/recipe/SetWidthOperation.h"
@@ -25,6 +28,7 @@
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"
+#include "commands/recipe/VaryOperation.h"
 
 #include <QJsonDocument>
 
@@ -56,8 +60,9 @@ constexpr OperationKind kKinds[] = {
     kindOf<FillEnvelopesOperation>(), kindOf<ImportOperation>(),      kindOf<InvigorateOperation>(),
     kindOf<ReduceOperation>(),        kindOf<TwistOperation>(),       kindOf<AddBudsOperation>(),
     kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),      kindOf<SketchStrokeOperation>(),
-    kindOf<InferOperation>(),         kindOf<SetProfileOperation>(),  kindOf<SketchOperation>(),
-    kindOf<PlaceLeafOperation>(),     kindOf<ArrangeOperation>(),
+    kindOf<InferOperation>(),         kindOf<PlaceLeafOperation>(),   kindOf<ArrangeOperation>(),
+    kindOf<MultiplyOperation>(),      kindOf<PropagateOperation>(),   kindOf<ReproduceOperation>(),
+    kindOf<VaryOperation>(),
 };
 
 } // namespace

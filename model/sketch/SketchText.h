@@ -5,7 +5,7 @@
 
 namespace espalier {
 
-/// Translates what is wrong with a drawing.
+/// Translates what is wrong with drawings, with branches that are copied, and with figures.
 struct SketchText {
     Q_DECLARE_TR_FUNCTIONS(Sketch)
 };

@@ -89,6 +89,16 @@ double fartherSample(const SketchLine& samples, const SketchLine& line)
 
 } // namespace
 
+StrokeFitOptions StrokeFitOptions::forPixels(double pixel)
+{
+    const StrokeFitOptions pixels;
+    return {.tolerance = pixels.tolerance * pixel,
+            .spacing = pixels.spacing * pixel,
+            .shake = pixels.shake * pixel,
+            .closingGap = pixels.closingGap * pixel,
+            .closingShare = pixels.closingShare};
+}
+
 std::optional<SketchStroke> fitStroke(const SketchLine& samples, const StrokeFitOptions& options)
 {
     if (samples.empty() || !std::ranges::all_of(samples, isSample))

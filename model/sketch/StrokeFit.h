@@ -21,14 +21,16 @@ struct SketchStroke {
     bool operator==(const SketchStroke&) const = default;
 };
 
-/// Lengths are in the unit of the samples. The defaults are for pixels; samples in metres need the size of a
-/// pixel in metres times these.
+/// Lengths are in the unit of the samples. The defaults are for pixels; see forPixels() for metres.
 struct StrokeFitOptions {
     double tolerance = 2.0;  ///< The farthest that the line may be from a sample, > 0
     double spacing = 6.0;    ///< Between points of the line at most, > 0
     double shake = 4.0;      ///< Deviation of the smoothing along the stroke, >= 0: shorter waves are shake
     double closingGap = 8.0; ///< A stroke whose ends are nearer to each other than this is a loop (uncertain)
     double closingShare = 0.1; ///< The same as a share of the stroke's length (uncertain)
+
+    /// The defaults for samples in another unit, in which a pixel has the size @p pixel, > 0.
+    static StrokeFitOptions forPixels(double pixel);
 };
 
 /// The greatest coordinate of a sample, and the greatest number of a stroke's points.

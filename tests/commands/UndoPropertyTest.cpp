@@ -3,12 +3,15 @@
 #include "commands/BendGesture.h"
 #include "commands/DocumentProject.h"
 #include "commands/LassoGesture.h"
+#include "commands/MultiplyBranch.h"
 #include "commands/ParameterGesture.h"
 #include "commands/PlaceLeaves.h"
+#include "commands/PropagateBranch.h"
 #include "commands/Prune.h"
 #include "commands/SetParameters.h"
 #include "commands/TimeGesture.h"
 #include "commands/TwistGesture.h"
+#include "commands/VaryTree.h"
 #include "commands/WidthGesture.h"
 #include "model/document/EditFollower.h"
 #include "tests/support/Documents.h"
@@ -197,6 +200,8 @@ private:
             return [stroke](TreeDocument& document) { brush(document, stroke); };
         }
         case 7: {
+            if (below(2) == 0)
+                return copying();
             const BudSpiral spiral{.internode = living(),
                                    .along = m_random.uniform(),
                                    .count = 1 + below(4),
@@ -220,6 +225,27 @@ private:
         }
         default:
             return [steps = 1 + below(2)](TreeDocument& document) { grow(document, steps); };
+        }
+    }
+
+    Action copying()
+    {
+        const auto seed = static_cast<std::uint64_t>(below(5));
+        switch (below(3)) {
+        case 0:
+            return [id = living(), seed](TreeDocument& document) {
+                (void)multiplyBranch(document, id, seed, 2);
+            };
+        case 1:
+            return [id = living(), target = living(), replaces = below(2) == 0](TreeDocument& document) {
+                (void)propagateBranch(document, {.reference = id,
+                                                 .targets = Propagation::Targets::Listed,
+                                                 .axes = {target},
+                                                 .scaling = true,
+                                                 .replaces = replaces});
+            };
+        default:
+            return [seed](TreeDocument& document) { (void)varyTree(document, seed, 0.2); };
         }
     }
 

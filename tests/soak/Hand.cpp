@@ -10,15 +10,19 @@
 #include "commands/InferDepth.h"
 #include "commands/InvigorateGesture.h"
 #include "commands/LassoGesture.h"
+#include "commands/MultiplyBranch.h"
 #include "commands/ParameterGesture.h"
 #include "commands/PlaceLeaves.h"
 #include "commands/ProfileEdits.h"
+#include "commands/PropagateBranch.h"
 #include "commands/Prune.h"
 #include "commands/ReduceGesture.h"
+#include "commands/ReproduceTree.h"
 #include "commands/SetParameters.h"
 #include "commands/SketchStroke.h"
 #include "commands/TimeGesture.h"
 #include "commands/TwistGesture.h"
+#include "commands/VaryTree.h"
 #include "commands/WidthGesture.h"
 #include "tests/support/AllOperations.h"
 
@@ -235,6 +239,33 @@ public:
         arrangeLeaves(m_document, operation.engine, {operation.internode.number(), operation.along});
     }
 
+    void operator()(const MultiplyOperation& operation)
+    {
+        (void)multiplyBranch(m_document, operation.internode.number(), operation.seed, operation.count);
+    }
+
+    void operator()(const PropagateOperation& operation)
+    {
+        Propagation propagation{.reference = operation.internode.number(),
+                                .targets = operation.targets,
+                                .axes = {},
+                                .scaling = operation.scaling,
+                                .replaces = operation.replaces};
+        for (const InternodeReference& axis : operation.axes)
+            propagation.axes.push_back(axis.number());
+        (void)propagateBranch(m_document, propagation);
+    }
+
+    void operator()(const ReproduceOperation& operation)
+    {
+        (void)reproduceTree(m_document, operation.figure);
+    }
+
+    void operator()(const VaryOperation& operation)
+    {
+        (void)varyTree(m_document, operation.seed, operation.amount);
+    }
+
     void operator()(const RemoveLassoOperation&) { removeEnvelopes(m_document); }
 
     /// Performs the operation if it is of this kind.
@@ -280,7 +311,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
                 UndoOperation, RedoOperation, BendOperation, SetWidthOperation, LassoOperation,
                 SetProfileOperation, RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation,
                 ImportOperation, InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation,
-                SketchOperation, SketchStrokeOperation, InferOperation, PlaceLeafOperation, ArrangeOperation>(
+                SketchOperation, SketchStrokeOperation, InferOperation, PlaceLeafOperation, ArrangeOperation,
+                MultiplyOperation, PropagateOperation, ReproduceOperation, VaryOperation>(
             Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());

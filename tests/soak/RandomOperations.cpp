@@ -497,6 +497,50 @@ ArrangeOperation RandomOperations::make(const TreeDocument& document, int)
             .along = static_cast<float>(m_random.uniform())};
 }
 
+template <>
+MultiplyOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    return {.internode = any(document), .count = 1 + below(3), .seed = static_cast<std::uint64_t>(below(9))};
+}
+
+template <>
+PropagateOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const InternodeId reference = any(document);
+    const Tree& tree = document.tree();
+    const bool isSmall =
+        !tree.isAlive(reference) || document.index().subtreeSize(document.index().axis(reference)) < 12;
+    PropagateOperation operation{.internode = reference,
+                                 .targets = static_cast<Propagation::Targets>(isSmall ? below(3) : 2),
+                                 .axes = {},
+                                 .scaling = onceIn(2),
+                                 .replaces = onceIn(2)};
+    for (int i = below(3); i >= 0 && operation.targets == Propagation::Targets::Listed; --i)
+        operation.axes.emplace_back(any(document));
+    return operation;
+}
+
+template <>
+ReproduceOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const float l = internode(document);
+    ReproduceOperation operation;
+    operation.figure.trunk.emplace_back(Vec2::Zero());
+    for (int i = below(6); i >= 0; --i)
+        operation.figure.trunk.emplace_back(operation.figure.trunk.back() +
+                                            5.0F * l * (m_random.inBall() + up()).head<2>());
+    for (const Vec2& point : loop(20.0F * l))
+        operation.figure.silhouette.emplace_back(point + Vec2(0.0F, 15.0F * l));
+    return operation;
+}
+
+template <>
+VaryOperation RandomOperations::make(const TreeDocument&, int)
+{
+    return {.seed = static_cast<std::uint64_t>(below(1000)),
+            .amount = m_random.uniform(VaryOperation::kLeastAmount, 1.0)};
+}
+
 std::span<const RandomOperations::Kind> RandomOperations::kinds()
 {
     static constexpr Kind kKinds[] = {
@@ -512,6 +556,8 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<SetProfileOperation>(6, 2),     kindOf<SketchOperation>(1, 1),
         kindOf<SketchStrokeOperation>(8, 0),   kindOf<InferOperation>(2, 1),
         kindOf<PlaceLeafOperation>(8, 2),      kindOf<ArrangeOperation>(5, 1),
+        kindOf<MultiplyOperation>(6, 0),       kindOf<PropagateOperation>(3, 0),
+        kindOf<ReproduceOperation>(2, 1),      kindOf<VaryOperation>(3, 1),
     };
     return kKinds;
 }

@@ -142,6 +142,20 @@ inline Recipe randomRecipe(std::uint64_t seed)
             branch.replaces = static_cast<InternodeId>(i);
         }
         result.operations.emplace_back(branch);
+        result.operations.emplace_back(
+            MultiplyOperation{static_cast<InternodeId>(i), 1 + 50 * i, random.bits()});
+        PropagateOperation propagate{.internode = InternodeReference(InternodeKey(i), {}),
+                                     .targets = static_cast<Propagation::Targets>(i % 3),
+                                     .axes = {},
+                                     .scaling = i % 2 == 0,
+                                     .replaces = i % 4 < 2};
+        for (int j = 0; j <= i && propagate.targets == Propagation::Targets::Listed; ++j)
+            propagate.axes.emplace_back(static_cast<InternodeId>(j));
+        result.operations.emplace_back(propagate);
+        result.operations.emplace_back(
+            ReproduceOperation{{sketch.sketch.strokes.front(), sketch.sketch.strokes.back()}});
+        result.operations.emplace_back(
+            VaryOperation{random.bits(), random.uniform(VaryOperation::kLeastAmount, 1.0)});
     }
     return result;
 }

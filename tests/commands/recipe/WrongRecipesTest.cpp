@@ -119,6 +119,25 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].radii: numbers from 0 to 100 are expected, in m");
     row(operationsOf(R"({"op": "infer", "hull": 9})"),
         "operations[0].hull: a number from 0.5 to 3 is expected");
+    row(operationsOf(R"({"op": "multiply"})"), "operations[0].internode: it is missing");
+    row(operationsOf(R"({"op": "multiply", "internode": 1, "count": 1001})"),
+        "operations[0].count: a whole number from 1 to 1000 is expected");
+    row(operationsOf(R"({"op": "propagate", "internode": 1, "targets": "some"})"),
+        "operations[0].targets: one of these is expected: all, sameOrder, [internode, …]");
+    row(operationsOf(R"({"op": "propagate", "internode": 1, "targets": []})"),
+        "operations[0].targets: 1 to 10000 internodes are expected");
+    row(operationsOf(R"({"op": "propagate", "internode": 1, "targets": [2, -1]})"),
+        "operations[0].targets[1]: a whole number from 0 to 4294967294 is expected");
+    row(operationsOf(R"({"op": "propagate", "internode": 1, "scaling": 1})"),
+        "operations[0].scaling: true or false is expected");
+    row(operationsOf(R"({"op": "propagate", "internode": 1, "replaces": "no"})"),
+        "operations[0].replaces: true or false is expected");
+    row(operationsOf(R"({"op": "reproduce", "silhouette": [[0, 0]]})"),
+        "operations[0].trunk: a stroke has at least one point");
+    row(operationsOf(R"({"op": "reproduce", "trunk": [[0, 0], [0, 1]], "silhouette": [[0, 0], [1]]})"),
+        "operations[0].silhouette[1]: two numbers within ±1000 are expected, right and up, in m");
+    row(operationsOf(R"({"op": "vary", "amount": 0})"),
+        "operations[0].amount: a number from 0.01 to 1 is expected");
     row(operationsOf(R"({"op": "import", "file": "tree.csv"})"),
         "operations[0].file: tree.csv: a recipe that was not read from a file cannot name files");
     row(operationsOf(R"({"op": "undo", "count": -1})"),

@@ -175,7 +175,7 @@ void SketchSkeletonTest::drawnLeaves_becomePlacedLeaves()
     };
     leafFrom({-0.02F, 2.5F}, {-0.4F, 2.8F});
     leafFrom({0.9F, 2.12F}, {0.8F, 2.6F});
-    sketch.secondTree = secondTree;
+    sketch.depth.secondTree = secondTree;
     TreeDocument document;
     const DocumentState before(document);
     QVERIFY(drawSketch(document, sketch));

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/recipe/ReproduceOperation.h"
+
+#include "commands/recipe/StrokeJson.h"
+
+namespace espalier {
+
+namespace {
+
+constexpr QLatin1StringView kTrunkKey("trunk");
+constexpr QLatin1StringView kSilhouetteKey("silhouette");
+
+} // namespace
+
+ReproduceOperation ReproduceOperation::read(JsonReader& reader, RecipeReading& reading)
+{
+    const auto stroke = [&](QLatin1StringView key) {
+        return readStroke(reader, reading, key, reader.placeOf(key), reader.array(key));
+    };
+    ReproduceOperation operation;
+    operation.figure.trunk = stroke(kTrunkKey);
+    operation.figure.silhouette = stroke(kSilhouetteKey);
+    return operation;
+}
+
+QJsonObject ReproduceOperation::write(RecipeWriting&) const
+{
+    return {{kTrunkKey, strokeToJson(figure.trunk)}, {kSilhouetteKey, strokeToJson(figure.silhouette)}};
+}
+
+} // namespace espalier
