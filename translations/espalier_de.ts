@@ -723,6 +723,34 @@ geschrieben werden konnte.
         <source>Draw Branch</source>
         <translation>Ast zeichnen</translation>
     </message>
+    <message>
+        <source>Multiply Branch</source>
+        <translation>Ast vermehren</translation>
+    </message>
+    <message>
+        <source>Place Leaf</source>
+        <translation>Blatt setzen</translation>
+    </message>
+    <message>
+        <source>Arrange Leaves</source>
+        <translation>Blätter anordnen</translation>
+    </message>
+    <message>
+        <source>Propagate Branch</source>
+        <translation>Ast übertragen</translation>
+    </message>
+    <message>
+        <source>the new trunk must be an open line</source>
+        <translation>der neue Stamm muss eine offene Linie sein</translation>
+    </message>
+    <message>
+        <source>Reproduce Tree</source>
+        <translation>Baum nachbilden</translation>
+    </message>
+    <message>
+        <source>Vary Tree</source>
+        <translation>Baum abwandeln</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -3011,6 +3039,22 @@ geschrieben werden konnte.
         <source>numbers from 0 to %1 are expected, in m</source>
         <translation>Zahlen von 0 bis %1 werden erwartet, in m</translation>
     </message>
+    <message>
+        <source>internode %1 cannot bear such a leaf</source>
+        <translation>das Internodium %1 kann kein solches Blatt tragen</translation>
+    </message>
+    <message>
+        <source>no leaves at internode %1 can be arranged by “%2”</source>
+        <translation>am Internodium %1 lassen sich keine Blätter nach „%2“ anordnen</translation>
+    </message>
+    <message>
+        <source>a quaternion is expected: four numbers x, y, z, w within ±1, not all of them 0</source>
+        <translation>ein Quaternion wird erwartet: vier Zahlen x, y, z, w innerhalb ±1, nicht alle 0</translation>
+    </message>
+    <message>
+        <source>true or false is expected</source>
+        <translation>true oder false wird erwartet</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3133,6 +3177,50 @@ geschrieben werden konnte.
     <message>
         <source>the wood that it would grow from is gone</source>
         <translation>das Holz, aus dem er wachsen würde, ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>the copies would have more than %1 internodes</source>
+        <translation>die Kopien hätten mehr als %1 Internodien</translation>
+    </message>
+    <message>
+        <source>a copy would reach farther than %1 m away</source>
+        <translation>eine Kopie reichte weiter als %1 m weg</translation>
+    </message>
+    <message>
+        <source>internode %1 is not alive</source>
+        <translation>das Internodium %1 lebt nicht</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 carries no branch to imitate</source>
+        <translation>der Ast von Internodium %1 trägt keinen Ast, der nachzuahmen wäre</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 carries nothing to copy</source>
+        <translation>der Ast von Internodium %1 trägt nichts, was zu kopieren wäre</translation>
+    </message>
+    <message>
+        <source>more than %1 branches are listed</source>
+        <translation>mehr als %1 Äste sind aufgeführt</translation>
+    </message>
+    <message>
+        <source>there is no other branch to copy to</source>
+        <translation>es gibt keinen anderen Ast, auf den zu kopieren wäre</translation>
+    </message>
+    <message>
+        <source>all other branches are too short for what the branch of internode %1 carries</source>
+        <translation>alle anderen Äste sind zu kurz für das, was der Ast von Internodium %1 trägt</translation>
+    </message>
+    <message>
+        <source>an internode would be longer than %1 m or lie farther than %2 m away</source>
+        <translation>ein Internodium wäre länger als %1 m oder läge weiter als %2 m weg</translation>
+    </message>
+    <message>
+        <source>the new trunk has no length</source>
+        <translation>der neue Stamm hat keine Länge</translation>
+    </message>
+    <message>
+        <source>the silhouette encloses nothing</source>
+        <translation>die Silhouette umschließt nichts</translation>
     </message>
 </context>
 <context>

@@ -559,13 +559,13 @@ OUT ends in .espalier (project) or in the ending of a format:
 %1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
-        <translation>Espalier : peindre des arbres et les voir naître.
+        <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
 
 espalier [PROJET]
     Ouvre la fenêtre.
 
 espalier --demo [RECETTE]
-    Ouvre la fenêtre et y peint un arbre ; ensuite il est à vous.
+    Ouvre la fenêtre et y peint un arbre&#xa0;; ensuite il est à vous.
 
 espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
@@ -574,17 +574,17 @@ espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--strict] [--set GROUPE.NOM=VALEUR]...
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
     D’un projet, tout ce qui a été fait à son arbre est refait.
-    De plusieurs recettes, chacune continue l’arbre de la précédente : la
+    De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
     première donne la graine, et chacune met d’abord ses paramètres en vigueur.
-    --profiles : la place des brins dans chaque section, en JSON.
-    Ce que les opérations ne trouvent pas dans l’arbre est affiché ; avec
+    --profiles&#xa0;: la place des brins dans chaque section, en JSON.
+    Ce que les opérations ne trouvent pas dans l’arbre est affiché&#xa0;; avec
     --strict, c’est une erreur, et rien n’est écrit.
     --set donne une valeur à un paramètre pour tout le rejeu, quoi que disent
-    les recettes : --set growth.shedding=0.1 --set leaves.visible=false. Les
+    les recettes&#xa0;: --set growth.shedding=0.1 --set leaves.visible=false. Les
     angles sont en degrés.
 
 espalier import SQUELETTE.csv -o SORTIE...
-    Fait un arbre d’un arbre mesuré : des lignes d’id, parent, deux bouts et
+    Fait un arbre d’un arbre mesuré&#xa0;: des lignes d’id, parent, deux bouts et
     rayon.
 
 espalier sketch DESSIN... [--index N] [--front-only] [-o SORTIE]...
@@ -599,13 +599,13 @@ espalier sketch DESSIN... [--index N] [--front-only] [-o SORTIE]...
 
 espalier export PROJET [-o SORTIE]... [--set GROUPE.NOM=VALEUR]...
     Écrit un projet dans d’autres formats. --set change des paramètres pour ce
-    qui est écrit ; le projet reste tel quel.
+    qui est écrit&#xa0;; le projet reste tel quel.
 
 espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--set GROUPE.NOM=VALEUR]...
-    Prend une image. Il faut un affichage ; un affichage virtuel convient.
-    --transparent : l’arbre seul, avec un alpha non prémultiplié ;
+    Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
+    --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
     --ground-shadow garde son ombre, en noir plus ou moins opaque.
     --fibres : les brins du bois, en lignes.
 
@@ -614,7 +614,7 @@ espalier info FICHIER
 
 espalier --help, --version
 
-SORTIE se termine par .espalier (projet) ou par le suffixe d’un format :
+SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
 %1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
 une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 </translation>
@@ -721,6 +721,34 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Draw Branch</source>
         <translation>Dessiner une branche</translation>
+    </message>
+    <message>
+        <source>Multiply Branch</source>
+        <translation>Multiplier la branche</translation>
+    </message>
+    <message>
+        <source>Place Leaf</source>
+        <translation>Poser une feuille</translation>
+    </message>
+    <message>
+        <source>Arrange Leaves</source>
+        <translation>Disposer les feuilles</translation>
+    </message>
+    <message>
+        <source>Propagate Branch</source>
+        <translation>Propager la branche</translation>
+    </message>
+    <message>
+        <source>the new trunk must be an open line</source>
+        <translation>le nouveau tronc doit être une ligne ouverte</translation>
+    </message>
+    <message>
+        <source>Reproduce Tree</source>
+        <translation>Reproduire l’arbre</translation>
+    </message>
+    <message>
+        <source>Vary Tree</source>
+        <translation>Varier l’arbre</translation>
     </message>
 </context>
 <context>
@@ -3010,6 +3038,22 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>numbers from 0 to %1 are expected, in m</source>
         <translation>des nombres de 0 à %1 sont attendus, en m</translation>
     </message>
+    <message>
+        <source>internode %1 cannot bear such a leaf</source>
+        <translation>l’entre-nœud %1 ne peut porter une telle feuille</translation>
+    </message>
+    <message>
+        <source>no leaves at internode %1 can be arranged by “%2”</source>
+        <translation>aucune feuille à l’entre-nœud %1 ne peut être disposée par « %2 »</translation>
+    </message>
+    <message>
+        <source>a quaternion is expected: four numbers x, y, z, w within ±1, not all of them 0</source>
+        <translation>un quaternion est attendu : quatre nombres x, y, z, w dans ±1, non tous nuls</translation>
+    </message>
+    <message>
+        <source>true or false is expected</source>
+        <translation>true ou false est attendu</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3132,6 +3176,50 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>the wood that it would grow from is gone</source>
         <translation>le bois dont elle partirait n’existe plus</translation>
+    </message>
+    <message>
+        <source>the copies would have more than %1 internodes</source>
+        <translation>les copies auraient plus de %1 entre-nœuds</translation>
+    </message>
+    <message>
+        <source>a copy would reach farther than %1 m away</source>
+        <translation>une copie irait à plus de %1 m</translation>
+    </message>
+    <message>
+        <source>internode %1 is not alive</source>
+        <translation>l’entre-nœud %1 n’est pas vivant</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 carries no branch to imitate</source>
+        <translation>la branche de l’entre-nœud %1 ne porte aucune branche à imiter</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 carries nothing to copy</source>
+        <translation>la branche de l’entre-nœud %1 ne porte rien à copier</translation>
+    </message>
+    <message>
+        <source>more than %1 branches are listed</source>
+        <translation>plus de %1 branches sont énumérées</translation>
+    </message>
+    <message>
+        <source>there is no other branch to copy to</source>
+        <translation>il n’y a pas d’autre branche où copier</translation>
+    </message>
+    <message>
+        <source>all other branches are too short for what the branch of internode %1 carries</source>
+        <translation>toutes les autres branches sont trop courtes pour ce que porte celle de l’entre-nœud %1</translation>
+    </message>
+    <message>
+        <source>an internode would be longer than %1 m or lie farther than %2 m away</source>
+        <translation>un entre-nœud dépasserait %1 m ou serait à plus de %2 m</translation>
+    </message>
+    <message>
+        <source>the new trunk has no length</source>
+        <translation>le nouveau tronc n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>the silhouette encloses nothing</source>
+        <translation>la silhouette n’enclot rien</translation>
     </message>
 </context>
 <context>

@@ -719,6 +719,34 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>Draw Branch</source>
         <translation>枝を描く</translation>
     </message>
+    <message>
+        <source>Multiply Branch</source>
+        <translation>枝を増やす</translation>
+    </message>
+    <message>
+        <source>Place Leaf</source>
+        <translation>葉を置く</translation>
+    </message>
+    <message>
+        <source>Arrange Leaves</source>
+        <translation>葉を配置</translation>
+    </message>
+    <message>
+        <source>Propagate Branch</source>
+        <translation>枝を広める</translation>
+    </message>
+    <message>
+        <source>the new trunk must be an open line</source>
+        <translation>新しい幹は開いた線でなければなりません</translation>
+    </message>
+    <message>
+        <source>Reproduce Tree</source>
+        <translation>木を再現</translation>
+    </message>
+    <message>
+        <source>Vary Tree</source>
+        <translation>木を変化させる</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -3007,6 +3035,22 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>numbers from 0 to %1 are expected, in m</source>
         <translation>0 から %1 までの数が必要です（m）</translation>
     </message>
+    <message>
+        <source>internode %1 cannot bear such a leaf</source>
+        <translation>節間 %1 にはそのような葉を付けられません</translation>
+    </message>
+    <message>
+        <source>no leaves at internode %1 can be arranged by “%2”</source>
+        <translation>節間 %1 の葉は「%2」では配置できません</translation>
+    </message>
+    <message>
+        <source>a quaternion is expected: four numbers x, y, z, w within ±1, not all of them 0</source>
+        <translation>四元数が必要です。±1 以内の四つの数 x, y, z, w で、すべてが 0 ではないもの</translation>
+    </message>
+    <message>
+        <source>true or false is expected</source>
+        <translation>true か false が必要です</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3129,6 +3173,50 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>the wood that it would grow from is gone</source>
         <translation>枝が出るはずの木部がもうありません</translation>
+    </message>
+    <message>
+        <source>the copies would have more than %1 internodes</source>
+        <translation>写しの節間が %1 を超えます</translation>
+    </message>
+    <message>
+        <source>a copy would reach farther than %1 m away</source>
+        <translation>写しが %1 m より遠くに達します</translation>
+    </message>
+    <message>
+        <source>internode %1 is not alive</source>
+        <translation>節間 %1 は生きていません</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 carries no branch to imitate</source>
+        <translation>節間 %1 の枝には手本になる枝がありません</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 carries nothing to copy</source>
+        <translation>節間 %1 の枝には写すものがありません</translation>
+    </message>
+    <message>
+        <source>more than %1 branches are listed</source>
+        <translation>枝が %1 本を超えて挙げられています</translation>
+    </message>
+    <message>
+        <source>there is no other branch to copy to</source>
+        <translation>写す先の枝がほかにありません</translation>
+    </message>
+    <message>
+        <source>all other branches are too short for what the branch of internode %1 carries</source>
+        <translation>ほかの枝はどれも、節間 %1 の枝に付くものには短すぎます</translation>
+    </message>
+    <message>
+        <source>an internode would be longer than %1 m or lie farther than %2 m away</source>
+        <translation>節間が %1 m より長くなるか、%2 m より遠くになります</translation>
+    </message>
+    <message>
+        <source>the new trunk has no length</source>
+        <translation>新しい幹に長さがありません</translation>
+    </message>
+    <message>
+        <source>the silhouette encloses nothing</source>
+        <translation>シルエットが何も囲んでいません</translation>
     </message>
 </context>
 <context>

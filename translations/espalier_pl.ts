@@ -721,6 +721,34 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Draw Branch</source>
         <translation>Rysuj gałąź</translation>
     </message>
+    <message>
+        <source>Multiply Branch</source>
+        <translation>Powiel gałąź</translation>
+    </message>
+    <message>
+        <source>Place Leaf</source>
+        <translation>Umieść liść</translation>
+    </message>
+    <message>
+        <source>Arrange Leaves</source>
+        <translation>Rozmieść liście</translation>
+    </message>
+    <message>
+        <source>Propagate Branch</source>
+        <translation>Przenieś gałąź</translation>
+    </message>
+    <message>
+        <source>the new trunk must be an open line</source>
+        <translation>nowy pień musi być otwartą linią</translation>
+    </message>
+    <message>
+        <source>Reproduce Tree</source>
+        <translation>Odtwórz drzewo</translation>
+    </message>
+    <message>
+        <source>Vary Tree</source>
+        <translation>Zmień drzewo</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -3009,6 +3037,22 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>numbers from 0 to %1 are expected, in m</source>
         <translation>oczekiwane są liczby od 0 do %1, w m</translation>
     </message>
+    <message>
+        <source>internode %1 cannot bear such a leaf</source>
+        <translation>międzywęźle %1 nie może mieć takiego liścia</translation>
+    </message>
+    <message>
+        <source>no leaves at internode %1 can be arranged by “%2”</source>
+        <translation>przy międzywęźlu %1 nie da się rozmieścić liści według „%2”</translation>
+    </message>
+    <message>
+        <source>a quaternion is expected: four numbers x, y, z, w within ±1, not all of them 0</source>
+        <translation>oczekiwany jest kwaternion: cztery liczby x, y, z, w w zakresie ±1, nie wszystkie 0</translation>
+    </message>
+    <message>
+        <source>true or false is expected</source>
+        <translation>oczekiwane jest true albo false</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3131,6 +3175,50 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>the wood that it would grow from is gone</source>
         <translation>drewna, z którego miałaby rosnąć, już nie ma</translation>
+    </message>
+    <message>
+        <source>the copies would have more than %1 internodes</source>
+        <translation>kopie miałyby więcej niż %1 międzywęźli</translation>
+    </message>
+    <message>
+        <source>a copy would reach farther than %1 m away</source>
+        <translation>kopia sięgałaby dalej niż %1 m</translation>
+    </message>
+    <message>
+        <source>internode %1 is not alive</source>
+        <translation>międzywęźle %1 nie żyje</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 carries no branch to imitate</source>
+        <translation>gałąź międzywęźla %1 nie ma gałęzi do naśladowania</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 carries nothing to copy</source>
+        <translation>gałąź międzywęźla %1 nie ma nic do skopiowania</translation>
+    </message>
+    <message>
+        <source>more than %1 branches are listed</source>
+        <translation>wymieniono więcej niż %1 gałęzi</translation>
+    </message>
+    <message>
+        <source>there is no other branch to copy to</source>
+        <translation>nie ma innej gałęzi, na którą można by kopiować</translation>
+    </message>
+    <message>
+        <source>all other branches are too short for what the branch of internode %1 carries</source>
+        <translation>wszystkie inne gałęzie są za krótkie na to, co ma gałąź międzywęźla %1</translation>
+    </message>
+    <message>
+        <source>an internode would be longer than %1 m or lie farther than %2 m away</source>
+        <translation>międzywęźle byłoby dłuższe niż %1 m albo leżałoby dalej niż %2 m</translation>
+    </message>
+    <message>
+        <source>the new trunk has no length</source>
+        <translation>nowy pień nie ma długości</translation>
+    </message>
+    <message>
+        <source>the silhouette encloses nothing</source>
+        <translation>sylwetka niczego nie obejmuje</translation>
     </message>
 </context>
 <context>
