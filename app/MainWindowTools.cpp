@@ -15,6 +15,7 @@
 #include "views/tools/GrowTool.h"
 #include "views/tools/InvigorateTool.h"
 #include "views/tools/LassoTool.h"
+#include "views/tools/MultiplyTool.h"
 #include "views/tools/ProfileTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/ReduceTool.h"
@@ -111,6 +112,11 @@ void MainWindow::takeTool()
         viewport.setTool(
             std::make_unique<SketchTool>(context, [this](const QString& why) { m_sketching->refuse(why); }));
         popOut = Workspace::PopOut::Sketch;
+        break;
+    case ActionId::Multiply:
+        viewport.setTool(std::make_unique<MultiplyTool>(
+            context, [this](const QString& why) { m_sketching->refuse(why); }));
+        popOut = Workspace::PopOut::Multiply;
         break;
     case ActionId::Profile:
         viewport.setTool(std::make_unique<ProfileTool>(context, *m_profiles));

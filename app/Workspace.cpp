@@ -13,6 +13,7 @@
 #include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
+#include "panels/MultiplyPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/ProfilePanel.h"
@@ -67,6 +68,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_twistPopOut(new TwistPopOut(settings, this)),
       m_addBudsPopOut(new AddBudsPopOut(settings, this)),
       m_sketchPopOut(new SketchPopOut(settings, this)),
+      m_multiplyPopOut(new MultiplyPopOut(settings, this)),
       m_profilePanel(new ProfilePanel(this)),
       m_architecture(new ArchitecturePanel(document, this)),
       m_brushSheet(new BrushPanel(document, settings, Preferences::kSoftest, Preferences::kFirmest, this)),
@@ -276,10 +278,11 @@ void Workspace::arrange()
 
     m_viewport->setFrameMargins({0, y - kGap, width() - right, kStatusHeight});
     const std::pair<QWidget*, PopOut> popOuts[] = {
-        {m_brushPopOut, PopOut::Brush},    {m_growPopOut, PopOut::Grow},
-        {m_bendPopOut, PopOut::Bend},      {m_lassoPopOut, PopOut::Lasso},
-        {m_twistPopOut, PopOut::Twist},    {m_addBudsPopOut, PopOut::AddBuds},
-        {m_profilePanel, PopOut::Profile}, {m_sketchPopOut, PopOut::Sketch}};
+        {m_brushPopOut, PopOut::Brush},      {m_growPopOut, PopOut::Grow},
+        {m_bendPopOut, PopOut::Bend},        {m_lassoPopOut, PopOut::Lasso},
+        {m_twistPopOut, PopOut::Twist},      {m_addBudsPopOut, PopOut::AddBuds},
+        {m_profilePanel, PopOut::Profile},   {m_sketchPopOut, PopOut::Sketch},
+        {m_multiplyPopOut, PopOut::Multiply}};
     const int lowestPopOut = height() - Viewport::kStripHeight - 4;
     QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {

@@ -29,6 +29,7 @@ class HelpPanel;
 class HistoryPanel;
 class LassoPopOut;
 class LibraryPanel;
+class MultiplyPopOut;
 class Notice;
 class ProfilePanel;
 class RotationStrip;
@@ -42,7 +43,7 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds, Profile, Sketch };
+    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds, Profile, Sketch, Multiply };
     static constexpr int kSheetCount = 5;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -104,6 +105,7 @@ private:
     TwistPopOut* m_twistPopOut;
     AddBudsPopOut* m_addBudsPopOut;
     SketchPopOut* m_sketchPopOut;
+    MultiplyPopOut* m_multiplyPopOut;
     ProfilePanel* m_profilePanel;
     ArchitecturePanel* m_architecture;
     BrushPanel* m_brushSheet;

@@ -24,7 +24,7 @@ LassoStroke mirrored(LassoStroke stroke, const Vec3& foot)
 }
 
 /// Applies the births of one branch; its first internode.
-Result<InternodeId> growStroke(Edit& edit, const LassoStroke& stroke, std::optional<WoodPlace> base,
+Result<InternodeId> growStroke(Edit& edit, const LassoStroke& stroke, std::optional<BranchPlace> base,
                                std::vector<float> radii)
 {
     const TreeDocument& document = edit.document();

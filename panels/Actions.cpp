@@ -47,6 +47,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions",
                            "Draw the trunk and its branches as lines, then give the drawing depth."),
          "S", "sketch", true},
+        {Multiply, Group::Tools, "multiply", QT_TRANSLATE_NOOP("Actions", "Multiply"),
+         QT_TRANSLATE_NOOP("Actions", "Tap a branch: it gets more like those it carries, or passes them on."),
+         "Shift+S", "multiply", true},
         {Grow, Group::Tools, "grow", QT_TRANSLATE_NOOP("Actions", "Grow"),
          QT_TRANSLATE_NOOP(
              "Actions", "Press anywhere and hold: the tree grows on its own, competing for light and space."),
@@ -141,9 +144,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 std::span<const ActionId> Actions::tools()
 {
     static constexpr std::array kTools{
-        ActionId::Brush, ActionId::Sketch,  ActionId::Lasso,      ActionId::Grow,   ActionId::Prune,
-        ActionId::Bend,  ActionId::Width,   ActionId::Invigorate, ActionId::Reduce, ActionId::SelectBud,
-        ActionId::Twist, ActionId::AddBuds, ActionId::Profile};
+        ActionId::Brush,     ActionId::Sketch, ActionId::Lasso,    ActionId::Grow,       ActionId::Prune,
+        ActionId::Bend,      ActionId::Width,  ActionId::Multiply, ActionId::Invigorate, ActionId::Reduce,
+        ActionId::SelectBud, ActionId::Twist,  ActionId::AddBuds,  ActionId::Profile};
     return kTools;
 }
 

@@ -26,6 +26,7 @@ enum class ActionId {
     Redo,
     Brush,
     Sketch,
+    Multiply,
     Grow,
     Prune,
     SelectBud,

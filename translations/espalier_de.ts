@@ -383,6 +383,14 @@
         <source>Draw the trunk and its branches as lines, then give the drawing depth.</source>
         <translation>Stamm und Äste als Linien zeichnen, dann der Zeichnung Tiefe geben.</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Vermehren</translation>
+    </message>
+    <message>
+        <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
+        <translation>Auf einen Ast tippen: er bekommt mehr von dem, was er trägt, oder gibt es weiter.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -1254,6 +1262,17 @@ geschrieben werden konnte.
     <message>
         <source>%1 cannot be moved to the trash: %2</source>
         <translation>%1 kann nicht in den Papierkorb verschoben werden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>MultiplyTool</name>
+    <message>
+        <source>Tap a branch: other branches get what it carries</source>
+        <translation>Auf einen Ast tippen: andere Äste bekommen, was er trägt</translation>
+    </message>
+    <message>
+        <source>Tap a branch: it gets one more branch like those that it carries</source>
+        <translation>Auf einen Ast tippen: er bekommt einen Ast mehr wie die, die er trägt</translation>
     </message>
 </context>
 <context>
@@ -2563,6 +2582,38 @@ geschrieben werden konnte.
         <source>How much wider than the widest drawn one an angle between branches may be.</source>
         <translation>Wie viel weiter als der weiteste gezeichnete ein Winkel zwischen Ästen sein darf.</translation>
     </message>
+    <message>
+        <source>Pass on</source>
+        <translation>Weitergeben</translation>
+    </message>
+    <message>
+        <source>A tap on a branch gives other branches what it carries. Otherwise it adds one branch like those that the branch carries.</source>
+        <translation>Ein Tippen auf einen Ast gibt anderen Ästen, was er trägt. Sonst bekommt er einen Ast mehr wie die, die er trägt.</translation>
+    </message>
+    <message>
+        <source>To its like</source>
+        <translation>An seinesgleichen</translation>
+    </message>
+    <message>
+        <source>Only branches with as many branchings below them get it.</source>
+        <translation>Nur Äste mit ebenso vielen Verzweigungen unter sich bekommen es.</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Skaliert</translation>
+    </message>
+    <message>
+        <source>What a branch gets is larger or smaller as the branch is. Otherwise it keeps its size, and its distance from the tip.</source>
+        <translation>Was ein Ast bekommt, ist größer oder kleiner, wie der Ast es ist. Sonst behält es seine Größe und seinen Abstand von der Spitze.</translation>
+    </message>
+    <message>
+        <source>In its place</source>
+        <translation>An seiner Stelle</translation>
+    </message>
+    <message>
+        <source>What the branches carried until now goes.</source>
+        <translation>Was die Äste bisher trugen, verschwindet.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3232,6 +3283,14 @@ geschrieben werden konnte.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Zeichnen Sie einen Ast vom Holz aus; mit Umschalt quer über Äste gezeichnet, nimmt der Strich sie weg</translation>
+    </message>
+    <message>
+        <source>draw the trunk first: a loop is a leaf, which needs a branch</source>
+        <translation>zeichnen Sie zuerst den Stamm: eine Schleife ist ein Blatt, und das braucht einen Ast</translation>
+    </message>
+    <message>
+        <source>a loop this large is no leaf; the Lasso makes crowns of loops</source>
+        <translation>eine so große Schleife ist kein Blatt; aus Schleifen macht das Lasso Kronen</translation>
     </message>
 </context>
 <context>

@@ -383,6 +383,14 @@
         <source>Draw the trunk and its branches as lines, then give the drawing depth.</source>
         <translation>Dessiner le tronc et ses branches en lignes, puis donner sa profondeur au dessin.</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Multiplier</translation>
+    </message>
+    <message>
+        <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
+        <translation>Toucher une branche : elle en reçoit d’autres comme celles qu’elle porte, ou les transmet.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -1253,6 +1261,17 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>%1 cannot be moved to the trash: %2</source>
         <translation>Impossible de mettre %1 à la corbeille&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>MultiplyTool</name>
+    <message>
+        <source>Tap a branch: other branches get what it carries</source>
+        <translation>Touchez une branche : les autres reçoivent ce qu’elle porte</translation>
+    </message>
+    <message>
+        <source>Tap a branch: it gets one more branch like those that it carries</source>
+        <translation>Touchez une branche : elle en reçoit une de plus comme celles qu’elle porte</translation>
     </message>
 </context>
 <context>
@@ -2562,6 +2581,38 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>How much wider than the widest drawn one an angle between branches may be.</source>
         <translation>De combien un angle entre branches peut dépasser le plus ouvert du dessin.</translation>
     </message>
+    <message>
+        <source>Pass on</source>
+        <translation>Transmettre</translation>
+    </message>
+    <message>
+        <source>A tap on a branch gives other branches what it carries. Otherwise it adds one branch like those that the branch carries.</source>
+        <translation>Toucher une branche donne aux autres ce qu’elle porte. Sinon, elle reçoit une branche de plus comme celles qu’elle porte.</translation>
+    </message>
+    <message>
+        <source>To its like</source>
+        <translation>À ses pareilles</translation>
+    </message>
+    <message>
+        <source>Only branches with as many branchings below them get it.</source>
+        <translation>Seules les branches ayant autant de ramifications sous elles le reçoivent.</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>À l’échelle</translation>
+    </message>
+    <message>
+        <source>What a branch gets is larger or smaller as the branch is. Otherwise it keeps its size, and its distance from the tip.</source>
+        <translation>Ce qu’une branche reçoit est plus grand ou plus petit, comme elle. Sinon, cela garde sa taille et sa distance à la pointe.</translation>
+    </message>
+    <message>
+        <source>In its place</source>
+        <translation>À la place</translation>
+    </message>
+    <message>
+        <source>What the branches carried until now goes.</source>
+        <translation>Ce que les branches portaient jusqu’ici disparaît.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3231,6 +3282,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Dessinez une branche depuis le bois ; avec Maj, un trait en travers enlève les branches</translation>
+    </message>
+    <message>
+        <source>draw the trunk first: a loop is a leaf, which needs a branch</source>
+        <translation>dessinez d’abord le tronc : une boucle est une feuille, et il lui faut une branche</translation>
+    </message>
+    <message>
+        <source>a loop this large is no leaf; the Lasso makes crowns of loops</source>
+        <translation>une boucle aussi grande n’est pas une feuille ; le Lasso fait des couronnes avec des boucles</translation>
     </message>
 </context>
 <context>

@@ -383,6 +383,14 @@
         <source>Draw the trunk and its branches as lines, then give the drawing depth.</source>
         <translation>幹と枝を線で描き、絵に奥行きを与えます。</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>増やす</translation>
+    </message>
+    <message>
+        <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
+        <translation>枝をタップすると、付いている枝が増えるか、ほかの枝に広まります。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -1250,6 +1258,17 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>%1 cannot be moved to the trash: %2</source>
         <translation>%1 をゴミ箱に移動できません: %2</translation>
+    </message>
+</context>
+<context>
+    <name>MultiplyTool</name>
+    <message>
+        <source>Tap a branch: other branches get what it carries</source>
+        <translation>枝をタップすると、付いているものがほかの枝にも付きます</translation>
+    </message>
+    <message>
+        <source>Tap a branch: it gets one more branch like those that it carries</source>
+        <translation>枝をタップすると、付いている枝に似た枝が一本増えます</translation>
     </message>
 </context>
 <context>
@@ -2559,6 +2578,38 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>How much wider than the widest drawn one an angle between branches may be.</source>
         <translation>枝の間の角度が、描いた中で最も広い角度よりどれだけ広くてよいか。</translation>
     </message>
+    <message>
+        <source>Pass on</source>
+        <translation>広める</translation>
+    </message>
+    <message>
+        <source>A tap on a branch gives other branches what it carries. Otherwise it adds one branch like those that the branch carries.</source>
+        <translation>枝をタップすると、付いているものがほかの枝に写されます。オフでは、付いている枝に似た枝が一本増えます。</translation>
+    </message>
+    <message>
+        <source>To its like</source>
+        <translation>同じ仲間に</translation>
+    </message>
+    <message>
+        <source>Only branches with as many branchings below them get it.</source>
+        <translation>同じ回数だけ分かれた枝だけが受け取ります。</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>拡大縮小</translation>
+    </message>
+    <message>
+        <source>What a branch gets is larger or smaller as the branch is. Otherwise it keeps its size, and its distance from the tip.</source>
+        <translation>受け取るものは枝の大きさに合わせて変わります。オフでは、大きさと先端からの距離がそのままです。</translation>
+    </message>
+    <message>
+        <source>In its place</source>
+        <translation>置き換える</translation>
+    </message>
+    <message>
+        <source>What the branches carried until now goes.</source>
+        <translation>枝にそれまで付いていたものはなくなります。</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3228,6 +3279,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>木部から枝を描きます。Shift を押して枝を横切ると取り去ります</translation>
+    </message>
+    <message>
+        <source>draw the trunk first: a loop is a leaf, which needs a branch</source>
+        <translation>先に幹を描いてください。輪は葉で、枝が必要です</translation>
+    </message>
+    <message>
+        <source>a loop this large is no leaf; the Lasso makes crowns of loops</source>
+        <translation>これほど大きな輪は葉になりません。輪から樹冠を作るのは投げ縄です</translation>
     </message>
 </context>
 <context>

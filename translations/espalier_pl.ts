@@ -383,6 +383,14 @@
         <source>Draw the trunk and its branches as lines, then give the drawing depth.</source>
         <translation>Narysuj pień i gałęzie liniami, a potem nadaj rysunkowi głębię.</translation>
     </message>
+    <message>
+        <source>Multiply</source>
+        <translation>Powielanie</translation>
+    </message>
+    <message>
+        <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
+        <translation>Dotknij gałęzi: dostanie więcej takich, jakie niesie, albo przekaże je dalej.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -1252,6 +1260,17 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>%1 cannot be moved to the trash: %2</source>
         <translation>Nie można przenieść %1 do kosza: %2</translation>
+    </message>
+</context>
+<context>
+    <name>MultiplyTool</name>
+    <message>
+        <source>Tap a branch: other branches get what it carries</source>
+        <translation>Dotknij gałęzi: inne dostaną to, co ona niesie</translation>
+    </message>
+    <message>
+        <source>Tap a branch: it gets one more branch like those that it carries</source>
+        <translation>Dotknij gałęzi: dostanie jeszcze jedną podobną do tych, które niesie</translation>
     </message>
 </context>
 <context>
@@ -2561,6 +2580,38 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>How much wider than the widest drawn one an angle between branches may be.</source>
         <translation>O ile szerszy niż najszerszy narysowany może być kąt między gałęziami.</translation>
     </message>
+    <message>
+        <source>Pass on</source>
+        <translation>Przekazuj</translation>
+    </message>
+    <message>
+        <source>A tap on a branch gives other branches what it carries. Otherwise it adds one branch like those that the branch carries.</source>
+        <translation>Dotknięcie gałęzi daje innym to, co ona niesie. Inaczej dodaje jej jedną gałąź podobną do tych, które niesie.</translation>
+    </message>
+    <message>
+        <source>To its like</source>
+        <translation>Podobnym</translation>
+    </message>
+    <message>
+        <source>Only branches with as many branchings below them get it.</source>
+        <translation>Dostają to tylko gałęzie z tyloma samymi rozgałęzieniami pod sobą.</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Skalowane</translation>
+    </message>
+    <message>
+        <source>What a branch gets is larger or smaller as the branch is. Otherwise it keeps its size, and its distance from the tip.</source>
+        <translation>To, co dostaje gałąź, jest większe lub mniejsze tak jak ona. Inaczej zachowuje wielkość i odległość od wierzchołka.</translation>
+    </message>
+    <message>
+        <source>In its place</source>
+        <translation>W zamian</translation>
+    </message>
+    <message>
+        <source>What the branches carried until now goes.</source>
+        <translation>To, co gałęzie niosły dotąd, znika.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3230,6 +3281,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Narysuj gałąź od drewna; z Shiftem kreska w poprzek zabiera gałęzie</translation>
+    </message>
+    <message>
+        <source>draw the trunk first: a loop is a leaf, which needs a branch</source>
+        <translation>najpierw narysuj pień: pętla to liść, a ten potrzebuje gałęzi</translation>
+    </message>
+    <message>
+        <source>a loop this large is no leaf; the Lasso makes crowns of loops</source>
+        <translation>tak duża pętla nie jest liściem; Lasso robi z pętli korony</translation>
     </message>
 </context>
 <context>

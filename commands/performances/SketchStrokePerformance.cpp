@@ -13,7 +13,7 @@ QString SketchStrokeOperation::perform(TreeDocument& document) const
         const Result<InternodeId> id = on->resolve(document);
         if (!id)
             return id.error().message;
-        drawn.base = WoodPlace{*id, along};
+        drawn.base = BranchPlace{*id, along};
     }
     if (replaces) {
         const Result<InternodeId> id = replaces->resolve(document);

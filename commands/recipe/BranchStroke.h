@@ -12,7 +12,7 @@ namespace espalier {
 /// A stroke that becomes a branch.
 struct BranchStroke {
     LassoStroke stroke; ///< The plane, and the line in it: smooth, two points or more
-    std::optional<WoodPlace>
+    std::optional<BranchPlace>
         base; ///< None: the wood that an end of the line is nearest to, seen at right angles
     std::vector<float> radii{}; ///< m, at even distances from base to tip; empty: what it carries decides
     std::optional<InternodeId>

@@ -77,7 +77,13 @@ struct ViewValues {
     double newBuds = 5;         ///< Buds that a tap adds, a whole number, kLeastNewBuds...kMostNewBuds
     bool sketchCuts = false;    ///< Strokes of the pencil take branches away
     bool sketchMirror = false;  ///< Strokes of the pencil are drawn on the other side of the trunk as well
-    bool secondTree = true;     ///< Depth is given to the drawing twice, the second time turned by 90°
+    /// A tap of Multiply passes on what a branch carries, instead of adding to it: only to branches of its
+    /// order, scaled with them, in place of what they carried.
+    bool passesOn = false;
+    bool passesOnInOrder = false;
+    bool passesOnScaled = true;
+    bool passesOnAnew = false;
+    bool secondTree = true; ///< Depth is given to the drawing twice, the second time turned by 90°
     /// DepthOptions::hullMagnification, lengthMagnification and angleMagnification,
     /// kLeastDepthFactor...kMostDepthFactor.
     double depthHull = 1.41;

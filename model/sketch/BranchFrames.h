@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/sketch/BranchPlace.h"
 #include "model/tree/TreeIndex.h"
 
 #include <cstddef>
@@ -8,12 +9,6 @@
 #include <vector>
 
 namespace espalier {
-
-/// A place on a branch.
-struct BranchPlace {
-    InternodeId internode = 0;
-    float along = 1.0F; ///< 0...1 on the internode
-};
 
 /// The living internodes of an axis from its first one to its tip, with their frames carried along it by
 /// parallel transport: from one internode to the next by the least turn (Okabe 2005, 3.5, needs angles around

@@ -2,6 +2,7 @@
 #include "model/sketch/DrawnBranch.h"
 
 #include "model/base/Random.h"
+#include "model/sketch/CurvePieces.h"
 #include "model/sketch/SketchText.h"
 
 #include <algorithm>
@@ -12,9 +13,6 @@ namespace espalier {
 
 namespace {
 
-/// Of the line's length: how far a chord may be from it.
-constexpr float kChordShare = 0.002F;
-constexpr std::size_t kMostDrawnPieces = 400;
 /// Shorter lines are no branches, m.
 constexpr float kShortestLine = 1e-3F;
 /// A branch that begins nearer than this share of an internode to a node begins at the node.
@@ -42,57 +40,6 @@ void moveBase(std::vector<Vec3>& line, const Vec3& base)
             point += (1.0F - passed / length) * shift;
     }
     line.front() = base;
-}
-
-/// The ends of @p count pieces of equal length, base first.
-std::vector<Vec3> endsOfPieces(const std::vector<Vec3>& line, float length, std::size_t count)
-{
-    std::vector<Vec3> ends{line.front()};
-    float passed = 0.0F;
-    std::size_t segment = 1;
-    for (std::size_t i = 1; i < count; ++i) {
-        const float place = length * static_cast<float>(i) / static_cast<float>(count);
-        float here = (line[segment] - line[segment - 1]).norm();
-        while (segment + 1 < line.size() && passed + here < place) {
-            passed += here;
-            ++segment;
-            here = (line[segment] - line[segment - 1]).norm();
-        }
-        const float share = here > 0.0F ? std::clamp((place - passed) / here, 0.0F, 1.0F) : 0.0F;
-        ends.emplace_back(line[segment - 1] + share * (line[segment] - line[segment - 1]));
-    }
-    ends.push_back(line.back());
-    return ends;
-}
-
-/// The greatest distance of the line's points from the chord of the piece that they are on.
-float farthestFromChords(const std::vector<Vec3>& line, const std::vector<Vec3>& ends, float length)
-{
-    const float piece = length / static_cast<float>(ends.size() - 1);
-    float farthest = 0.0F;
-    float passed = 0.0F;
-    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-        passed += (line[i] - line[i - 1]).norm();
-        const std::size_t on = std::min(static_cast<std::size_t>(passed / piece), ends.size() - 2);
-        const Vec3 chord = ends[on + 1] - ends[on];
-        const float square = chord.squaredNorm();
-        const float share =
-            square > 0.0F ? std::clamp((line[i] - ends[on]).dot(chord) / square, 0.0F, 1.0F) : 0.0F;
-        farthest = std::max(farthest, (line[i] - ends[on] - share * chord).norm());
-    }
-    return farthest;
-}
-
-std::vector<Vec3> piecesOfLine(const std::vector<Vec3>& line, float length, double internodeLength)
-{
-    const double wanted = std::round(double{length} / internodeLength);
-    auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, static_cast<double>(kMostDrawnPieces)));
-    for (;;) {
-        std::vector<Vec3> ends = endsOfPieces(line, length, count);
-        if (count == kMostDrawnPieces || farthestFromChords(line, ends, length) <= kChordShare * length)
-            return ends;
-        count = std::min(kMostDrawnPieces, count + 1 + count / 4);
-    }
 }
 
 float radiusOn(const std::vector<float>& radii, float share)
@@ -128,7 +75,7 @@ Error drawnError(const QString& message)
 
 } // namespace
 
-Vec3 positionOf(const Tree& tree, const TreeIndex& index, const WoodPlace& place)
+Vec3 positionOf(const Tree& tree, const TreeIndex& index, const BranchPlace& place)
 {
     return index.nodePosition(place.internode) -
            (1.0F - place.along) * tree.length(place.internode) * index.heading(place.internode);
@@ -165,7 +112,7 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
     const bool isTrunk = !branch.base;
     if (isTrunk && index.livingCount() > 1)
         return drawnError(SketchText::tr("a trunk can only be drawn where nothing has grown"));
-    WoodPlace base = branch.base.value_or(WoodPlace());
+    BranchPlace base = branch.base.value_or(BranchPlace());
     if (!tree.isAlive(base.internode))
         return drawnError(SketchText::tr("the wood that it would grow from is gone"));
     if (base.along > 1.0F - kAtNode)
@@ -185,7 +132,13 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
                                   .arg(static_cast<double>(farthest)));
     }
 
-    const std::vector<Vec3> ends = piecesOfLine(branch.line, length, internodeLength);
+    std::vector<Eigen::Vector3d> curve;
+    for (const Vec3& point : branch.line)
+        curve.emplace_back(point.cast<double>());
+    std::vector<Vec3> ends;
+    for (const Eigen::Vector3d& end :
+         curvePieces(curve, std::max(internodeLength, double{length} / kMostCurvePieces)))
+        ends.emplace_back(end.cast<float>());
     const std::size_t pieces = ends.size() - 1;
     TreeDelta delta = deltaStartingAt(tree);
     delta.stepAfter = delta.stepBefore + 1;
@@ -197,7 +150,7 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
     Placement below{ends.front(), isTrunk ? Rotation(Rotation::Identity()) : index.rotation(parent)};
     for (std::size_t i = 0; i < pieces; ++i) {
         Vec3 way = below.rotation.conjugate() * Vec3(ends[i + 1] - below.node);
-        const float shortest = kShortestLine / static_cast<float>(kMostDrawnPieces);
+        const float shortest = kShortestLine / static_cast<float>(kMostCurvePieces);
         const float pieceLength = std::max(way.norm(), shortest);
         if (way.norm() < shortest) // The line turns back on itself
             way = Vec3::UnitY();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/sketch/BranchPlace.h"
 #include "model/tree/TreeIndex.h"
 
 #include <functional>
@@ -9,20 +10,12 @@
 
 namespace espalier {
 
-/// A place on the wood: 0 at the lower end of an internode, 1 at its node.
-struct WoodPlace {
-    InternodeId internode = 0;
-    float along = 1.0F;
-
-    bool operator==(const WoodPlace&) const = default;
-};
-
 /// World position of a place, m.
-Vec3 positionOf(const Tree& tree, const TreeIndex& index, const WoodPlace& place);
+Vec3 positionOf(const Tree& tree, const TreeIndex& index, const BranchPlace& place);
 
 /// Where a line would grow from the tree.
 struct Attachment {
-    WoodPlace place;
+    BranchPlace place;
     bool isReversed = false; ///< The line's last point is nearer to the tree than its first
     double distance = 0.0;   ///< Between that end and the place, in the projection's unit
 };
@@ -38,9 +31,9 @@ std::optional<Attachment> nearestAttachment(const Tree& tree, const TreeIndex& i
 
 /// A branch as it was drawn, in space.
 struct DrawnBranch {
-    std::optional<WoodPlace> base; ///< None: it becomes the trunk, where there is only a seedling
-    std::vector<Vec3> line;        ///< m; base first, two points or more
-    std::vector<float> radii;      ///< m, at even distances from base to tip; empty: what it carries decides
+    std::optional<BranchPlace> base; ///< None: it becomes the trunk, where there is only a seedling
+    std::vector<Vec3> line;          ///< m; base first, two points or more
+    std::vector<float> radii; ///< m, at even distances from base to tip; empty: what it carries decides
 };
 
 /// The edit that makes a drawn branch grow. Its first point moves onto the base, or a trunk's to the ground,

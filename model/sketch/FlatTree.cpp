@@ -2,10 +2,12 @@
 #include "model/sketch/FlatTree.h"
 
 #include "model/base/Random.h"
+#include "model/sketch/LeafPlacement.h"
 #include "model/sketch/SketchText.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace espalier {
 
@@ -37,6 +39,10 @@ public:
     {
         m_delta.stepAfter = m_delta.stepBefore + 1;
         m_delta.rows = std::make_shared<TreeRows>();
+        for (LeafId leaf = 0; leaf < tree.placedLeaves().size(); ++leaf) {
+            if (tree.placedLeaves().death[leaf] == kNever)
+                m_leaves.emplace(tree.placedLeaves().internode[leaf], leaf);
+        }
     }
 
     TreeDelta make()
@@ -51,7 +57,7 @@ public:
                 moveBranch(i);
         }
         m_delta.born.count = m_delta.rows->internodes.size();
-        if (m_delta.born.count == 0)
+        if (m_delta.born.count == 0 && m_delta.bornLeaves.count == 0)
             m_delta.rows.reset();
         return std::move(m_delta);
     }
@@ -144,16 +150,29 @@ private:
                                              .key = key});
             if (const float width = m_tree.widthConstraint(source); width > 0.0F)
                 m_delta.sparse.width.push_back({id, std::nullopt, width});
+            copyLeaves(source, id);
             m_rows[branch].push_back(id);
             m_keys[branch].push_back(key);
             parent = id;
         });
     }
 
+    /// The copy of an internode bears its leaves, in the same frames.
+    void copyLeaves(InternodeId source, InternodeId copy)
+    {
+        const auto [first, last] = m_leaves.equal_range(source);
+        for (auto i = first; i != last; ++i) {
+            LeafRow row = leafRow(m_tree, i->second);
+            row.internode = copy;
+            addLeaf(m_delta, row);
+        }
+    }
+
     const Tree& m_tree;
     const TreeDrawing& m_flat;
     const PlacedTree& m_placed;
     TreeDelta m_delta;
+    std::multimap<InternodeId, LeafId> m_leaves;   ///< That live, by the internode that bears them
     std::vector<Vec3> m_bases;                     ///< By placed branch, m
     std::vector<std::vector<Placement>> m_worlds;  ///< By placed branch and internode
     std::vector<std::vector<InternodeId>> m_rows;  ///< In the same way

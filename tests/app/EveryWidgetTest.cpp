@@ -309,6 +309,10 @@ EveryWidgetTest::State EveryWidgetTest::state(QWidget& pane)
          << QString::number(static_cast<double>(camera.azimuth()), 'f', 3)
          << QString::number(static_cast<double>(camera.position().norm()), 'f', 3)
          << QString::number(m_window->help().tour().isRunning());
+    double depth = 0.0;
+    for (InternodeId id = 0; id < document().tree().size(); ++id)
+        depth += double{document().index().nodePosition(id).z()};
+    rest << QString::number(depth);
     for (const QLabel* label : pane.findChildren<QLabel*>())
         rest << label->text();
     for (const QLineEdit* field : pane.findChildren<QLineEdit*>())

@@ -43,8 +43,7 @@ private:
     }
     void grow()
     {
-        brush(0.0F, 1.4F);
-        brush(0.9F, 1.8F, 0.3F);
+        makeTree();
         m_window->viewSettings().set(&ViewValues::leavesShown, false);
         waitForRest();
     }
@@ -70,7 +69,7 @@ void FibresTest::fibres_followTheTree()
     m_window->viewSettings().set(&ViewValues::fibresShown, true);
     grow();
     const int shown = colouredPixels();
-    QVERIFY(shown > 150);
+    QVERIFY2(shown > 150, qPrintable(QString::number(shown)));
     while (m_window->document().undoStack().canUndo())
         action(ActionId::Undo)->trigger();
     waitForRest();

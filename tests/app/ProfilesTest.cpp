@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/SetParameters.h"
-#include "commands/SketchStroke.h"
 #include "model/strands/ProfileShapes.h"
 #include "panels/ProfilePanel.h"
 #include "tests/support/TestClasses.h"
@@ -69,17 +68,7 @@ void ProfilesTest::tap(float up)
 
 void ProfilesTest::chooseTrunk()
 {
-    // How a brushed trunk is made up depends on how fast the window takes the stroke.
-    const auto draw = [&](std::vector<Vec2> points) {
-        const LassoStroke stroke{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), std::move(points)};
-        QVERIFY(sketchBranch(m_window->document(), {.stroke = stroke, .base = {}}));
-    };
-    draw({{0.0F, 0.0F}, {0.0F, 1.6F}});
-    for (int i = 0; i < 24; ++i) {
-        const float height = 0.85F + 0.03F * static_cast<float>(i);
-        const float side = i % 2 == 0 ? 1.0F : -1.0F;
-        draw({{0.0F, height}, {0.25F * side, height + 0.2F}, {0.45F * side, height + 0.6F}});
-    }
+    makeTree();
     action(ActionId::Profile)->trigger();
     QVERIFY(panel().isVisible());
     // The picture of the tree comes to rest, and what is under the pointer with it.

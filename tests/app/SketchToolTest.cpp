@@ -2,6 +2,7 @@
 #include "views/tools/SketchTool.h"
 
 #include "model/sketch/FlatTree.h"
+#include "panels/Notice.h"
 #include "panels/SketchPopOut.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
@@ -27,6 +28,8 @@ private Q_SLOTS:
     void giveDepth_spreadsTheBranches();
     void controls_tryDepthsOutAsOneStep();
     void strokesAfterwards_lieParallelToTheScreen();
+    void loop_isALeaf();
+    void largeLoop_isRefusedWithASentence();
     void tap_drawsNothing();
 
 private:
@@ -239,12 +242,32 @@ void SketchToolTest::strokesAfterwards_lieParallelToTheScreen()
         QVERIFY(std::abs((index().nodePosition(id) - base).dot(viewport().camera().forward())) < 1e-3F);
 }
 
+void SketchToolTest::loop_isALeaf()
+{
+    drawTree();
+    // From the tip of the right branch outward, and back.
+    draw({{0.9F, 1.8F}, {1.0F, 1.92F}, {1.2F, 1.95F}, {1.1F, 1.8F}, {0.92F, 1.79F}});
+    QCOMPARE(axes(), 3U);
+    QCOMPARE(tree().placedLeaves().size(), 1U);
+    QVERIFY(tree().placedLeaves().length[0] > 0.2F && tree().placedLeaves().length[0] < 0.45F);
+    action(ActionId::Undo)->trigger();
+    QCOMPARE(tree().placedLeaves().size(), 0U);
+}
+
+void SketchToolTest::largeLoop_isRefusedWithASentence()
+{
+    drawTree();
+    draw({{0.0F, 1.2F}, {0.9F, 1.3F}, {0.8F, 2.3F}, {-0.8F, 2.3F}, {-0.9F, 1.4F}, {-0.05F, 1.2F}});
+    QCOMPARE(tree().placedLeaves().size(), 0U);
+    QCOMPARE(notice(), QStringLiteral("A loop this large is no leaf; the Lasso makes crowns of loops."));
+}
+
 void SketchToolTest::tap_drawsNothing()
 {
     drawTree();
     QTest::mouseClick(handle(), Qt::LeftButton, {}, at(0.4F, 1.2F));
     QCOMPARE(steps(), 3);
-    QCOMPARE(notice(), QString());
+    QVERIFY(!workspace().notice().isVisible());
 }
 
 static const test::TestClass<SketchToolTest> sketchToolTest;

@@ -2,6 +2,7 @@
 #include "commands/SketchStroke.h"
 
 #include "commands/InferDepth.h"
+#include "commands/PlaceLeaves.h"
 #include "commands/Prune.h"
 #include "model/sketch/FlatTree.h"
 #include "tests/support/Documents.h"
@@ -28,6 +29,7 @@ private Q_SLOTS:
     void strokesWithoutLength_areRefused();
     void depth_keepsTheFrontView();
     void depth_givesASecondTree();
+    void depth_givesTheSecondTreeItsLeaves();
     void depth_isRefusedWhereThereIsSome();
     void depthTrial_replacesTheLastOne();
     void drawnTree_growsOn();
@@ -45,6 +47,15 @@ InternodeId draw(TreeDocument& document, std::vector<Vec2> points)
     const Result<InternodeId> first =
         sketchBranch(document, {.stroke = strokeOf(std::move(points)), .base = {}});
     return first ? *first : kNoInternode;
+}
+
+LeafRow leafAt(InternodeId id)
+{
+    LeafRow leaf;
+    leaf.internode = id;
+    leaf.rotation = Rotation::Identity();
+    leaf.length = 0.1F;
+    return leaf;
 }
 
 /// The last internode of a branch.
@@ -169,7 +180,7 @@ void SketchStrokeTest::replacedBranch_isGone()
     TreeDocument document;
     draw(document, {{0.0F, 0.0F}, {0.0F, 2.0F}});
     const InternodeId first = draw(document, {{0.0F, 1.0F}, {1.0F, 1.5F}});
-    const WoodPlace base{document.tree().parent(first), document.tree().columns().along[first]};
+    const BranchPlace base{document.tree().parent(first), document.tree().columns().along[first]};
     const Result<InternodeId> second =
         sketchBranch(document, {.stroke = strokeOf({{0.0F, 1.0F}, {1.0F, 1.4F}}),
                                 .base = base,
@@ -263,6 +274,24 @@ void SketchStrokeTest::depth_givesASecondTree()
     document.undo();
     QVERIFY(inferDepth(document, {.secondTree = false}));
     QCOMPARE(branches(), drawn);
+}
+
+void SketchStrokeTest::depth_givesTheSecondTreeItsLeaves()
+{
+    TreeDocument document;
+    drawTree(document);
+    const InternodeId bearer = document.tree().size() - 1; // On a branch of second order
+    QVERIFY(placeLeaf(document, leafAt(bearer)));
+    QVERIFY(placeLeaf(document, leafAt(0)));
+    const DocumentState flat(document);
+    QVERIFY(inferDepth(document, {}));
+    const LeafColumns& leaves = document.tree().placedLeaves();
+    // The trunk has no copy.
+    QCOMPARE(leaves.size(), 3U);
+    QVERIFY(leaves.internode[2] > bearer);
+    QVERIFY(leaves.rotation[2].isApprox(leaves.rotation[0]));
+    document.undo();
+    QCOMPARE(differenceFrom(flat, document), QString());
 }
 
 void SketchStrokeTest::depth_isRefusedWhereThereIsSome()

@@ -201,7 +201,7 @@ public:
         BranchStroke stroke{.stroke = operation.stroke, .base = {}, .radii = operation.radii};
         stroke.isMirrored = operation.mirror;
         if (operation.on)
-            stroke.base = WoodPlace{operation.on->number(), operation.along};
+            stroke.base = BranchPlace{operation.on->number(), operation.along};
         // Refused if a stroke has hardly any length.
         (void)sketchBranch(m_document, stroke);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/WindowFixture.h"
 
+#include "commands/SketchStroke.h"
 #include "panels/Notice.h"
 #include "panels/Theme.h"
 #include "views/Viewport.h"
@@ -73,6 +74,20 @@ void WindowFixture::brush(float fromUp, float toUp, float right)
     }
     QTest::mouseRelease(handle(), Qt::LeftButton, {}, to);
     QCoreApplication::processEvents();
+}
+
+void WindowFixture::makeTree()
+{
+    const auto draw = [&](std::vector<Vec2> points) {
+        const LassoStroke stroke{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), std::move(points)};
+        QVERIFY(sketchBranch(m_window->document(), {.stroke = stroke, .base = {}}));
+    };
+    draw({{0.0F, 0.0F}, {0.0F, 1.6F}});
+    for (int i = 0; i < 24; ++i) {
+        const float height = 0.85F + 0.03F * static_cast<float>(i);
+        const float side = i % 2 == 0 ? 1.0F : -1.0F;
+        draw({{0.0F, height}, {0.25F * side, height + 0.2F}, {0.45F * side, height + 0.6F}});
+    }
 }
 
 void WindowFixture::answer(QMessageBox::StandardButton button)

@@ -38,6 +38,9 @@ protected:
     QPoint at(float right, float up);
     /// Draws an upright stroke with the mouse.
     void brush(float fromUp = 0.0F, float toUp = 1.6F, float right = 0.0F);
+    /// Makes a tree of a trunk, 1.6 m high, and 24 branches at once. That of a stroke of the brush depends on
+    /// how fast the window takes the stroke.
+    void makeTree();
     QString notice();
     /// Presses a button of the next message box.
     void answer(QMessageBox::StandardButton button);

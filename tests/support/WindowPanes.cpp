@@ -12,6 +12,7 @@
 #include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
+#include "panels/MultiplyPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterRow.h"
 #include "panels/RotationStrip.h"
@@ -62,6 +63,7 @@ std::vector<WindowPanes::Pane> WindowPanes::all()
         {"twist", of(ActionId::Twist, *m_window.workspace().findChild<TwistPopOut*>())},
         {"new buds", of(ActionId::AddBuds, *m_window.workspace().findChild<AddBudsPopOut*>())},
         {"sketch", of(ActionId::Sketch, m_window.workspace().sketchPopOut())},
+        {"multiply", of(ActionId::Multiply, *m_window.workspace().findChild<MultiplyPopOut*>())},
         {"lasso", of(ActionId::Lasso, m_window.workspace().lassoPopOut())},
         {"history", of(ActionId::History, m_window.workspace().history())},
         {"help",

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/tools/SketchTool.h"
 
+#include "commands/PlaceLeaves.h"
 #include "commands/Prune.h"
 #include "model/sketch/FlatTree.h"
+#include "model/sketch/LeafPlacement.h"
 #include "views/tools/ToolColours.h"
 
 #include <algorithm>
@@ -20,6 +22,8 @@ constexpr float kLeastFacing = 0.25F;
 constexpr std::size_t kFormRadii = 12;
 /// A branch is at its base at most so many times as thick as the wood below it.
 constexpr float kMostOfParent = 0.65F;
+/// A leaf is at most so long, as a share of the tree's size.
+constexpr float kLargestLeaf = 0.4F;
 /// The ring around the place where a stroke would join: its least radius, px, and its radius in those of the
 /// wood.
 constexpr float kJoinRing = 6.0F;
@@ -29,6 +33,18 @@ constexpr float kRingInRadii = 1.25F;
 Eigen::Vector2d upward(const QPointF& screen)
 {
     return {screen.x(), -screen.y()};
+}
+
+/// The nodes of the living wood.
+Box3 boundsOf(const TreeDocument& document)
+{
+    Box3 box;
+    for (InternodeId id = 0; id < document.tree().size(); ++id) {
+        if (document.tree().isAlive(id))
+            box.extend(document.index().nodePosition(id));
+    }
+    box.extend(document.tree().rootPosition(0));
+    return box;
 }
 
 QPointF downward(const Eigen::Vector2d& pixel)
@@ -152,8 +168,45 @@ void SketchTool::draw()
     if (!stroke || stroke->kind == SketchStroke::Kind::Dot)
         return;
     if (stroke->kind == SketchStroke::Kind::Closed)
-        stroke->line.push_back(stroke->line.front());
-    drawLine(std::move(stroke->line));
+        drawLeaf(stroke->line);
+    else
+        drawLine(std::move(stroke->line));
+}
+
+void SketchTool::drawLeaf(SketchLine outline)
+{
+    m_last.reset();
+    TreeDocument& document = context().document();
+    if (isSeedling()) {
+        m_refused(tr("draw the trunk first: a loop is a leaf, which needs a branch"));
+        return;
+    }
+    // The point that is nearest to the wood is the leaf's base.
+    std::optional<Attachment> nearest;
+    std::size_t base = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const std::optional<Attachment> here = attachmentOf(outline[i], outline[i]);
+        if (here && (!nearest || here->distance < nearest->distance)) {
+            nearest = here;
+            base = i;
+        }
+    }
+    if (!nearest)
+        return;
+    std::ranges::rotate(outline, outline.begin() + static_cast<std::ptrdiff_t>(base));
+    const Vec3 place = positionOf(document.tree(), document.index(), nearest->place);
+    const Plane plane = planeThrough(place);
+    std::vector<Eigen::Vector3d> inSpace{place.cast<double>()};
+    for (std::size_t i = 1; i < outline.size(); ++i)
+        inSpace.emplace_back(onPlane(plane, outline[i]).cast<double>());
+    const Vec3 toViewer = plane.right.cross(plane.up);
+    const std::optional<LeafBlade> blade = bladeOf(inSpace, toViewer.cast<double>());
+    const Vec3 size = boundsOf(document).sizes();
+    if (blade && blade->length > kLargestLeaf * size.norm())
+        m_refused(tr("a loop this large is no leaf; the Lasso makes crowns of loops"));
+    else if (blade)
+        placeLeaf(document, leafOn(document.tree(), document.index(), nearest->place.internode,
+                                   nearest->place.along, *blade));
 }
 
 void SketchTool::drawLine(SketchLine line)
@@ -221,7 +274,7 @@ void SketchTool::drawLine(SketchLine line)
                       .revision = document.revision()};
 }
 
-std::vector<float> SketchTool::usualRadii(const std::optional<WoodPlace>& base, float length) const
+std::vector<float> SketchTool::usualRadii(const std::optional<BranchPlace>& base, float length) const
 {
     float scale = length;
     if (base && m_form.front() > 0.0F)

@@ -16,8 +16,8 @@ namespace espalier {
 
 /// The pencil (Okabe 2005, 3.2): a stroke becomes a branch of the one that it is nearest to, the first one
 /// the trunk. As long as the tree is flat, strokes lie in its plane, seen from wherever; later in the plane
-/// that is parallel to the screen and goes through their base. Two strokes side by side are the two sides of
-/// one branch; its form is that of the branches after it. With Shift, a pen's eraser or
+/// that is parallel to the screen and goes through their base. A loop is a leaf. Two strokes side by side are
+/// the two sides of one branch; its form is that of the branches after it. With Shift, a pen's eraser or
 /// ViewValues::sketchCuts, a stroke takes away: what it crosses once is cut there, what it crosses twice is
 /// erased.
 class SketchTool : public Tool {
@@ -43,7 +43,7 @@ public:
     QString tip() const override;
 
     /// Where a stroke that began under the pointer would join the tree.
-    const std::optional<WoodPlace>& shownPlace() const { return m_place; }
+    const std::optional<BranchPlace>& shownPlace() const { return m_place; }
 
 private:
     /// The plane that a stroke lies in.
@@ -57,7 +57,7 @@ private:
     struct Side {
         SketchLine line; ///< px, up
         InternodeId branch = 0;
-        std::optional<WoodPlace> base;
+        std::optional<BranchPlace> base;
         Camera camera;
         std::uint64_t revision = 0; ///< Of the document
     };
@@ -68,8 +68,9 @@ private:
     Vec3 onPlane(const Plane& plane, const Eigen::Vector2d& pixel) const;
     void draw();
     void drawLine(SketchLine line);
+    void drawLeaf(SketchLine outline);
     void crossOut();
-    std::vector<float> usualRadii(const std::optional<WoodPlace>& base, float length) const;
+    std::vector<float> usualRadii(const std::optional<BranchPlace>& base, float length) const;
     void paintInk(Overlay& overlay) const;
 
     std::function<void(const QString& why)> m_refused;
@@ -77,7 +78,7 @@ private:
     bool m_isCutting = false;
     std::vector<QPointF> m_path;
     QPointF m_pointer;
-    std::optional<WoodPlace> m_place;
+    std::optional<BranchPlace> m_place;
     std::uint64_t m_placeRevision = 0; ///< Of the tree that m_place is on
     std::optional<Side> m_last;
     /// Radii of the last two-sided branch in shares of its length, base to tip; before there is one, a taper.

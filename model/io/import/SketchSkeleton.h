@@ -7,7 +7,7 @@
 namespace espalier {
 
 /// The wood of a drawn tree as the segments that growSkeleton() makes internodes of. Each branch is divided
-/// into pieces of equal length, about @p internodeLength (m, > 0) each, or longer ones if the tree had more
+/// into pieces as curvePieces() does, about @p internodeLength (m, > 0) long, or longer if the tree had more
 /// than kMostSegments pieces otherwise. A branch begins at the piece that carries it, `along` its length.
 /// Where two sides were drawn, a piece has the radius that they have at its end, at most kGreatestDiameter /
 /// 2; elsewhere the radius is 0, so it follows from what the wood carries (Okabe 2005, 3.2, has a default
