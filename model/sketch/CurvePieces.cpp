@@ -10,9 +10,6 @@ namespace {
 
 using CurvePoint = Eigen::Vector3d;
 
-/// Of the curve's length: how far a chord may be from it.
-constexpr double kChordShare = 0.0005;
-
 /// The ends of @p count pieces of equal length.
 std::vector<CurvePoint> endsOfPieces(std::span<const CurvePoint> curve, double length, std::size_t count)
 {
@@ -63,13 +60,14 @@ double curveLength(std::span<const Eigen::Vector3d> curve)
     return length;
 }
 
-std::vector<Eigen::Vector3d> curvePieces(std::span<const Eigen::Vector3d> curve, double pieceLength)
+std::vector<Eigen::Vector3d> curvePieces(std::span<const Eigen::Vector3d> curve, double pieceLength,
+                                         double tolerance)
 {
     const double length = curveLength(curve);
     auto count = static_cast<std::size_t>(std::max(1.0, std::round(length / pieceLength)));
     for (;;) {
         std::vector<CurvePoint> ends = endsOfPieces(curve, length, count);
-        if (count >= kMostCurvePieces || farthestFromChords(curve, ends, length) <= kChordShare * length)
+        if (count >= kMostCurvePieces || farthestFromChords(curve, ends, length) <= tolerance)
             return ends;
         count = std::min(kMostCurvePieces, count + 1 + count / 4);
     }

@@ -12,9 +12,13 @@ namespace espalier {
 double curveLength(std::span<const Eigen::Vector3d> curve);
 
 /// The ends of the internodes that a drawn curve is divided into, base first: pieces of equal length, about
-/// @p pieceLength each, or less where a chord would leave the curve by more than a two-thousandth of its
-/// length; at most kMostCurvePieces for that reason. The curve has two points or more.
+/// @p pieceLength each, or less where a chord would leave the curve by more than @p tolerance; at most
+/// kMostCurvePieces for that reason. The curve has two points or more.
 inline constexpr std::size_t kMostCurvePieces = 400;
-std::vector<Eigen::Vector3d> curvePieces(std::span<const Eigen::Vector3d> curve, double pieceLength);
+std::vector<Eigen::Vector3d> curvePieces(std::span<const Eigen::Vector3d> curve, double pieceLength,
+                                         double tolerance);
+
+/// The tolerance of the curves of a drawing, as a share of its size: less than a pixel of a thousand.
+inline constexpr double kDrawingTolerance = 0.0007;
 
 } // namespace espalier

@@ -42,6 +42,17 @@ void moveBase(std::vector<Vec3>& line, const Vec3& base)
     line.front() = base;
 }
 
+/// The longest side of the box around the nodes of the living wood, m.
+float woodSize(const Tree& tree, const TreeIndex& index)
+{
+    Box3 box;
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (tree.isAlive(id))
+            box.extend(index.nodePosition(id));
+    }
+    return box.sizes().maxCoeff();
+}
+
 float radiusOn(const std::vector<float>& radii, float share)
 {
     const float place = share * static_cast<float>(radii.size() - 1);
@@ -135,9 +146,12 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
     std::vector<Eigen::Vector3d> curve;
     for (const Vec3& point : branch.line)
         curve.emplace_back(point.cast<double>());
+    // A trunk is about as large as the drawing will be.
+    const float size = isTrunk ? length : std::max(length, woodSize(tree, index));
     std::vector<Vec3> ends;
     for (const Eigen::Vector3d& end :
-         curvePieces(curve, std::max(internodeLength, double{length} / kMostCurvePieces)))
+         curvePieces(curve, std::max(internodeLength, double{length} / kMostCurvePieces),
+                     kDrawingTolerance * double{size}))
         ends.emplace_back(end.cast<float>());
     const std::size_t pieces = ends.size() - 1;
     TreeDelta delta = deltaStartingAt(tree);

@@ -189,6 +189,7 @@ void HelpTest::links_leadToPagesAndBack()
     QCOMPARE(help().page(), QStringLiteral("lasso"));
     QCOMPARE(list->currentItem()->text(), QStringLiteral("Lasso"));
     const QListWidgetItem* item = list->findItems(QStringLiteral("Prune"), Qt::MatchExactly).value(0);
+    list->scrollToItem(item);
     const QPoint place = list->visualItemRect(item).center();
     QTest::mouseClick(handle(), Qt::LeftButton, {}, list->viewport()->mapTo(m_window.get(), place));
     QCOMPARE(help().page(), QStringLiteral("prune"));

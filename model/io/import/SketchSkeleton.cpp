@@ -48,10 +48,16 @@ BranchPieces branchPiecesOf(const PlacedTree& tree, double internodeLength)
     const double spare = std::max(1.0, static_cast<double>(kMostSegments) -
                                            static_cast<double>(kMostCurvePieces * tree.branches.size()));
     const double pieceLength = std::max(internodeLength, whole / spare);
+    Eigen::AlignedBox3d box;
+    for (const PlacedBranch& branch : tree.branches) {
+        for (const Eigen::Vector3d& point : branch.line)
+            box.extend(point);
+    }
+    const double tolerance = kDrawingTolerance * box.sizes().head<2>().maxCoeff();
     BranchPieces pieces;
     std::size_t first = 0;
     for (const PlacedBranch& branch : tree.branches) {
-        pieces.ends.push_back(curvePieces(branch.line, pieceLength));
+        pieces.ends.push_back(curvePieces(branch.line, pieceLength, tolerance));
         pieces.firsts.push_back(first);
         first += pieces.ends.back().size() - 1;
     }
