@@ -198,7 +198,7 @@ void Viewport::takeInHand(const PointerSample& sample)
 {
     if (m_hand->isActive())
         return;
-    Tool* hand = sample.isEraser ? m_eraser.get() : m_tool.get();
+    Tool* hand = sample.isEraser && !m_tool->takesEraser() ? m_eraser.get() : m_tool.get();
     if (m_sun->isAt(sample.position, reachOf(sample.device)))
         hand = m_sun.get();
     if (hand == m_hand)

@@ -9,6 +9,10 @@
 #include "views/Viewport.h"
 
 #include <QAbstractButton>
+#include <QCoreApplication>
+#include <QInputDevice>
+#include <QPointingDevice>
+#include <QTabletEvent>
 #include <QTest>
 
 using namespace espalier;
@@ -25,6 +29,7 @@ private Q_SLOTS:
     void twoSides_giveABranchItsWidth();
     void mirror_drawsBothSides();
     void strokeAcrossOnce_cuts_twice_erases();
+    void eraser_erasesWhatItCrossesTwice();
     void giveDepth_spreadsTheBranches();
     void controls_tryDepthsOutAsOneStep();
     void strokesAfterwards_lieParallelToTheScreen();
@@ -187,6 +192,27 @@ void SketchToolTest::strokeAcrossOnce_cuts_twice_erases()
     QCOMPARE(m_window->document().undoStack().undoText(), QStringLiteral("Prune"));
     draw({{-0.2F, 1.7F}, {-0.3F, 1.2F}, {-0.5F, 1.2F}, {-0.6F, 1.9F}}, Qt::ShiftModifier);
     QCOMPARE(axes(), 2U);
+}
+
+void SketchToolTest::eraser_erasesWhatItCrossesTwice()
+{
+    drawTree();
+    static QPointingDevice eraser(
+        QStringLiteral("eraser"), 73, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Eraser,
+        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 3);
+    const auto send = [&](QEvent::Type type, const QPoint& place) {
+        const bool isUp = type == QEvent::TabletRelease;
+        const QPointF local = viewport().mapFrom(m_window.get(), place);
+        QTabletEvent event(type, &eraser, local, viewport().mapToGlobal(local), isUp ? 0.0 : 0.6, 0, 0, 0, 0,
+                           0, {}, Qt::LeftButton, isUp ? Qt::NoButton : Qt::LeftButton);
+        QCoreApplication::sendEvent(&viewport(), &event);
+    };
+    const std::vector<Place> places{{-0.2F, 1.7F}, {-0.3F, 1.2F}, {-0.5F, 1.2F}, {-0.6F, 1.9F}};
+    send(QEvent::TabletPress, at(places.front().right, places.front().up));
+    for (const Place& place : places)
+        send(QEvent::TabletMove, at(place.right, place.up));
+    send(QEvent::TabletRelease, at(places.back().right, places.back().up));
+    QTRY_COMPARE(axes(), 2U);
 }
 
 void SketchToolTest::giveDepth_spreadsTheBranches()

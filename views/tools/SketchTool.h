@@ -38,6 +38,7 @@ public:
     void hover(const PointerSample& sample) override;
     void leave() override;
 
+    bool takesEraser() const override { return true; }
     bool isActive() const override { return m_isActive; }
     void paint(Overlay& overlay) const override;
     QString tip() const override;

@@ -46,6 +46,8 @@ public:
         Q_UNUSED(sample)
         return false;
     }
+    /// Whether the tool has a use of its own for a pen's eraser end, which prunes otherwise.
+    virtual bool takesEraser() const { return false; }
     /// Handles a key (Qt::Key) that no shortcut uses, between gestures; Escape removes the tool's pins or
     /// handles. Returns whether the tool uses the key.
     virtual bool keyPressed(int key)

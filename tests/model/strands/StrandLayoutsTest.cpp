@@ -5,6 +5,8 @@
 #include "tests/support/Strands.h"
 #include "tests/support/TestClasses.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QTest>
 
 #include <tbb/global_control.h>
@@ -204,8 +206,13 @@ void StrandLayoutsTest::bundles_areDenseAndCentred()
 void StrandLayoutsTest::samples_keepTheInvariants_data()
 {
     QTest::addColumn<QString>("name");
-    for (const char* const name : {"oak", "olive", "helix", "palm"})
-        QTest::newRow(name) << QString::fromLatin1(name);
+    QStringList names;
+    for (const QFileInfo& file : QDir(QStringLiteral(SOURCE_DIR "/resources/recipes"))
+                                     .entryInfoList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
+        names << file.completeBaseName();
+    QVERIFY(names.size() >= 38);
+    for (const QString& name : names)
+        QTest::newRow(qPrintable(name)) << name;
 }
 
 void StrandLayoutsTest::samples_keepTheInvariants()
@@ -228,9 +235,22 @@ void StrandLayoutsTest::samples_keepTheInvariants()
         QVERIFY(std::isfinite(layouts.scale(i)) && layouts.scale(i) > 0.0F);
         if (layouts.owner(i) != i || layouts.strandCount(i) < 50)
             continue;
-        const float radius = radiusOf(layouts.places(i));
-        QVERIFY2(static_cast<float>(layouts.strandCount(i)) / (radius * radius) >= kLeastFill,
-                 qPrintable(QStringLiteral("%1: %2").arg(layouts.strandCount(i)).arg(double{radius})));
+        const StrandNode& node = layouts.skeleton().nodes[i];
+        const float count = static_cast<float>(layouts.strandCount(i));
+        const float scale = layouts.profileScale(i);
+        const StrandProfile* const profile =
+            node.along == 1.0F ? document.tree().profileOf(node.internode) : nullptr;
+        if (profile != nullptr) {
+            // A drawn section: its strands are inside, and fill it.
+            const float fill = count * std::numbers::pi_v<float> / (scale * scale * areaOf(*profile));
+            QVERIFY2(fill >= 0.7F, qPrintable(QStringLiteral("%1: %2").arg(i).arg(double{fill})));
+            for (const Vec2& place : layouts.places(i))
+                QVERIFY(distanceOutside(*profile, place / scale) * scale < 0.5F);
+        } else if (scale == 0.0F) {
+            const float radius = radiusOf(layouts.places(i));
+            QVERIFY2(count / (radius * radius) >= kLeastFill,
+                     qPrintable(QStringLiteral("%1: %2").arg(count).arg(double{radius})));
+        }
     }
 }
 
