@@ -3,6 +3,7 @@
 
 #include "app/HelpController.h"
 #include "app/LatinKeyFilter.h"
+#include "app/LeafController.h"
 #include "app/LookController.h"
 #include "app/ProfileController.h"
 #include "app/SketchController.h"
@@ -122,6 +123,7 @@ private:
     std::unique_ptr<LookController> m_looks;
     std::unique_ptr<ProfileController> m_profiles;
     std::unique_ptr<SketchController> m_sketching;
+    std::unique_ptr<LeafController> m_leaves;
     std::unique_ptr<HelpController> m_help;
 };
 

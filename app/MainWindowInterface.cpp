@@ -59,6 +59,8 @@ void MainWindow::makeInterface()
     m_sketching = std::make_unique<SketchController>(
         m_document, m_viewSettings, m_workspace->sketchPopOut(), [this] { return isBusy(); },
         [this](const QString& what) { m_workspace->notice().showInformation(what); });
+    m_leaves = std::make_unique<LeafController>(m_document, m_workspace->viewport(),
+                                                m_workspace->leafChoices(), [this] { return isBusy(); });
     connectPopOuts();
     connectViewport();
 }
@@ -93,6 +95,7 @@ void MainWindow::remakeInterface()
     m_library.reset();
     m_looks.reset();
     m_sketching.reset();
+    m_leaves.reset();
     // The tool in hand refers to the profiles.
     m_workspace.reset();
     m_profiles.reset();

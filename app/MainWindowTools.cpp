@@ -133,6 +133,7 @@ void MainWindow::takeTool()
     }
     updateTip();
     m_profiles->setShown(popOut == Workspace::PopOut::Profile);
+    m_leaves->setShown(popOut == Workspace::PopOut::Sketch);
     m_workspace->showPopOut(popOut);
 }
 

@@ -13,6 +13,7 @@
 #include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
+#include "panels/LeafChoices.h"
 #include "panels/MultiplyPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
@@ -74,6 +75,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_brushSheet(new BrushPanel(document, settings, Preferences::kSoftest, Preferences::kFirmest, this)),
       m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
+      m_leafChoices(new LeafChoices(this)),
       m_library(new LibraryPanel(libraryPicture, this)),
       m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
@@ -97,6 +99,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
             [this] { m_strip->setAzimuth(static_cast<double>(m_viewport->camera().azimuth())); });
     connect(&settings, &ViewSettings::changed, this, &Workspace::followBackdrop);
     followBackdrop();
+    connect(m_leafChoices, &LeafChoices::offerChanged, this, &Workspace::arrange);
     connect(m_notice, &Notice::resized, this, &Workspace::arrange);
     m_countTimer.setSingleShot(true);
     m_countTimer.setInterval(kCountInterval);
@@ -306,6 +309,11 @@ void Workspace::arrange()
     historyPlace.setHeight(std::min(history.height(), lowest - historyPlace.top()));
     m_history->setGeometry(historyPlace);
     m_history->setVisible(shown && m_isHistoryShown);
+    // What could come next is beside the history.
+    const QSize choices = m_leafChoices->sizeHint();
+    const int choicesRight = (m_isHistoryShown ? history.width() + kGap : 0) + choices.width() + kGap;
+    m_leafChoices->setGeometry(placed({right - choicesRight, y, choices.width(), choices.height()}));
+    m_leafChoices->setVisible(shown && m_leafChoices->isOffering());
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
     m_onlyOne->adjustSize();

@@ -28,6 +28,7 @@ class GrowPopOut;
 class HelpPanel;
 class HistoryPanel;
 class LassoPopOut;
+class LeafChoices;
 class LibraryPanel;
 class MultiplyPopOut;
 class Notice;
@@ -55,6 +56,7 @@ public:
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
     SketchPopOut& sketchPopOut() { return *m_sketchPopOut; }
+    LeafChoices& leafChoices() { return *m_leafChoices; }
     ProfilePanel& profilePanel() { return *m_profilePanel; }
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
     ArchitecturePanel& architecture() { return *m_architecture; }
@@ -112,6 +114,7 @@ private:
     BackgroundPanel* m_background;
     std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
+    LeafChoices* m_leafChoices;
     LibraryPanel* m_library;
     HelpPanel* m_help;
     RotationStrip* m_strip;

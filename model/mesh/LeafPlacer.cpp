@@ -15,6 +15,8 @@ namespace espalier {
 namespace {
 
 constexpr std::size_t kTubesPerTask = 256;
+/// The diameter of the thickest wood with leaves, where the user has set it, in lengths of a leaf.
+constexpr double kThickestShoot = 0.25;
 /// The farthest that a leaf card reaches from its petiole, in lengths and widths.
 constexpr float kLongestReach = 1.5F;
 /// Number of steps in half a turn upward.
@@ -84,13 +86,14 @@ double shiftedLeafHue(double hue, double amount)
     return hue + amount * (red - hue);
 }
 
-LeafRule::LeafRule(const Tree& tree, const TreeIndex& index) : m_index(index)
+LeafRule::LeafRule(const Tree& tree, const TreeIndex& index) : m_tree(tree), m_index(index)
 {
     const LeafParameters& leaves = tree.parameters().leaves;
     const int perNode = leaves.visible ? std::clamp(leaves.perNode, 0, static_cast<int>(kMost)) : 0;
     m_perNode = static_cast<std::uint32_t>(perNode);
     m_maxTips = static_cast<std::uint32_t>(std::max(0, leaves.maxTips));
     m_reach = static_cast<std::uint32_t>(std::max(0, leaves.reach));
+    m_thickest = static_cast<float>(kThickestShoot * leaves.length);
 }
 
 std::uint32_t LeafRule::count(std::span<const InternodeId> internodes) const

@@ -25,8 +25,8 @@ double shootWeakness(double vigour, double reference = kFullVigour);
 /// purple through magenta, never through blue. All in rad; the result may be above 2π.
 double shiftedLeafHue(double hue, double amount);
 
-/// Which internodes have leaves, by the LeafParameters in force: those that carry few tips and lie near the
-/// end of their branch.
+/// Which internodes have leaves, by the LeafParameters in force: those that carry few tips, lie near the end
+/// of their branch, and have not been made thick by the user, in proportion to a leaf.
 class LeafRule {
 public:
     LeafRule(const Tree& tree, const TreeIndex& index);
@@ -35,7 +35,8 @@ public:
     bool bears(InternodeId id) const
     {
         const std::uint32_t tips = m_index.tipCount(id);
-        return m_perNode > 0 && tips > 0 && tips <= m_maxTips && m_index.subtreeSize(id) <= m_reach;
+        return m_perNode > 0 && tips > 0 && tips <= m_maxTips && m_index.subtreeSize(id) <= m_reach &&
+               m_tree.widthConstraint(id) <= m_thickest;
     }
     /// Number of leaves on each internode that bears leaves, 0...kMost.
     std::uint32_t leavesPerInternode() const { return m_perNode; }
@@ -45,10 +46,12 @@ public:
     static constexpr std::uint32_t kMost = 8;
 
 private:
+    const Tree& m_tree;
     const TreeIndex& m_index;
     std::uint32_t m_perNode;
     std::uint32_t m_maxTips;
     std::uint32_t m_reach;
+    float m_thickest; ///< Of the diameters that the user has set, m
 };
 
 /// Places leaves at the nodes of young shoots (LeafRule), on the bark of the wood that is shown, and shows

@@ -72,7 +72,7 @@ void WoodTracker::follow(const Tree& tree, const TreeIndex& index, const TreeDel
     resize(tree.size());
     ++m_update;
     collectTouched(tree, index, delta);
-    collectChanged(tree, index);
+    collectChanged(tree, index, delta);
     m_placedLeaves.update(tree, delta);
     const std::span<const InternodeId> leafy = m_placedLeaves.recentlyChanged();
     m_dirtyLeaves.insert(m_dirtyLeaves.end(), leafy.begin(), leafy.end());
@@ -227,8 +227,9 @@ void WoodTracker::collectTouched(const Tree& tree, const TreeIndex& index, const
     });
 }
 
-/// Notes internodes that carry more or fewer tips than before.
-void WoodTracker::collectChanged(const Tree& tree, const TreeIndex& index)
+/// Notes internodes that carry more or fewer tips than before, or have leaves since the user set their width,
+/// or have none any more.
+void WoodTracker::collectChanged(const Tree& tree, const TreeIndex& index, const TreeDelta& delta)
 {
     const LeafRule leaves(tree, index);
     for (const InternodeId id : index.recentlyChanged()) {
@@ -240,6 +241,10 @@ void WoodTracker::collectChanged(const Tree& tree, const TreeIndex& index)
         inspect(index, id, kTolerance);
         if (const InternodeId parent = tree.parent(id); parent != kNoInternode)
             inspect(index, parent, kTolerance);
+    }
+    for (const auto& change : delta.sparse.width) {
+        if (tree.isAlive(change.row) && leaves.bears(change.row) != (m_bears[change.row] != 0))
+            m_dirty.push_back(change.row);
     }
 }
 

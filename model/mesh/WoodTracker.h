@@ -73,7 +73,7 @@ public:
 private:
     void forgetRemoved(const Tree& tree, const TreeDelta& delta);
     void collectTouched(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
-    void collectChanged(const Tree& tree, const TreeIndex& index);
+    void collectChanged(const Tree& tree, const TreeIndex& index, const TreeDelta& delta);
     void collectRange(const Tree& tree, const TreeIndex& index, IdRange range, float tolerance);
     void inspect(const TreeIndex& index, InternodeId id, float tolerance);
     void checkRadius(const TreeIndex& index, InternodeId id, float tolerance);

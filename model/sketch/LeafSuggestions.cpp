@@ -97,6 +97,15 @@ struct LeafForm {
     double length = 0.0;                                       ///< m
 };
 
+/// @p frame, or its other side up, whichever is nearer to @p sample: the upper sides of leaves that are drawn
+/// all look at the viewer, whichever side of the branch they are on.
+Eigen::Quaterniond faceUpLike(const Eigen::Quaterniond& sample, const Eigen::Quaterniond& frame)
+{
+    const Eigen::Quaterniond over =
+        frame * Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitY()));
+    return std::abs(over.dot(sample)) > std::abs(frame.dot(sample)) + kSameAngle ? over : frame;
+}
+
 LeafForm meanForm(std::initializer_list<const Whorl*> samples)
 {
     const Eigen::Quaterniond first = (*samples.begin())->front().frame;
@@ -105,8 +114,9 @@ LeafForm meanForm(std::initializer_list<const Whorl*> samples)
     std::size_t count = 0;
     for (const Whorl* const whorl : samples) {
         for (const LeafSample& leaf : *whorl) {
-            const double sign = leaf.frame.dot(first) < 0.0 ? -1.0 : 1.0;
-            sum += sign * leaf.frame.coeffs();
+            const Eigen::Quaterniond frame = faceUpLike(first, leaf.frame);
+            const double sign = frame.dot(first) < 0.0 ? -1.0 : 1.0;
+            sum += sign * frame.coeffs();
             length += leaf.length;
             ++count;
         }

@@ -36,11 +36,11 @@ struct LeafSuggestion {
 /// leaf's whorl and the whorl nearest to it on the same branch, among living leaves of its kind.
 ///
 /// New leaves have the mean length of the samples, and their mean frame apart from the angle around the
-/// branch; angles are taken in frames that are carried along the branch (BranchFrames). Arrangements go on
-/// from the samples toward the tip and toward the base, up to the ends of the branch; a place that has leaves
-/// already is left as it is. Only these leaves of the samples move: AddToWhorl gives the leaves of its whorl
-/// the place of the oldest one, even angles and the mean frame; Opposite and Decussate turn a leaf of a
-/// sample into its pair.
+/// branch and from which of its two sides is up; angles are taken in frames that are carried along the branch
+/// (BranchFrames). Arrangements go on from the samples toward the tip and toward the base, up to the ends of
+/// the branch; a place that has leaves already is left as it is. Only these leaves of the samples move:
+/// AddToWhorl gives the leaves of its whorl the place of the oldest one, even angles and the mean frame;
+/// Opposite and Decussate turn a leaf of a sample into its pair.
 ///
 /// Angles between the leaves of a new whorl are even to 1e-6 rad. Nothing for a dead internode, or for a
 /// branch without leaves. The result is a function of the tree and the place.

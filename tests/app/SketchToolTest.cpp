@@ -2,6 +2,7 @@
 #include "views/tools/SketchTool.h"
 
 #include "model/sketch/FlatTree.h"
+#include "panels/LeafChoices.h"
 #include "panels/Notice.h"
 #include "panels/SketchPopOut.h"
 #include "tests/support/TestClasses.h"
@@ -34,6 +35,7 @@ private Q_SLOTS:
     void controls_tryDepthsOutAsOneStep();
     void strokesAfterwards_lieParallelToTheScreen();
     void loop_isALeaf();
+    void placedLeaves_bringSuggestions();
     void largeLoop_isRefusedWithASentence();
     void tap_drawsNothing();
 
@@ -278,6 +280,47 @@ void SketchToolTest::loop_isALeaf()
     QVERIFY(tree().placedLeaves().length[0] > 0.2F && tree().placedLeaves().length[0] < 0.45F);
     action(ActionId::Undo)->trigger();
     QCOMPARE(tree().placedLeaves().size(), 0U);
+}
+
+void SketchToolTest::placedLeaves_bringSuggestions()
+{
+    drawTree();
+    LeafChoices& choices = workspace().leafChoices();
+    const auto choice = [&choices](LeafEngine engine) {
+        return choices.findChild<QAbstractButton*>(
+            QStringLiteral("leafChoice%1").arg(static_cast<int>(engine)));
+    };
+    QVERIFY(!choices.isVisible());
+    draw({{0.5F, 1.4F}, {0.46F, 1.5F}, {0.5F, 1.6F}, {0.54F, 1.5F}, {0.505F, 1.41F}});
+    QCOMPARE(tree().placedLeaves().size(), 1U);
+    QTRY_VERIFY(choices.isVisible());
+    QVERIFY(choice(LeafEngine::AddToWhorl)->isVisible());
+    QVERIFY(!choice(LeafEngine::Alternate)->isVisible());
+    const QImage alone = choice(LeafEngine::AddToWhorl)->icon().pixmap(112).toImage();
+
+    draw({{0.7F, 1.6F}, {0.73F, 1.5F}, {0.7F, 1.4F}, {0.67F, 1.5F}, {0.695F, 1.59F}});
+    QCOMPARE(tree().placedLeaves().size(), 2U);
+    QTRY_VERIFY(choice(LeafEngine::Alternate)->isVisible());
+    QVERIFY(choice(LeafEngine::Opposite)->isVisible() && choice(LeafEngine::Decussate)->isVisible());
+    QVERIFY(alone != choice(LeafEngine::AddToWhorl)->icon().pixmap(112).toImage());
+    QVERIFY(!choices.geometry().intersects(workspace().sketchPopOut().geometry()));
+
+    const int before = steps();
+    QTest::mouseClick(choice(LeafEngine::Alternate), Qt::LeftButton);
+    QCOMPARE(steps(), before + 1);
+    QVERIFY(tree().placedLeaves().size() > 3U);
+    action(ActionId::Undo)->trigger();
+    QCOMPARE(tree().placedLeaves().size(), 2U);
+    QTRY_VERIFY(choice(LeafEngine::Alternate)->isVisible());
+
+    // They cost nothing to one who goes on with something else.
+    draw({{0.0F, 0.6F}, {0.5F, 0.9F}});
+    QTRY_VERIFY(!choices.isVisible());
+    action(ActionId::Undo)->trigger();
+    action(ActionId::Undo)->trigger();
+    QTRY_VERIFY(choices.isVisible());
+    action(ActionId::Brush)->trigger();
+    QTRY_VERIFY(!choices.isVisible());
 }
 
 void SketchToolTest::largeLoop_isRefusedWithASentence()

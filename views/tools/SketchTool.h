@@ -83,7 +83,7 @@ private:
     std::uint64_t m_placeRevision = 0; ///< Of the tree that m_place is on
     std::optional<Side> m_last;
     /// Radii of the last two-sided branch in shares of its length, base to tip; before there is one, a taper.
-    std::vector<float> m_form{0.022F, 0.008F};
+    std::vector<float> m_form{0.022F, 0.004F};
     CutPreview m_preview;
 };
 

@@ -23,6 +23,7 @@ class LeafPlacerTest : public QObject {
 
 private Q_SLOTS:
     void leaves_areOnYoungShootsAlone();
+    void woodThatTheUserMadeThick_isBare();
     void leaves_followTheParametersInForce();
     void azimuth_turnsByThePhyllotaxis_data();
     void azimuth_turnsByThePhyllotaxis();
@@ -133,6 +134,20 @@ void LeafPlacerTest::leaves_areOnYoungShootsAlone()
             QCOMPARE(leaves.size(), expected);
         }
     }
+}
+
+void LeafPlacerTest::woodThatTheUserMadeThick_isBare()
+{
+    TreeParameters parameters;
+    parameters.leaves.length = 0.08;
+    TreeBuilder builder(1, parameters);
+    const InternodeId tip = builder.growAxis(0, kTerminalSlot, continuing(), 4);
+    QVERIFY(LeafRule(builder.tree, builder.index).bears(tip));
+    builder.apply(widthChange(builder.tree, tip, 0.03F));
+    QVERIFY(!LeafRule(builder.tree, builder.index).bears(tip));
+    QVERIFY(LeafRule(builder.tree, builder.index).bears(tip - 1));
+    builder.apply(widthChange(builder.tree, tip, 0.015F));
+    QVERIFY(LeafRule(builder.tree, builder.index).bears(tip));
 }
 
 void LeafPlacerTest::leaves_followTheParametersInForce()

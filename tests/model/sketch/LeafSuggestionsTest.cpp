@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/sketch/LeafSuggestions.h"
 
+#include "model/sketch/LeafPlacement.h"
+#include "model/tree/PlacedLeafIndex.h"
 #include "tests/support/PlacedLeaves.h"
 #include "tests/support/TestClasses.h"
 
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -25,6 +28,7 @@ private Q_SLOTS:
     void whorls_fillTheBranch();
     void whorls_completeTheSecondSample();
     void alternateLeaves_goOnInASpiral();
+    void drawnLeaves_showTheirFacesWhicheverSideTheyAreOn();
     void pairs_lieInOnePlaneOrAcross();
     void leavesThatAreThere_stay();
     void kinds_areApart();
@@ -314,6 +318,33 @@ void LeafSuggestionsTest::alternateLeaves_goOnInASpiral()
     }
     for (LeafId leaf = 2; leaf < branch.builder.tree.placedLeaves().size(); ++leaf)
         QVERIFY(std::abs(branch.builder.tree.placedLeaves().length[leaf] - 0.11F) < 1e-6F);
+}
+
+void LeafSuggestionsTest::drawnLeaves_showTheirFacesWhicheverSideTheyAreOn()
+{
+    // Two leaves in the plane of the picture, one on each side of the trunk, both of whose faces look
+    // forward.
+    TreeBuilder builder;
+    const InternodeId tip = builder.growAxis(0, kTerminalSlot, continuing(), 10);
+    const Eigen::Vector3d toViewer = Eigen::Vector3d::UnitZ();
+    for (const double side : {1.0, -1.0}) {
+        const InternodeId id = tip - 5 + (side > 0.0 ? 0U : 2U);
+        const Eigen::Vector3d base = builder.index.nodePosition(id).cast<double>();
+        const std::array<Eigen::Vector3d, 2> outline{base, base + Eigen::Vector3d(0.1 * side, 0.06, 0.0)};
+        TreeDelta delta = deltaStartingAt(builder.tree);
+        addLeaf(delta, leafOn(builder.tree, builder.index, id, 1.0F, *bladeOf(outline, toViewer)));
+        builder.apply(std::move(delta));
+    }
+    for (LeafSuggestion& suggestion : suggestLeaves(builder.tree, builder.index, {tip - 3, 1.0F})) {
+        if (suggestion.engine == LeafEngine::Alternate)
+            builder.apply(std::move(suggestion.delta));
+    }
+    const LeafColumns& leaves = builder.tree.placedLeaves();
+    QVERIFY(leaves.size() > 3);
+    for (LeafId leaf = 2; leaf < leaves.size(); ++leaf) {
+        const Rotation frame = placedLeafFrame(builder.tree, builder.index, leaf);
+        QVERIFY(std::abs((frame * Vec3(Vec3::UnitZ())).z()) > 0.99F);
+    }
 }
 
 void LeafSuggestionsTest::pairs_lieInOnePlaneOrAcross()

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/LeafChoices.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace espalier {
+
+namespace {
+
+constexpr int kColumns = 2;
+
+struct EngineText {
+    const char* name;
+    const char* tip;
+};
+
+/// In the order of kLeafEngines.
+constexpr std::array<EngineText, kLeafEngines.size()> kEngineTexts{{
+    {QT_TRANSLATE_NOOP("LeafChoices", "One more"),
+     QT_TRANSLATE_NOOP("LeafChoices",
+                       "One more leaf at this place; all of them stand evenly around the branch.")},
+    {QT_TRANSLATE_NOOP("LeafChoices", "Whorls"),
+     QT_TRANSLATE_NOOP("LeafChoices", "Such whorls at this distance along the whole branch.")},
+    {QT_TRANSLATE_NOOP("LeafChoices", "Alternate"),
+     QT_TRANSLATE_NOOP(
+         "LeafChoices",
+         "One leaf at a time along the branch, each turned as the second is against the first.")},
+    {QT_TRANSLATE_NOOP("LeafChoices", "Opposite"),
+     QT_TRANSLATE_NOOP("LeafChoices", "Pairs of leaves along the branch, all in one plane.")},
+    {QT_TRANSLATE_NOOP("LeafChoices", "Decussate"),
+     QT_TRANSLATE_NOOP("LeafChoices", "Pairs of leaves along the branch, each across the one below it.")},
+}};
+
+} // namespace
+
+LeafChoices::LeafChoices(QWidget* parent) : Bar(parent)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 8, 8, 8);
+    column->setSpacing(2);
+    column->addWidget(barHeading(tr("Go on with"), this));
+    m_grid = new QGridLayout;
+    m_grid->setSpacing(2);
+    column->addLayout(m_grid);
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        auto* button = new QToolButton(this);
+        button->setObjectName(QStringLiteral("leafChoice%1").arg(i));
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setProperty("look", "tool");
+        button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        button->setIconSize({kPicture, kPicture});
+        const QString name = tr(kEngineTexts[i].name);
+        button->setText(name);
+        button->setToolTip(tr("<b>%1</b><br>%2").arg(name, tr(kEngineTexts[i].tip)));
+        button->hide();
+        connect(button, &QToolButton::clicked, this, [this, i] { Q_EMIT chosen(kLeafEngines[i]); });
+        m_buttons[i] = button;
+    }
+    hide();
+}
+
+void LeafChoices::offer(const std::array<QImage, kLeafEngines.size()>& pictures)
+{
+    int count = 0;
+    for (std::size_t i = 0; i < m_buttons.size(); ++i) {
+        m_buttons[i]->setIcon(QIcon(QPixmap::fromImage(pictures[i])));
+        m_buttons[i]->setVisible(!pictures[i].isNull());
+        m_grid->removeWidget(m_buttons[i]);
+        if (pictures[i].isNull())
+            continue;
+        m_grid->addWidget(m_buttons[i], count / kColumns, count % kColumns, Qt::AlignHCenter);
+        ++count;
+    }
+    m_isOffering = count > 0;
+    updateGeometry();
+    Q_EMIT offerChanged();
+}
+
+} // namespace espalier
