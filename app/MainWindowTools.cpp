@@ -15,6 +15,7 @@
 #include "views/tools/GrowTool.h"
 #include "views/tools/InvigorateTool.h"
 #include "views/tools/LassoTool.h"
+#include "views/tools/MoveTool.h"
 #include "views/tools/MultiplyTool.h"
 #include "views/tools/ProfileTool.h"
 #include "views/tools/PruneTool.h"
@@ -109,9 +110,13 @@ void MainWindow::takeTool()
         popOut = Workspace::PopOut::AddBuds;
         break;
     case ActionId::Sketch:
-        viewport.setTool(
-            std::make_unique<SketchTool>(context, [this](const QString& why) { m_sketching->refuse(why); }));
+        viewport.setTool(std::make_unique<SketchTool>(
+            context, m_lassoRunner, [this](const QString& why) { m_sketching->refuse(why); }));
         popOut = Workspace::PopOut::Sketch;
+        break;
+    case ActionId::Move:
+        viewport.setTool(
+            std::make_unique<MoveTool>(context, [this](const QString& why) { m_sketching->refuse(why); }));
         break;
     case ActionId::Multiply:
         viewport.setTool(std::make_unique<MultiplyTool>(

@@ -27,6 +27,7 @@ enum class ActionId {
     Brush,
     Sketch,
     Multiply,
+    Move,
     Grow,
     Prune,
     SelectBud,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/MoveBranch.h"
 #include "commands/MultiplyBranch.h"
 #include "commands/PropagateBranch.h"
 #include "commands/ReproduceTree.h"
@@ -10,6 +11,17 @@
 #include "commands/recipe/VaryOperation.h"
 
 namespace espalier {
+
+QString MoveBranchOperation::perform(TreeDocument& document) const
+{
+    const Result<InternodeId> branch = internode.resolve(document);
+    const Result<InternodeId> parent = onto.resolve(document);
+    if (!branch || !parent)
+        return (branch ? parent : branch).error().message;
+    const Result<void> done = moveBranch(
+        document, {.branch = *branch, .place = {*parent, along}, .rotation = rotation, .scale = scale});
+    return done ? QString() : done.error().message;
+}
 
 QString MultiplyOperation::perform(TreeDocument& document) const
 {

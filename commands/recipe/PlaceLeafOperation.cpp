@@ -27,20 +27,6 @@ constexpr LeafKindName kLeafKinds[] = {
     {QLatin1StringView("fruit"), LeafKind::Fruit},
 };
 
-/// A quaternion of any length but 0; one whose length is nearly 1 stays as it is.
-Rotation readRotation(JsonReader& reader)
-{
-    const auto numbers = vectorFromJson<4>(reader.value(kLeafRotationKey).toArray(), 1.0);
-    if (!numbers || !(numbers->norm() > 1e-3F)) {
-        reader.fail(
-            kLeafRotationKey,
-            RecipeText::tr("a quaternion is expected: four numbers x, y, z, w within ±1, not all of them 0"));
-        return Rotation::Identity();
-    }
-    const Rotation rotation((*numbers)[3], (*numbers)[0], (*numbers)[1], (*numbers)[2]);
-    return faults::ofRotation(rotation) == nullptr ? rotation : Rotation(rotation.normalized());
-}
-
 } // namespace
 
 PlaceLeafOperation PlaceLeafOperation::of(const TreeDocument& document, const LeafRow& leaf)
@@ -58,7 +44,7 @@ PlaceLeafOperation PlaceLeafOperation::read(JsonReader& reader, RecipeReading&)
     operation.internode = InternodeReference::read(reader, kLeafInternodeKey);
     operation.along =
         static_cast<float>(reader.number(kLeafAlongKey, 0.0, 1.0, static_cast<double>(operation.along)));
-    operation.rotation = readRotation(reader);
+    operation.rotation = readRotation(reader, kLeafRotationKey);
     operation.length =
         static_cast<float>(reader.number(kLeafLengthKey, kLeastLeafLength, double{kGreatestLeaf}));
     const QString kind = reader.text(kLeafKindKey, QString(kLeafKinds[0].name));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/base/Vector.h"
+#include "model/io/JsonReader.h"
+#include "model/tree/TreeTables.h"
 
 #include <QJsonArray>
 
@@ -47,5 +48,9 @@ QJsonArray toJson(const Eigen::Matrix<float, Count, 1>& vector)
         array.append(shortestDouble(vector[i]));
     return array;
 }
+
+/// Reads a required rotation: a quaternion [x, y, z, w] of any length but 0; one whose length is nearly 1
+/// stays as it is. @p reader gets the error if there is one.
+Rotation readRotation(JsonReader& reader, QLatin1StringView key);
 
 } // namespace espalier

@@ -9,6 +9,7 @@
 #include "commands/recipe/InferOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/MoveBranchOperation.h"
 #include "commands/recipe/MultiplyOperation.h"
 #include "commands/recipe/PlaceLeafOperation.h"
 #include "commands/recipe/PropagateOperation.h"
@@ -62,7 +63,7 @@ constexpr OperationKind kKinds[] = {
     kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),      kindOf<SketchStrokeOperation>(),
     kindOf<InferOperation>(),         kindOf<PlaceLeafOperation>(),   kindOf<ArrangeOperation>(),
     kindOf<MultiplyOperation>(),      kindOf<PropagateOperation>(),   kindOf<ReproduceOperation>(),
-    kindOf<VaryOperation>(),
+    kindOf<VaryOperation>(),          kindOf<MoveBranchOperation>(),
 };
 
 } // namespace

@@ -94,11 +94,12 @@ Vec3 positionOf(const Tree& tree, const TreeIndex& index, const BranchPlace& pla
 
 std::optional<Attachment> nearestAttachment(const Tree& tree, const TreeIndex& index,
                                             const Projection& projection, const Eigen::Vector2d& first,
-                                            const Eigen::Vector2d& last)
+                                            const Eigen::Vector2d& last,
+                                            const std::function<bool(InternodeId)>& isWood)
 {
     std::optional<Attachment> nearest;
     for (InternodeId id = 0; id < tree.size(); ++id) {
-        if (!tree.isAlive(id))
+        if (!tree.isAlive(id) || (isWood && !isWood(id)))
             continue;
         const std::optional<Eigen::Vector2d> from = projection(index.basePosition(tree, id));
         const std::optional<Eigen::Vector2d> to = projection(index.nodePosition(id));

@@ -24,10 +24,12 @@ struct Attachment {
 using Projection = std::function<std::optional<Eigen::Vector2d>(const Vec3&)>;
 
 /// The place on the living wood that one of the two ends of a line is nearest to, as seen in a projection
-/// (Okabe 2005, 3.2); of equal ones the place on the oldest internode. None if no wood is seen.
+/// (Okabe 2005, 3.2); of equal ones the place on the oldest internode. @p isWood: which internodes count, all
+/// if it is empty. None if no wood is seen.
 std::optional<Attachment> nearestAttachment(const Tree& tree, const TreeIndex& index,
                                             const Projection& projection, const Eigen::Vector2d& first,
-                                            const Eigen::Vector2d& last);
+                                            const Eigen::Vector2d& last,
+                                            const std::function<bool(InternodeId)>& isWood = {});
 
 /// A branch as it was drawn, in space.
 struct DrawnBranch {

@@ -10,6 +10,7 @@
 #include "commands/InferDepth.h"
 #include "commands/InvigorateGesture.h"
 #include "commands/LassoGesture.h"
+#include "commands/MoveBranch.h"
 #include "commands/MultiplyBranch.h"
 #include "commands/ParameterGesture.h"
 #include "commands/PlaceLeaves.h"
@@ -239,6 +240,22 @@ public:
         arrangeLeaves(m_document, operation.engine, {operation.internode.number(), operation.along});
     }
 
+    void operator()(const MoveBranchOperation& operation)
+    {
+        MoveGesture gesture(m_document);
+        const BranchMove move{.branch = operation.internode.number(),
+                              .place = {operation.onto.number(), operation.along},
+                              .rotation = operation.rotation,
+                              .scale = operation.scale};
+        if (m_random.onceIn(3)) {
+            BranchMove onTheWay = move;
+            onTheWay.place.along *= 0.5F;
+            (void)gesture.set(onTheWay);
+        }
+        (void)gesture.set(move);
+        gesture.finish();
+    }
+
     void operator()(const MultiplyOperation& operation)
     {
         (void)multiplyBranch(m_document, operation.internode.number(), operation.seed, operation.count);
@@ -312,8 +329,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
                 SetProfileOperation, RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation,
                 ImportOperation, InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation,
                 SketchOperation, SketchStrokeOperation, InferOperation, PlaceLeafOperation, ArrangeOperation,
-                MultiplyOperation, PropagateOperation, ReproduceOperation, VaryOperation>(
-            Hand(document, random), operation);
+                MultiplyOperation, PropagateOperation, ReproduceOperation, VaryOperation,
+                MoveBranchOperation>(Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

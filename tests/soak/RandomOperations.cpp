@@ -498,6 +498,17 @@ ArrangeOperation RandomOperations::make(const TreeDocument& document, int)
 }
 
 template <>
+MoveBranchOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    return {.internode = any(document),
+            .onto = any(document),
+            .along = static_cast<float>(m_random.uniform()),
+            .rotation = Rotation(
+                Eigen::AngleAxisf(static_cast<float>(m_random.uniform(0.0, 3.0)), m_random.direction())),
+            .scale = onceIn(2) ? 1.0 : m_random.uniform(0.5, 1.5)};
+}
+
+template <>
 MultiplyOperation RandomOperations::make(const TreeDocument& document, int)
 {
     return {.internode = any(document), .count = 1 + below(3), .seed = static_cast<std::uint64_t>(below(9))};
@@ -558,6 +569,7 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<PlaceLeafOperation>(8, 2),      kindOf<ArrangeOperation>(5, 1),
         kindOf<MultiplyOperation>(6, 0),       kindOf<PropagateOperation>(3, 0),
         kindOf<ReproduceOperation>(2, 1),      kindOf<VaryOperation>(3, 1),
+        kindOf<MoveBranchOperation>(6, 2),
     };
     return kKinds;
 }

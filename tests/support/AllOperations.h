@@ -11,6 +11,7 @@
 #include "commands/recipe/InferOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
 #include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/MoveBranchOperation.h"
 #include "commands/recipe/MultiplyOperation.h"
 #include "commands/recipe/PlaceLeafOperation.h"
 #include "commands/recipe/PropagateOperation.h"

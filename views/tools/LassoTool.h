@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/tree/LassoStroke.h"
+#include "views/tools/EnvelopeFilling.h"
 #include "views/tools/EnvelopeView.h"
 #include "views/tools/Tool.h"
 
 #include <QCoreApplication>
 
 namespace espalier {
-
-/// The filling of envelopes that the Lasso tool starts and stops; app implements it.
-class EnvelopeFilling {
-public:
-    virtual ~EnvelopeFilling() = default;
-    /// Ends what is under way, adds the envelope of @p stroke and fills it.
-    virtual void fill(const LassoStroke& stroke) = 0;
-    /// Ends filling at once and keeps what has grown.
-    virtual void end() = 0;
-    /// World positions of the living markers of free space, m; empty while nothing is filled.
-    virtual std::span<const Vec3> markers() const = 0;
-};
 
 /// The lasso (TreeSketch §3.2): a closed stroke draws the silhouette of the tree or of a part of it, in the
 /// plane that is parallel to the screen and goes through the base of the tree, or through the branch at which

@@ -22,7 +22,7 @@ constexpr float kLeastFacing = 0.25F;
 constexpr std::size_t kFormRadii = 12;
 /// A branch is at its base at most so many times as thick as the wood below it.
 constexpr float kMostOfParent = 0.65F;
-/// A leaf is at most so long, as a share of the tree's size.
+/// A larger loop is a crown, as a share of the tree's size.
 constexpr float kLargestLeaf = 0.4F;
 /// The ring around the place where a stroke would join: its least radius, px, and its radius in those of the
 /// wood.
@@ -56,6 +56,7 @@ QPointF downward(const Eigen::Vector2d& pixel)
 
 void SketchTool::begin(const PointerSample& sample)
 {
+    m_filling.end();
     m_isActive = true;
     m_isCutting = sample.isEraser || sample.modifiers.testFlag(Qt::ShiftModifier) ||
                   context().viewSettings().values().sketchCuts;
@@ -168,19 +169,43 @@ void SketchTool::draw()
     if (!stroke || stroke->kind == SketchStroke::Kind::Dot)
         return;
     if (stroke->kind == SketchStroke::Kind::Closed)
-        drawLeaf(stroke->line);
+        drawLoop(std::move(stroke->line));
     else
         drawLine(std::move(stroke->line));
 }
 
-void SketchTool::drawLeaf(SketchLine outline)
+void SketchTool::drawLoop(SketchLine outline)
 {
     m_last.reset();
-    TreeDocument& document = context().document();
-    if (isSeedling()) {
-        m_refused(tr("draw the trunk first: a loop is a leaf, which needs a branch"));
-        return;
+    const TreeDocument& document = context().document();
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& point : outline)
+        box.extend(point);
+    const Vec3 foot = document.tree().rootPosition(0);
+    const Camera& camera = context().camera();
+    const double scale = camera.pixelsPerMetre(std::max(camera.depth(foot), Camera::kMinDistance));
+    const double size = double{boundsOf(document).sizes().norm()};
+    if (isSeedling() || box.diagonal().norm() > kLargestLeaf * size * scale)
+        drawCrown(outline);
+    else
+        drawLeaf(std::move(outline));
+}
+
+/// The tree fills the outline, in the plane through its foot.
+void SketchTool::drawCrown(const SketchLine& outline)
+{
+    const Camera& camera = context().camera();
+    LassoStroke stroke{context().document().tree().rootPosition(0), camera.right(), camera.up(), {}};
+    for (const Eigen::Vector2d& pixel : outline) {
+        const Vec3 offset = camera.onPlane(downward(pixel), stroke.origin) - stroke.origin;
+        stroke.points.emplace_back(offset.dot(stroke.right), offset.dot(stroke.up));
     }
+    m_filling.fill(stroke);
+}
+
+void SketchTool::drawLeaf(SketchLine outline)
+{
+    TreeDocument& document = context().document();
     // The point that is nearest to the wood is the leaf's base.
     std::optional<Attachment> nearest;
     std::size_t base = 0;
@@ -201,10 +226,7 @@ void SketchTool::drawLeaf(SketchLine outline)
         inSpace.emplace_back(onPlane(plane, outline[i]).cast<double>());
     const Vec3 toViewer = plane.right.cross(plane.up);
     const std::optional<LeafBlade> blade = bladeOf(inSpace, toViewer.cast<double>());
-    const Vec3 size = boundsOf(document).sizes();
-    if (blade && blade->length > kLargestLeaf * size.norm())
-        m_refused(tr("a loop this large is no leaf; the Lasso makes crowns of loops"));
-    else if (blade)
+    if (blade)
         placeLeaf(document, leafOn(document.tree(), document.index(), nearest->place.internode,
                                    nearest->place.along, *blade));
 }

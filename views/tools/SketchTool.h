@@ -4,6 +4,7 @@
 #include "commands/SketchStroke.h"
 #include "model/sketch/SketchedTree.h"
 #include "views/tools/CutPreview.h"
+#include "views/tools/EnvelopeFilling.h"
 #include "views/tools/Tool.h"
 
 #include <QCoreApplication>
@@ -16,17 +17,18 @@ namespace espalier {
 
 /// The pencil (Okabe 2005, 3.2): a stroke becomes a branch of the one that it is nearest to, the first one
 /// the trunk. As long as the tree is flat, strokes lie in its plane, seen from wherever; later in the plane
-/// that is parallel to the screen and goes through their base. A loop is a leaf. Two strokes side by side are
-/// the two sides of one branch; its form is that of the branches after it. With Shift, a pen's eraser or
-/// ViewValues::sketchCuts, a stroke takes away: what it crosses once is cut there, what it crosses twice is
-/// erased.
+/// that is parallel to the screen and goes through their base. A loop is a leaf, or, if it is large, a crown
+/// that the tree fills. Two strokes side by side are the two sides of one branch; its form is that of the
+/// branches after it. With Shift, a pen's eraser or ViewValues::sketchCuts, a stroke takes away: what it
+/// crosses once is cut there, what it crosses twice is erased.
 class SketchTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(SketchTool)
 
 public:
     /// @p refused is told why a stroke did not become a branch.
-    SketchTool(ToolContext& context, std::function<void(const QString& why)> refused)
-        : Tool(context), m_refused(std::move(refused))
+    SketchTool(ToolContext& context, EnvelopeFilling& filling,
+               std::function<void(const QString& why)> refused)
+        : Tool(context), m_filling(filling), m_refused(std::move(refused))
     {
     }
 
@@ -69,11 +71,14 @@ private:
     Vec3 onPlane(const Plane& plane, const Eigen::Vector2d& pixel) const;
     void draw();
     void drawLine(SketchLine line);
+    void drawLoop(SketchLine outline);
     void drawLeaf(SketchLine outline);
+    void drawCrown(const SketchLine& outline);
     void crossOut();
     std::vector<float> usualRadii(const std::optional<BranchPlace>& base, float length) const;
     void paintInk(Overlay& overlay) const;
 
+    EnvelopeFilling& m_filling;
     std::function<void(const QString& why)> m_refused;
     bool m_isActive = false;
     bool m_isCutting = false;

@@ -112,6 +112,12 @@ inline Recipe randomRecipe(std::uint64_t seed)
             ArrangeOperation{.engine = kLeafEngines[static_cast<std::size_t>(i) % kLeafEngines.size()],
                              .internode = InternodeReference(InternodeKey(i), {}),
                              .along = static_cast<float>(random.uniform())});
+        result.operations.emplace_back(
+            MoveBranchOperation{.internode = static_cast<InternodeId>(i),
+                                .onto = InternodeReference(InternodeKey(i), {}),
+                                .along = static_cast<float>(random.uniform()),
+                                .rotation = Rotation(Eigen::AngleAxisf(2.0F, random.direction())),
+                                .scale = i % 2 == 0 ? 1.0 : random.uniform(0.1, 9.0)});
         ImportOperation import;
         for (int j = 0; j <= i; ++j)
             import.skeleton.push_back({j == 0 ? kNoInternode : static_cast<std::uint32_t>(j - 1),
