@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Makes the pictures of README.md, in docs/pictures, those of the help, in docs/help/pictures, and those of the library, in
 # resources/thumbnails. "readme", "help", "strands" or "library" as an argument makes only these. Needs ImageMagick.
-# "strands" are the figures of Strands 2024 in README.md and in the help, as tests/gallery/strand-figures.json describes them;
-# it takes names of pictures: scripts/pictures.sh strands strands-alpha. "library" takes names of recipes:
+# "strands" are the figures of Strands 2024 and Okabe 2005 in README.md and in the help, as tests/gallery/strand-figures.json
+# describes them; it takes names of pictures: scripts/pictures.sh strands strands-alpha. "library" takes names of recipes:
 # scripts/pictures.sh library oak willow.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

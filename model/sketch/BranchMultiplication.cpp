@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 namespace espalier {
 
@@ -19,7 +21,9 @@ constexpr double kLeastNeighbourGap = 1e-4;
 /// Kept from kMostFromUp, so that rounding does not exceed it, rad.
 constexpr double kUpMargin = radians(0.01);
 /// Rotation angles whose distances from the others differ by less are equally good, rad.
-constexpr double kEqualAngles = 1e-6;
+constexpr double kEqualAngles = radians(0.2);
+/// Between equally good rotation angles, so many branches decide that begin nearest along the branch.
+constexpr std::size_t kDecidingNeighbours = 4;
 
 /// Where the new branch begins, and the branches beside that place.
 struct Gap {
@@ -77,19 +81,31 @@ AllowedAngles allowedAngles(const Eigen::Vector3d& up, double& downAngle)
     return {.middle = middle, .halfWidth = std::acos(std::clamp((least - a) / b, -1.0, 1.0))};
 }
 
-/// The allowed angle that is farthest from @p others, all in rad; @p random decides between equal ones.
-double freestAngle(std::vector<double> others, const AllowedAngles& allowed, Random& random)
+/// The distance of an angle from the nearest of @p others, 0...π.
+double clearanceOf(double angle, std::span<const double> others)
+{
+    double nearest = std::numbers::pi;
+    for (const double other : others)
+        nearest = std::min(nearest, betweenAngles(angle, other));
+    return nearest;
+}
+
+/// The allowed angle that is farthest from @p others, all in rad; of equal ones, the one that is farthest
+/// from the first few of @p others. So branches that follow each other along the parent do not stand on one
+/// side of it. @p random decides where these are equal, too.
+double freestAngle(const std::vector<double>& others, const AllowedAngles& allowed, Random& random)
 {
     const bool isAnyAllowed = allowed.halfWidth >= std::numbers::pi;
     if (others.empty())
         return allowed.middle + random.uniform(-allowed.halfWidth, allowed.halfWidth);
     // The distance from the nearest one has its maxima at the middles of gaps and at the ends of what is
     // allowed.
-    std::ranges::sort(others);
+    std::vector<double> sorted = others;
+    std::ranges::sort(sorted);
     std::vector<double> candidates;
-    for (std::size_t i = 0; i < others.size(); ++i) {
-        const double next = i + 1 < others.size() ? others[i + 1] : others.front() + 2.0 * std::numbers::pi;
-        const double middle = 0.5 * (others[i] + next);
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        const double next = i + 1 < sorted.size() ? sorted[i + 1] : sorted.front() + 2.0 * std::numbers::pi;
+        const double middle = 0.5 * (sorted[i] + next);
         if (isAnyAllowed || betweenAngles(middle, allowed.middle) <= allowed.halfWidth)
             candidates.push_back(middle);
     }
@@ -97,20 +113,16 @@ double freestAngle(std::vector<double> others, const AllowedAngles& allowed, Ran
         candidates.push_back(allowed.middle - allowed.halfWidth);
         candidates.push_back(allowed.middle + allowed.halfWidth);
     }
-    double farthest = -1.0;
-    std::vector<double> best;
-    for (const double candidate : candidates) {
-        double nearest = std::numbers::pi;
-        for (const double other : others)
-            nearest = std::min(nearest, betweenAngles(candidate, other));
-        if (nearest > farthest + kEqualAngles) {
-            best.clear();
-            farthest = nearest;
-        }
-        if (nearest > farthest - kEqualAngles)
-            best.push_back(candidate);
-    }
-    return best[random.bits() % best.size()];
+    const auto keepFreest = [&candidates](std::span<const double> from) {
+        double most = 0.0;
+        for (const double candidate : candidates)
+            most = std::max(most, clearanceOf(candidate, from));
+        std::erase_if(candidates,
+                      [&](double angle) { return clearanceOf(angle, from) < most - kEqualAngles; });
+    };
+    keepFreest(others);
+    keepFreest(std::span(others).first(std::min(others.size(), kDecidingNeighbours)));
+    return candidates[random.bits() % candidates.size()];
 }
 
 /// The turtle's turn from a branch to a branch on it: around the parent, then away from it.
@@ -136,17 +148,22 @@ Result<TreeDelta> multiplied(const Tree& tree, const TreeIndex& index, Internode
     const ChildBranch& shape = children[random.bits() % children.size()];
     const Gap gap = widestGap(children, axis.length());
 
-    std::vector<double> others;
+    std::vector<const ChildBranch*> around; // Those nearest along the branch first
     for (const ChildBranch& child : children) {
         if (std::sin(child.downAngle()) > 1e-3)
-            others.push_back(child.rotationAngle());
+            around.push_back(&child);
     }
+    std::ranges::stable_sort(
+        around, {}, [&](const ChildBranch* child) { return std::abs(child->distance - gap.middle); });
+    std::vector<double> others;
+    for (const ChildBranch* child : around)
+        others.push_back(child->rotationAngle());
     const BranchAxis::Place place = axis.at(gap.middle);
     const Eigen::Quaterniond& frame = axis.frame(place.number);
     double downAngle = 0.5 * (gap.below->downAngle() + gap.above->downAngle());
     const AllowedAngles allowed =
         allowedAngles(frame.conjugate() * Eigen::Vector3d(Eigen::Vector3d::UnitY()), downAngle);
-    const double rotationAngle = freestAngle(std::move(others), allowed, random);
+    const double rotationAngle = freestAngle(others, allowed, random);
 
     const auto lengthOf = [&](const ChildBranch& child) {
         return BranchAxis(tree, index, child.id).length();

@@ -23,7 +23,8 @@ inline constexpr double kMostFromUp = radians(120);
 /// that it carries.
 ///
 /// The rotation angle is the one that is farthest from those of the other branches, in the turtle's frames
-/// (BranchAxis), among those at which the direction is at most kMostFromUp from the upward one. Where there
+/// (BranchAxis), among those at which the direction is at most kMostFromUp from the upward one; of equal
+/// ones, the one that is farthest from the neighbours along the branch (the paper does not say). Where there
 /// is none, on a branch that hangs down, the down angle grows until there is one.
 ///
 /// Fails (Kind::Input) if the internode is not alive, if nothing on the branch can be imitated, or as

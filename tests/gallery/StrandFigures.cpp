@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the pictures that show what strands do: the figures of Strands 2024, one sheet each, from the
-// samples. Arguments: a table of sheets (tests/gallery/strand-figures.json), the folder that its file names
-// are relative to, and names of sheets if not all of them are wanted. scripts/pictures.sh runs it.
+// Draws the pictures that show what strands and sketches do: figures of Strands 2024 and Okabe 2005, one
+// sheet each, from the samples. Arguments: a table of sheets (tests/gallery/strand-figures.json), the folder
+// that its file names are relative to, and names of sheets if not all of them are wanted. scripts/pictures.sh
+// runs it.
 #include "app/cli/ParameterOverrides.h"
 #include "commands/recipe/RecipePlayer.h"
 #include "model/base/Vector.h"
@@ -121,21 +122,24 @@ private:
     QString m_key; ///< Of the document
 };
 
-/// A sheet has `file`, `size` (of each picture, px) and `shots`, from left to right.
+/// A sheet has `file`, `size` (of each picture, px) and `shots`, from left to right, `columns` in a row: all
+/// of them, if it is left out.
 void drawSheet(Painter& by, const QJsonObject& sheet)
 {
     const QJsonArray sides = sheet.value(QStringLiteral("size")).toArray();
     const QSize size(sides.at(0).toInt(), sides.at(1).toInt());
     const QJsonArray shots = sheet.value(QStringLiteral("shots")).toArray();
     const int count = static_cast<int>(shots.size());
-    QImage image(count * size.width() + (count - 1) * kGap, size.height(), QImage::Format_RGB32);
+    const int columns = std::max(sheet.value(QStringLiteral("columns")).toInt(count), 1);
+    const QSize step = size + QSize(kGap, kGap);
+    const int rows = (count + columns - 1) / columns;
+    QImage image(columns * step.width() - kGap, rows * step.height() - kGap, QImage::Format_RGB32);
     image.fill(Qt::white);
     QPainter painter(&image);
-    int x = 0;
-    for (const QJsonValue shot : shots) {
-        const QImage picture = by.draw(shotOf(shot.toObject()), 2 * size);
-        painter.drawImage(x, 0, picture.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
-        x += size.width() + kGap;
+    for (int i = 0; i < count; ++i) {
+        const QImage picture = by.draw(shotOf(shots.at(i).toObject()), 2 * size);
+        painter.drawImage(i % columns * step.width(), i / columns * step.height(),
+                          picture.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     }
     painter.end();
     QByteArray bytes;
