@@ -5,6 +5,7 @@
 #include "app/LatinKeyFilter.h"
 #include "app/LookController.h"
 #include "app/ProfileController.h"
+#include "app/ReproduceController.h"
 #include "app/SketchController.h"
 #include "app/Workspace.h"
 #include "app/files/FileController.h"
@@ -122,6 +123,7 @@ private:
     std::unique_ptr<LookController> m_looks;
     std::unique_ptr<ProfileController> m_profiles;
     std::unique_ptr<SketchController> m_sketching;
+    std::unique_ptr<ReproduceController> m_reproducing;
     std::unique_ptr<HelpController> m_help;
 };
 

@@ -59,6 +59,9 @@ void MainWindow::makeInterface()
     m_sketching = std::make_unique<SketchController>(
         m_document, m_viewSettings, m_workspace->sketchPopOut(), [this] { return isBusy(); },
         [this](const QString& what) { m_workspace->notice().showInformation(what); });
+    m_reproducing = std::make_unique<ReproduceController>(
+        m_document, m_viewSettings, m_workspace->reproducePopOut(), [this] { return isBusy(); },
+        [this](const QString& what) { m_workspace->notice().showInformation(what); });
     connectPopOuts();
     connectViewport();
 }
@@ -93,9 +96,10 @@ void MainWindow::remakeInterface()
     m_library.reset();
     m_looks.reset();
     m_sketching.reset();
-    // The tool in hand refers to the profiles.
+    // The tool in hand refers to the profiles, or to what takes its figures.
     m_workspace.reset();
     m_profiles.reset();
+    m_reproducing.reset();
     // What is made from now on takes its locale from the window.
     unsetLocale();
     m_actions.setTexts();

@@ -32,6 +32,7 @@ class LibraryPanel;
 class MultiplyPopOut;
 class Notice;
 class ProfilePanel;
+class ReproducePopOut;
 class RotationStrip;
 class SketchPopOut;
 class TwistPopOut;
@@ -43,7 +44,19 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds, Profile, Sketch, Multiply };
+    enum class PopOut {
+        None,
+        Brush,
+        Grow,
+        Bend,
+        Lasso,
+        Twist,
+        AddBuds,
+        Profile,
+        Sketch,
+        Multiply,
+        Reproduce
+    };
     static constexpr int kSheetCount = 5;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -55,6 +68,7 @@ public:
     GrowPopOut& growPopOut() { return *m_growPopOut; }
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
     SketchPopOut& sketchPopOut() { return *m_sketchPopOut; }
+    ReproducePopOut& reproducePopOut() { return *m_reproducePopOut; }
     ProfilePanel& profilePanel() { return *m_profilePanel; }
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
     ArchitecturePanel& architecture() { return *m_architecture; }
@@ -106,6 +120,7 @@ private:
     AddBudsPopOut* m_addBudsPopOut;
     SketchPopOut* m_sketchPopOut;
     MultiplyPopOut* m_multiplyPopOut;
+    ReproducePopOut* m_reproducePopOut;
     ProfilePanel* m_profilePanel;
     ArchitecturePanel* m_architecture;
     BrushPanel* m_brushSheet;

@@ -27,6 +27,7 @@ enum class ActionId {
     Brush,
     Sketch,
     Multiply,
+    Reproduce,
     Grow,
     Prune,
     SelectBud,
