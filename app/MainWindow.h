@@ -6,6 +6,7 @@
 #include "app/LeafController.h"
 #include "app/LookController.h"
 #include "app/ProfileController.h"
+#include "app/ReproduceController.h"
 #include "app/SketchController.h"
 #include "app/Workspace.h"
 #include "app/files/FileController.h"
@@ -124,6 +125,7 @@ private:
     std::unique_ptr<ProfileController> m_profiles;
     std::unique_ptr<SketchController> m_sketching;
     std::unique_ptr<LeafController> m_leaves;
+    std::unique_ptr<ReproduceController> m_reproducing;
     std::unique_ptr<HelpController> m_help;
 };
 

@@ -61,6 +61,9 @@ void MainWindow::makeInterface()
         [this](const QString& what) { m_workspace->notice().showInformation(what); });
     m_leaves = std::make_unique<LeafController>(m_document, m_workspace->viewport(),
                                                 m_workspace->leafChoices(), [this] { return isBusy(); });
+    m_reproducing = std::make_unique<ReproduceController>(
+        m_document, m_viewSettings, m_workspace->reproducePopOut(), [this] { return isBusy(); },
+        [this](const QString& what) { m_workspace->notice().showInformation(what); });
     connectPopOuts();
     connectViewport();
 }
@@ -96,9 +99,10 @@ void MainWindow::remakeInterface()
     m_looks.reset();
     m_sketching.reset();
     m_leaves.reset();
-    // The tool in hand refers to the profiles.
+    // The tool in hand refers to the profiles, or to what takes its figures.
     m_workspace.reset();
     m_profiles.reset();
+    m_reproducing.reset();
     // What is made from now on takes its locale from the window.
     unsetLocale();
     m_actions.setTexts();

@@ -20,6 +20,7 @@
 #include "views/tools/ProfileTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/ReduceTool.h"
+#include "views/tools/ReproduceTool.h"
 #include "views/tools/SelectBudTool.h"
 #include "views/tools/SketchTool.h"
 #include "views/tools/TwistTool.h"
@@ -122,6 +123,10 @@ void MainWindow::takeTool()
         viewport.setTool(std::make_unique<MultiplyTool>(
             context, [this](const QString& why) { m_sketching->refuse(why); }));
         popOut = Workspace::PopOut::Multiply;
+        break;
+    case ActionId::Reproduce:
+        viewport.setTool(std::make_unique<ReproduceTool>(context, *m_reproducing));
+        popOut = Workspace::PopOut::Reproduce;
         break;
     case ActionId::Profile:
         viewport.setTool(std::make_unique<ProfileTool>(context, *m_profiles));

@@ -16,6 +16,8 @@ void MainWindow::undo()
     const bool wasBusy = isHandBusy();
     const QUndoCommand* before = last();
     finishHand();
+    if (last() == before && m_workspace->viewport().takeBackInTool())
+        return;
     // A gesture that has changed nothing yet is all that there was to undo.
     if (!wasBusy || last() != before)
         m_undoRunner.undo();

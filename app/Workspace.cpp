@@ -18,6 +18,7 @@
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/ProfilePanel.h"
+#include "panels/ReproducePopOut.h"
 #include "panels/RotationStrip.h"
 #include "panels/SketchPopOut.h"
 #include "panels/Theme.h"
@@ -70,6 +71,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_addBudsPopOut(new AddBudsPopOut(settings, this)),
       m_sketchPopOut(new SketchPopOut(settings, this)),
       m_multiplyPopOut(new MultiplyPopOut(settings, this)),
+      m_reproducePopOut(new ReproducePopOut(settings, this)),
       m_profilePanel(new ProfilePanel(this)),
       m_architecture(new ArchitecturePanel(document, this)),
       m_brushSheet(new BrushPanel(document, settings, Preferences::kSoftest, Preferences::kFirmest, this)),
@@ -281,11 +283,11 @@ void Workspace::arrange()
 
     m_viewport->setFrameMargins({0, y - kGap, width() - right, kStatusHeight});
     const std::pair<QWidget*, PopOut> popOuts[] = {
-        {m_brushPopOut, PopOut::Brush},      {m_growPopOut, PopOut::Grow},
-        {m_bendPopOut, PopOut::Bend},        {m_lassoPopOut, PopOut::Lasso},
-        {m_twistPopOut, PopOut::Twist},      {m_addBudsPopOut, PopOut::AddBuds},
-        {m_profilePanel, PopOut::Profile},   {m_sketchPopOut, PopOut::Sketch},
-        {m_multiplyPopOut, PopOut::Multiply}};
+        {m_brushPopOut, PopOut::Brush},       {m_growPopOut, PopOut::Grow},
+        {m_bendPopOut, PopOut::Bend},         {m_lassoPopOut, PopOut::Lasso},
+        {m_twistPopOut, PopOut::Twist},       {m_addBudsPopOut, PopOut::AddBuds},
+        {m_profilePanel, PopOut::Profile},    {m_sketchPopOut, PopOut::Sketch},
+        {m_multiplyPopOut, PopOut::Multiply}, {m_reproducePopOut, PopOut::Reproduce}};
     const int lowestPopOut = height() - Viewport::kStripHeight - 4;
     QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {

@@ -33,6 +33,7 @@ class LibraryPanel;
 class MultiplyPopOut;
 class Notice;
 class ProfilePanel;
+class ReproducePopOut;
 class RotationStrip;
 class SketchPopOut;
 class TwistPopOut;
@@ -44,7 +45,19 @@ class Workspace : public QWidget {
     Q_OBJECT
 
 public:
-    enum class PopOut { None, Brush, Grow, Bend, Lasso, Twist, AddBuds, Profile, Sketch, Multiply };
+    enum class PopOut {
+        None,
+        Brush,
+        Grow,
+        Bend,
+        Lasso,
+        Twist,
+        AddBuds,
+        Profile,
+        Sketch,
+        Multiply,
+        Reproduce
+    };
     static constexpr int kSheetCount = 5;
 
     Workspace(TreeDocument& document, ViewSettings& settings, const Actions& actions,
@@ -57,6 +70,7 @@ public:
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
     SketchPopOut& sketchPopOut() { return *m_sketchPopOut; }
     LeafChoices& leafChoices() { return *m_leafChoices; }
+    ReproducePopOut& reproducePopOut() { return *m_reproducePopOut; }
     ProfilePanel& profilePanel() { return *m_profilePanel; }
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
     ArchitecturePanel& architecture() { return *m_architecture; }
@@ -108,6 +122,7 @@ private:
     AddBudsPopOut* m_addBudsPopOut;
     SketchPopOut* m_sketchPopOut;
     MultiplyPopOut* m_multiplyPopOut;
+    ReproducePopOut* m_reproducePopOut;
     ProfilePanel* m_profilePanel;
     ArchitecturePanel* m_architecture;
     BrushPanel* m_brushSheet;

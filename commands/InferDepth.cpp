@@ -33,14 +33,7 @@ Result<void> inferDepth(TreeDocument& document, const DepthOptions& options)
 
 Result<void> DepthTrial::tryOut(const DepthOptions& options)
 {
-    const std::unique_ptr<Edit> edit =
-        isLast() ? Edit::resumed(m_document) : std::make_unique<Edit>(m_document);
-    m_revision.reset();
-    edit->takeBack();
-    Result<void> inferred = inferWith(*edit, options);
-    if (inferred)
-        m_revision = m_document.revision();
-    return inferred;
+    return tryWith([&](Edit& edit) { return inferWith(edit, options); });
 }
 
 } // namespace espalier

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/CommandTrial.h"
 #include "model/document/TreeDocument.h"
 #include "model/sketch/DepthInference.h"
-
-#include <optional>
 
 namespace espalier {
 
@@ -12,20 +11,13 @@ namespace espalier {
 /// that does.
 Result<void> inferDepth(TreeDocument& document, const DepthOptions& options);
 
-/// The depth of a drawn tree while its options are tried out: what is tried next takes the place of what was
-/// tried last, on the tree and on the undo stack, as long as nothing else was done.
-class DepthTrial {
+/// The depth of a drawn tree while its options are tried out.
+class DepthTrial : public CommandTrial {
 public:
-    explicit DepthTrial(TreeDocument& document) : m_document(document) {}
+    using CommandTrial::CommandTrial;
 
-    /// Whether the last thing that was done is a trial, which the next one would replace.
-    bool isLast() const { return m_revision == m_document.revision(); }
     /// Fails as inferDepth() does; then a trial before it stays.
     Result<void> tryOut(const DepthOptions& options);
-
-private:
-    TreeDocument& m_document;
-    std::optional<std::uint64_t> m_revision; ///< Of the document after the last trial
 };
 
 } // namespace espalier

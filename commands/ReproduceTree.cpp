@@ -42,7 +42,9 @@ Result<std::uint32_t> reproduceTree(TreeDocument& document, TreeFigure figure)
     if (!trunk || trunk->kind != SketchStroke::Kind::Open)
         return Error{Error::Kind::Input,
                      QCoreApplication::translate("Commands", "the new trunk must be an open line")};
-    Result<Reproduction> result = reproduced(document.tree(), document.index(), trunk->line, silhouette);
+    figure.azimuth += 0.0; // −0 becomes 0
+    Result<Reproduction> result =
+        reproduced(document.tree(), document.index(), trunk->line, silhouette, radians(figure.azimuth));
     if (!result)
         return result.error();
     edit.apply(std::move(result->delta));

@@ -11,9 +11,11 @@
 
 namespace espalier {
 
-Result<void> varyTree(TreeDocument& document, std::uint64_t seed, double amount)
+namespace {
+
+Result<void> varyWith(Edit& edit, std::uint64_t seed, double amount)
 {
-    Edit edit(document);
+    const TreeDocument& document = edit.document();
     if (!(amount >= VaryOperation::kLeastAmount))
         return {};
     const VaryOperation operation{.seed = seed, .amount = std::min(amount, 1.0)};
@@ -23,6 +25,19 @@ Result<void> varyTree(TreeDocument& document, std::uint64_t seed, double amount)
     edit.apply(std::move(*delta));
     commitRecorded(edit, QCoreApplication::translate("Commands", "Vary Tree"), [&] { return operation; });
     return {};
+}
+
+} // namespace
+
+Result<void> varyTree(TreeDocument& document, std::uint64_t seed, double amount)
+{
+    Edit edit(document);
+    return varyWith(edit, seed, amount);
+}
+
+Result<void> VariationTrial::tryOut(std::uint64_t seed, double amount)
+{
+    return tryWith([&](Edit& edit) { return varyWith(edit, seed, amount); });
 }
 
 } // namespace espalier

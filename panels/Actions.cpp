@@ -54,6 +54,9 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
          QT_TRANSLATE_NOOP("Actions",
                            "Drag a branch along the wood, around it, or to other wood, with all it carries."),
          "Shift+M", "move", true},
+        {Reproduce, Group::Tools, "reproduce", QT_TRANSLATE_NOOP("Actions", "Reproduce"),
+         QT_TRANSLATE_NOOP("Actions", "Draw a trunk and a silhouette: the same tree takes this new figure."),
+         "Shift+R", "reproduce", true},
         {Grow, Group::Tools, "grow", QT_TRANSLATE_NOOP("Actions", "Grow"),
          QT_TRANSLATE_NOOP(
              "Actions", "Press anywhere and hold: the tree grows on its own, competing for light and space."),
@@ -148,9 +151,10 @@ const std::array<ActionEntry, static_cast<std::size_t>(ActionId::Count)>& Action
 std::span<const ActionId> Actions::tools()
 {
     static constexpr std::array kTools{
-        ActionId::Brush,  ActionId::Sketch,    ActionId::Lasso, ActionId::Grow,     ActionId::Prune,
-        ActionId::Bend,   ActionId::Move,      ActionId::Width, ActionId::Multiply, ActionId::Invigorate,
-        ActionId::Reduce, ActionId::SelectBud, ActionId::Twist, ActionId::AddBuds,  ActionId::Profile};
+        ActionId::Brush,     ActionId::Sketch,    ActionId::Lasso,      ActionId::Grow,
+        ActionId::Prune,     ActionId::Bend,      ActionId::Move,       ActionId::Width,
+        ActionId::Multiply,  ActionId::Reproduce, ActionId::Invigorate, ActionId::Reduce,
+        ActionId::SelectBud, ActionId::Twist,     ActionId::AddBuds,    ActionId::Profile};
     return kTools;
 }
 

@@ -28,6 +28,7 @@ enum class ActionId {
     Sketch,
     Multiply,
     Move,
+    Reproduce,
     Grow,
     Prune,
     SelectBud,

@@ -391,6 +391,14 @@
         <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
         <translation>Auf einen Ast tippen: er bekommt mehr von dem, was er trägt, oder gibt es weiter.</translation>
     </message>
+    <message>
+        <source>Reproduce</source>
+        <translation>Nachbilden</translation>
+    </message>
+    <message>
+        <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
+        <translation>Stamm und Umriss zeichnen: derselbe Baum nimmt diese neue Gestalt an.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -512,6 +520,18 @@
         <translation>sketch verlangt mindestens eine Zeichnung</translation>
     </message>
     <message>
+        <source>it has more than %1 strokes</source>
+        <translation>sie hat mehr als %1 Striche</translation>
+    </message>
+    <message>
+        <source>it has no line that can be a trunk, and no crown</source>
+        <translation>sie hat keine Linie, die ein Stamm sein kann, und keine Krone</translation>
+    </message>
+    <message>
+        <source>--vary wants a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
+        <translation>--vary verlangt eine ganze Zahl ab 0, und nach einem Doppelpunkt auf Wunsch ein Maß von %1 bis 1, wie 7 oder 7:0.5, nicht „%2“</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -524,7 +544,7 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
-                [--strict] [--set GROUP.NAME=VALUE]...
+                [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
     Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
@@ -534,6 +554,8 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     error, and nothing is written.
     --set gives a parameter a value for the whole replay, whatever recipes say:
     --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
+    --vary makes angles and lengths of the tree deviate a little, by an amount of
+    0.3, or up to 1: with another seed it is another tree beside it in a forest.
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
@@ -547,13 +569,14 @@ espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
     drawn over the one before. --front-only: depth is given once, without a
     second placing from the side.
 
-espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
-    Writes a project in other formats. --set changes parameters for what is
-    written; the project stays as it is.
+espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
+                [--set GROUP.NAME=VALUE]...
+    Writes a project in other formats. --vary and --set change what is written;
+    the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
-                [--set GROUP.NAME=VALUE]...
+                [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
     its shadow, as black of some opacity. --fibres: the strands of the wood.
@@ -579,7 +602,8 @@ espalier replay REZEPT|PROJEKT... [-o AUSGABE]... [--png DATEI] [--size BxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats DATEI] [--profiles DATEI] [--threads N] [--seed N]
-                [--strict] [--set GRUPPE.NAME=WERT]...
+                [--strict] [--vary ZAHL[:MASS]]
+                [--set GRUPPE.NAME=WERT]...
     Tut ohne Fenster, was ein Rezept sagt, und schreibt, was daraus wird.
     Bei einem Projekt wird alles noch einmal getan, was mit seinem Baum geschah.
     Von mehreren Rezepten setzt jedes den Baum des vorigen fort: das erste
@@ -590,6 +614,8 @@ espalier replay REZEPT|PROJEKT... [-o AUSGABE]... [--png DATEI] [--size BxH]
     --set gibt einem Parameter einen Wert für das ganze Abspielen, was Rezepte
     auch sagen: --set growth.shedding=0.1 --set leaves.visible=false. Winkel
     sind in Grad.
+    --vary lässt Winkel und Längen des Baums ein wenig abweichen, um ein Maß von
+    0.3 oder bis zu 1: eine andere Zahl ist ein anderer Baum neben ihm im Wald.
 
 espalier import SKELETT.csv -o AUSGABE...
     Macht aus einem gemessenen Baum einen eigenen: Zeilen aus id, parent, beiden
@@ -605,13 +631,14 @@ espalier sketch ZEICHNUNG... [--index N] [--front-only] [-o AUSGABE]...
     gezeichnet. --front-only: Tiefe wird einmal gegeben, ohne die Zeichnung
     von der Seite noch einmal einzusetzen.
 
-espalier export PROJEKT [-o AUSGABE]... [--set GRUPPE.NAME=WERT]...
-    Schreibt ein Projekt in anderen Formaten. --set ändert Parameter für das,
-    was geschrieben wird; das Projekt bleibt, wie es ist.
+espalier export PROJEKT [-o AUSGABE]... [--vary ZAHL[:MASS]]
+                [--set GRUPPE.NAME=WERT]...
+    Schreibt ein Projekt in anderen Formaten. --vary und --set ändern, was
+    geschrieben wird; das Projekt bleibt, wie es ist.
 
 espalier render PROJEKT --png DATEI [--size BxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
-                [--set GRUPPE.NAME=WERT]...
+                [--vary ZAHL[:MASS]] [--set GRUPPE.NAME=WERT]...
     Nimmt ein Bild auf. Das verlangt eine Anzeige; eine virtuelle genügt.
     --transparent: der Baum allein, mit nicht vormultipliziertem Alpha;
     --ground-shadow behält seinen Schatten, als Schwarz mit etwas Deckkraft.
@@ -627,14 +654,6 @@ AUSGABE endet auf .espalier (Projekt) oder auf die Endung eines Formats:
 3, wenn eine Eingabe unlesbar oder falsch ist, mit 4, wenn eine Ausgabe nicht
 geschrieben werden konnte.
 </translation>
-    </message>
-    <message>
-        <source>it has more than %1 strokes</source>
-        <translation>sie hat mehr als %1 Striche</translation>
-    </message>
-    <message>
-        <source>it has no line that can be a trunk, and no crown</source>
-        <translation>sie hat keine Linie, die ein Stamm sein kann, und keine Krone</translation>
     </message>
 </context>
 <context>
@@ -2614,6 +2633,22 @@ geschrieben werden konnte.
         <source>What the branches carried until now goes.</source>
         <translation>Was die Äste bisher trugen, verschwindet.</translation>
     </message>
+    <message>
+        <source>Variation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>How much the angles and lengths of a variation deviate from the tree.</source>
+        <translation>Wie sehr Winkel und Längen einer Abwandlung vom Baum abweichen.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Which variation it is: the same number makes the same tree of the same one.</source>
+        <translation>Welche Abwandlung es ist: dieselbe Nummer macht aus demselben Baum denselben.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3119,6 +3154,57 @@ geschrieben werden konnte.
     <message>
         <source>Press a branch and hold: it shrinks until you let go</source>
         <translation>Auf einen Ast drücken und halten: Er schrumpft bis zum Loslassen</translation>
+    </message>
+</context>
+<context>
+    <name>ReproduceTool</name>
+    <message>
+        <source>turn the view back to where you drew the first stroke, or press Esc to forget it</source>
+        <translation>drehen Sie die Ansicht dorthin zurück, wo Sie den ersten Strich gezeichnet haben, oder vergessen Sie ihn mit Esc</translation>
+    </message>
+    <message>
+        <source>look at the tree from the side, not from above or below, to draw its figure</source>
+        <translation>sehen Sie den Baum von der Seite an, nicht von oben oder unten, um seine Gestalt zu zeichnen</translation>
+    </message>
+    <message>
+        <source>there is no tree yet that could take another figure: make one first</source>
+        <translation>noch gibt es keinen Baum, der eine andere Gestalt annehmen könnte: machen Sie zuerst einen</translation>
+    </message>
+    <message>
+        <source>that is a point: draw the trunk as a line</source>
+        <translation>das ist ein Punkt: zeichnen Sie den Stamm als Linie</translation>
+    </message>
+    <message>
+        <source>that is a point: draw the silhouette as a line around the crown</source>
+        <translation>das ist ein Punkt: zeichnen Sie den Umriss als Linie um die Krone</translation>
+    </message>
+    <message>
+        <source>the stroke reaches too far away from the tree</source>
+        <translation>der Strich reicht zu weit vom Baum weg</translation>
+    </message>
+    <message>
+        <source>the trunk must be an open line</source>
+        <translation>der Stamm muss eine offene Linie sein</translation>
+    </message>
+    <message>
+        <source>the tip of the trunk must be inside the silhouette</source>
+        <translation>die Spitze des Stamms muss innerhalb des Umrisses liegen</translation>
+    </message>
+    <message>
+        <source>the silhouette must enclose the tip of the trunk</source>
+        <translation>der Umriss muss die Spitze des Stamms umschließen</translation>
+    </message>
+    <message>
+        <source>the trunk must be above the ground: draw it from its foot to its tip</source>
+        <translation>der Stamm muss über dem Boden liegen: zeichnen Sie ihn vom Fuß zur Spitze</translation>
+    </message>
+    <message>
+        <source>Make a tree first, with the brush or the pencil; then draw its new figure</source>
+        <translation>Machen Sie zuerst einen Baum, mit Pinsel oder Skizze; dann zeichnen Sie seine neue Gestalt</translation>
+    </message>
+    <message>
+        <source>Draw the new trunk, then the silhouette of its crown</source>
+        <translation>Zeichnen Sie den neuen Stamm, dann den Umriss seiner Krone</translation>
     </message>
 </context>
 <context>
@@ -4420,6 +4506,36 @@ geschrieben werden konnte.
     <message>
         <source>Later</source>
         <translation>Später</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReproduceController</name>
+    <message>
+        <source>Draw the new trunk, from its foot to its tip.</source>
+        <translation>Zeichnen Sie den neuen Stamm, vom Fuß zur Spitze.</translation>
+    </message>
+    <message>
+        <source>Now draw the silhouette of the crown around its tip.</source>
+        <translation>Zeichnen Sie nun um seine Spitze den Umriss der Krone.</translation>
+    </message>
+    <message>
+        <source>Now draw the trunk, with its tip inside the silhouette.</source>
+        <translation>Zeichnen Sie nun den Stamm, mit der Spitze innerhalb des Umrisses.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReproducePopOut</name>
+    <message>
+        <source>Another</source>
+        <translation>Ein anderer</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Another&lt;/b&gt;&lt;br&gt;The same tree with slightly different angles and lengths, as it could stand beside it in a forest. As long as nothing else is done, the next one takes its place.</source>
+        <translation>&lt;b&gt;Ein anderer&lt;/b&gt;&lt;br&gt;Derselbe Baum mit etwas anderen Winkeln und Längen, wie er im Wald daneben stehen könnte. Solange nichts anderes geschieht, tritt der nächste an seine Stelle.</translation>
     </message>
 </context>
 <context>

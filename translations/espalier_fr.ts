@@ -391,6 +391,14 @@
         <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
         <translation>Toucher une branche : elle en reçoit d’autres comme celles qu’elle porte, ou les transmet.</translation>
     </message>
+    <message>
+        <source>Reproduce</source>
+        <translation>Reproduire</translation>
+    </message>
+    <message>
+        <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
+        <translation>Dessiner un tronc et une silhouette&#xa0;: le même arbre prend cette nouvelle forme.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -512,6 +520,18 @@
         <translation>sketch demande au moins un dessin</translation>
     </message>
     <message>
+        <source>it has more than %1 strokes</source>
+        <translation>il a plus de %1 traits</translation>
+    </message>
+    <message>
+        <source>it has no line that can be a trunk, and no crown</source>
+        <translation>il n’a ni ligne qui puisse être un tronc, ni couronne</translation>
+    </message>
+    <message>
+        <source>--vary wants a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
+        <translation>--vary attend un nombre entier à partir de 0 et, si vous voulez, après deux-points, une mesure de %1 à 1, comme 7 ou 7:0.5, et non «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -524,7 +544,7 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
-                [--strict] [--set GROUP.NAME=VALUE]...
+                [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
     Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
@@ -534,6 +554,8 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     error, and nothing is written.
     --set gives a parameter a value for the whole replay, whatever recipes say:
     --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
+    --vary makes angles and lengths of the tree deviate a little, by an amount of
+    0.3, or up to 1: with another seed it is another tree beside it in a forest.
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
@@ -547,13 +569,14 @@ espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
     drawn over the one before. --front-only: depth is given once, without a
     second placing from the side.
 
-espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
-    Writes a project in other formats. --set changes parameters for what is
-    written; the project stays as it is.
+espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
+                [--set GROUP.NAME=VALUE]...
+    Writes a project in other formats. --vary and --set change what is written;
+    the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
-                [--set GROUP.NAME=VALUE]...
+                [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
     its shadow, as black of some opacity. --fibres: the strands of the wood.
@@ -579,7 +602,8 @@ espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FICHIER] [--profiles FICHIER] [--threads N] [--seed N]
-                [--strict] [--set GROUPE.NOM=VALEUR]...
+                [--strict] [--vary NOMBRE[:MESURE]]
+                [--set GROUPE.NOM=VALEUR]...
     Fait ce que dit une recette, sans fenêtre, et écrit ce qui en résulte.
     D’un projet, tout ce qui a été fait à son arbre est refait.
     De plusieurs recettes, chacune continue l’arbre de la précédente&#xa0;: la
@@ -590,6 +614,8 @@ espalier replay RECETTE|PROJET... [-o SORTIE]... [--png FICHIER] [--size LxH]
     --set donne une valeur à un paramètre pour tout le rejeu, quoi que disent
     les recettes&#xa0;: --set growth.shedding=0.1 --set leaves.visible=false. Les
     angles sont en degrés.
+    --vary fait varier un peu les angles et les longueurs de l’arbre, d’une
+    mesure de 0.3, ou jusqu’à 1&#xa0;: un autre nombre est un autre arbre de la forêt.
 
 espalier import SQUELETTE.csv -o SORTIE...
     Fait un arbre d’un arbre mesuré&#xa0;: des lignes d’id, parent, deux bouts et
@@ -605,13 +631,14 @@ espalier sketch DESSIN... [--index N] [--front-only] [-o SORTIE]...
     tracé sur le précédent. --front-only : la profondeur est donnée une fois,
     sans placer le dessin encore une fois de côté.
 
-espalier export PROJET [-o SORTIE]... [--set GROUPE.NOM=VALEUR]...
-    Écrit un projet dans d’autres formats. --set change des paramètres pour ce
-    qui est écrit&#xa0;; le projet reste tel quel.
+espalier export PROJET [-o SORTIE]... [--vary NOMBRE[:MESURE]]
+                [--set GROUPE.NOM=VALEUR]...
+    Écrit un projet dans d’autres formats. --vary et --set changent ce qui est
+    écrit&#xa0;; le projet reste tel quel.
 
 espalier render PROJET --png FICHIER [--size LxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
-                [--set GROUPE.NOM=VALEUR]...
+                [--vary NOMBRE[:MESURE]] [--set GROUPE.NOM=VALEUR]...
     Prend une image. Il faut un affichage&#xa0;; un affichage virtuel convient.
     --transparent&#xa0;: l’arbre seul, avec un alpha non prémultiplié&#xa0;;
     --ground-shadow garde son ombre, en noir plus ou moins opaque.
@@ -626,14 +653,6 @@ SORTIE se termine par .espalier (projet) ou par le suffixe d’un format&#xa0;:
 %1Se termine avec 0 en cas de succès, 2 si la ligne de commande est fausse, 3 si
 une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 </translation>
-    </message>
-    <message>
-        <source>it has more than %1 strokes</source>
-        <translation>il a plus de %1 traits</translation>
-    </message>
-    <message>
-        <source>it has no line that can be a trunk, and no crown</source>
-        <translation>il n’a ni ligne qui puisse être un tronc, ni couronne</translation>
     </message>
 </context>
 <context>
@@ -2613,6 +2632,22 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>What the branches carried until now goes.</source>
         <translation>Ce que les branches portaient jusqu’ici disparaît.</translation>
     </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>How much the angles and lengths of a variation deviate from the tree.</source>
+        <translation>À quel point les angles et les longueurs d’une variation s’écartent de l’arbre.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>Which variation it is: the same number makes the same tree of the same one.</source>
+        <translation>De quelle variation il s’agit&#xa0;: le même numéro fait du même arbre le même.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3118,6 +3153,57 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Press a branch and hold: it shrinks until you let go</source>
         <translation>Appuyer sur une branche et maintenir&#xa0;: elle rétrécit jusqu’au relâchement</translation>
+    </message>
+</context>
+<context>
+    <name>ReproduceTool</name>
+    <message>
+        <source>turn the view back to where you drew the first stroke, or press Esc to forget it</source>
+        <translation>ramenez la vue là où vous avez dessiné le premier trait, ou oubliez-le avec Échap</translation>
+    </message>
+    <message>
+        <source>look at the tree from the side, not from above or below, to draw its figure</source>
+        <translation>regardez l’arbre de côté, et non d’en haut ou d’en bas, pour dessiner sa forme</translation>
+    </message>
+    <message>
+        <source>there is no tree yet that could take another figure: make one first</source>
+        <translation>il n’y a pas encore d’arbre qui puisse prendre une autre forme&#xa0;: faites-en d’abord un</translation>
+    </message>
+    <message>
+        <source>that is a point: draw the trunk as a line</source>
+        <translation>c’est un point&#xa0;: dessinez le tronc comme une ligne</translation>
+    </message>
+    <message>
+        <source>that is a point: draw the silhouette as a line around the crown</source>
+        <translation>c’est un point&#xa0;: dessinez la silhouette comme une ligne autour du houppier</translation>
+    </message>
+    <message>
+        <source>the stroke reaches too far away from the tree</source>
+        <translation>le trait va trop loin de l’arbre</translation>
+    </message>
+    <message>
+        <source>the trunk must be an open line</source>
+        <translation>le tronc doit être une ligne ouverte</translation>
+    </message>
+    <message>
+        <source>the tip of the trunk must be inside the silhouette</source>
+        <translation>la pointe du tronc doit être à l’intérieur de la silhouette</translation>
+    </message>
+    <message>
+        <source>the silhouette must enclose the tip of the trunk</source>
+        <translation>la silhouette doit entourer la pointe du tronc</translation>
+    </message>
+    <message>
+        <source>the trunk must be above the ground: draw it from its foot to its tip</source>
+        <translation>le tronc doit être au-dessus du sol&#xa0;: dessinez-le du pied à la pointe</translation>
+    </message>
+    <message>
+        <source>Make a tree first, with the brush or the pencil; then draw its new figure</source>
+        <translation>Faites d’abord un arbre, au pinceau ou à l’esquisse&#xa0;; dessinez ensuite sa nouvelle forme</translation>
+    </message>
+    <message>
+        <source>Draw the new trunk, then the silhouette of its crown</source>
+        <translation>Dessinez le nouveau tronc, puis la silhouette de son houppier</translation>
     </message>
 </context>
 <context>
@@ -4419,6 +4505,36 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Later</source>
         <translation>Plus tard</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReproduceController</name>
+    <message>
+        <source>Draw the new trunk, from its foot to its tip.</source>
+        <translation>Dessinez le nouveau tronc, du pied à la pointe.</translation>
+    </message>
+    <message>
+        <source>Now draw the silhouette of the crown around its tip.</source>
+        <translation>Dessinez maintenant la silhouette du houppier autour de sa pointe.</translation>
+    </message>
+    <message>
+        <source>Now draw the trunk, with its tip inside the silhouette.</source>
+        <translation>Dessinez maintenant le tronc, la pointe dans la silhouette.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReproducePopOut</name>
+    <message>
+        <source>Another</source>
+        <translation>Un autre</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Another&lt;/b&gt;&lt;br&gt;The same tree with slightly different angles and lengths, as it could stand beside it in a forest. As long as nothing else is done, the next one takes its place.</source>
+        <translation>&lt;b&gt;Un autre&lt;/b&gt;&lt;br&gt;Le même arbre avec des angles et des longueurs un peu différents, comme il pourrait se tenir à côté dans une forêt. Tant que rien d’autre n’est fait, le suivant prend sa place.</translation>
     </message>
 </context>
 <context>

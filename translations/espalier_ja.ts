@@ -391,6 +391,14 @@
         <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
         <translation>枝をタップすると、付いている枝が増えるか、ほかの枝に広まります。</translation>
     </message>
+    <message>
+        <source>Reproduce</source>
+        <translation>再現</translation>
+    </message>
+    <message>
+        <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
+        <translation>幹と輪郭を描くと、同じ木がその新しい姿になります。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -512,6 +520,18 @@
         <translation>sketch には絵が一つ以上必要です</translation>
     </message>
     <message>
+        <source>it has more than %1 strokes</source>
+        <translation>線が %1 本を超えています</translation>
+    </message>
+    <message>
+        <source>it has no line that can be a trunk, and no crown</source>
+        <translation>幹になれる線も樹冠もありません</translation>
+    </message>
+    <message>
+        <source>--vary wants a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
+        <translation>--vary には 0 以上の整数と、必要ならコロンの後に %1 から 1 までの度合いが必要です（7 や 7:0.5 など）。「%2」は使えません</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -524,7 +544,7 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
-                [--strict] [--set GROUP.NAME=VALUE]...
+                [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
     Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
@@ -534,6 +554,8 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     error, and nothing is written.
     --set gives a parameter a value for the whole replay, whatever recipes say:
     --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
+    --vary makes angles and lengths of the tree deviate a little, by an amount of
+    0.3, or up to 1: with another seed it is another tree beside it in a forest.
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
@@ -547,13 +569,14 @@ espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
     drawn over the one before. --front-only: depth is given once, without a
     second placing from the side.
 
-espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
-    Writes a project in other formats. --set changes parameters for what is
-    written; the project stays as it is.
+espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
+                [--set GROUP.NAME=VALUE]...
+    Writes a project in other formats. --vary and --set change what is written;
+    the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
-                [--set GROUP.NAME=VALUE]...
+                [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
     its shadow, as black of some opacity. --fibres: the strands of the wood.
@@ -579,7 +602,7 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
-                [--strict] [--set GROUP.NAME=VALUE]...
+                [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     ウィンドウなしでレシピを実行し、結果を書き出します。
     プロジェクトのときは、その木に対して行ったことをすべてもう一度行います。
     レシピが複数あるときは、それぞれが前の木の続きになります。シードは
@@ -590,6 +613,8 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     --set は、レシピの内容にかかわらず、再生全体を通してパラメーターの値を
     決めます: --set growth.shedding=0.1 --set leaves.visible=false
     角度の単位は度です。
+    --vary は木の角度と長さを少しずらします。度合いは 0.3、または 1 まで。
+    数を変えると、森で隣に立つ別の木になります。
 
 espalier import SKELETON.csv -o OUT...
     計測した木から木を作ります。各行は id、parent、両端、半径です。
@@ -602,13 +627,14 @@ espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
     0 から数えて選びます。複数の絵は前の絵に重ねて描かれます。
     --front-only: 絵を横からもう一度置かず、奥行きを一度だけ与えます。
 
-espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
-    プロジェクトをほかの形式で書き出します。--set は書き出す内容の
-    パラメーターだけを変え、プロジェクトはそのまま残ります。
+espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
+                [--set GROUP.NAME=VALUE]...
+    プロジェクトをほかの形式で書き出します。--vary と --set は書き出す
+    内容だけを変え、プロジェクトはそのまま残ります。
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
-                [--set GROUP.NAME=VALUE]...
+                [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     画像を保存します。ディスプレイが必要ですが、仮想のものでかまいません。
     --transparent: 木だけを、ストレートアルファで保存します。
     --ground-shadow を付けると、影が半透明の黒で残ります。
@@ -623,14 +649,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 %1終了コードは、完了すると 0、コマンドラインの誤りは 2、入力が読めないか
 正しくないときは 3、出力を書き込めないときは 4 です。
 </translation>
-    </message>
-    <message>
-        <source>it has more than %1 strokes</source>
-        <translation>線が %1 本を超えています</translation>
-    </message>
-    <message>
-        <source>it has no line that can be a trunk, and no crown</source>
-        <translation>幹になれる線も樹冠もありません</translation>
     </message>
 </context>
 <context>
@@ -2610,6 +2628,22 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>What the branches carried until now goes.</source>
         <translation>枝にそれまで付いていたものはなくなります。</translation>
     </message>
+    <message>
+        <source>Variation</source>
+        <translation>変化</translation>
+    </message>
+    <message>
+        <source>How much the angles and lengths of a variation deviate from the tree.</source>
+        <translation>角度と長さを、元の木からどれだけずらすか。</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>Which variation it is: the same number makes the same tree of the same one.</source>
+        <translation>どの変化か。同じ木からは、同じ番号で同じ木ができます。</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3115,6 +3149,57 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Press a branch and hold: it shrinks until you let go</source>
         <translation>枝を押し続けると、離すまで縮みます</translation>
+    </message>
+</context>
+<context>
+    <name>ReproduceTool</name>
+    <message>
+        <source>turn the view back to where you drew the first stroke, or press Esc to forget it</source>
+        <translation>最初の線を描いた向きに視点を戻すか、Esc で最初の線を取り消してください</translation>
+    </message>
+    <message>
+        <source>look at the tree from the side, not from above or below, to draw its figure</source>
+        <translation>木の姿を描くには、上や下からではなく横から見てください</translation>
+    </message>
+    <message>
+        <source>there is no tree yet that could take another figure: make one first</source>
+        <translation>新しい姿にする木がまだありません。先に木を作ってください</translation>
+    </message>
+    <message>
+        <source>that is a point: draw the trunk as a line</source>
+        <translation>これは点です。幹は線で描いてください</translation>
+    </message>
+    <message>
+        <source>that is a point: draw the silhouette as a line around the crown</source>
+        <translation>これは点です。輪郭は樹冠を囲む線で描いてください</translation>
+    </message>
+    <message>
+        <source>the stroke reaches too far away from the tree</source>
+        <translation>線が木から離れすぎています</translation>
+    </message>
+    <message>
+        <source>the trunk must be an open line</source>
+        <translation>幹は閉じていない線でなければなりません</translation>
+    </message>
+    <message>
+        <source>the tip of the trunk must be inside the silhouette</source>
+        <translation>幹の先端は輪郭の中になければなりません</translation>
+    </message>
+    <message>
+        <source>the silhouette must enclose the tip of the trunk</source>
+        <translation>輪郭は幹の先端を囲まなければなりません</translation>
+    </message>
+    <message>
+        <source>the trunk must be above the ground: draw it from its foot to its tip</source>
+        <translation>幹は地面より上になければなりません。根元から先端まで描いてください</translation>
+    </message>
+    <message>
+        <source>Make a tree first, with the brush or the pencil; then draw its new figure</source>
+        <translation>先にブラシかスケッチで木を作り、それから新しい姿を描いてください</translation>
+    </message>
+    <message>
+        <source>Draw the new trunk, then the silhouette of its crown</source>
+        <translation>新しい幹を描き、次に樹冠の輪郭を描きます</translation>
     </message>
 </context>
 <context>
@@ -4415,6 +4500,36 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Later</source>
         <translation>後で</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReproduceController</name>
+    <message>
+        <source>Draw the new trunk, from its foot to its tip.</source>
+        <translation>新しい幹を、根元から先端まで描いてください。</translation>
+    </message>
+    <message>
+        <source>Now draw the silhouette of the crown around its tip.</source>
+        <translation>次に、先端を囲むように樹冠の輪郭を描いてください。</translation>
+    </message>
+    <message>
+        <source>Now draw the trunk, with its tip inside the silhouette.</source>
+        <translation>次に、先端が輪郭の中に入るように幹を描いてください。</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReproducePopOut</name>
+    <message>
+        <source>Another</source>
+        <translation>別の木</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Another&lt;/b&gt;&lt;br&gt;The same tree with slightly different angles and lengths, as it could stand beside it in a forest. As long as nothing else is done, the next one takes its place.</source>
+        <translation>&lt;b&gt;別の木&lt;/b&gt;&lt;br&gt;角度と長さが少し違う同じ木で、森で隣に立っていそうなものです。ほかのことをしないかぎり、次の木がその代わりになります。</translation>
     </message>
 </context>
 <context>

@@ -391,6 +391,14 @@
         <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
         <translation>Dotknij gałęzi: dostanie więcej takich, jakie niesie, albo przekaże je dalej.</translation>
     </message>
+    <message>
+        <source>Reproduce</source>
+        <translation>Odtwarzanie</translation>
+    </message>
+    <message>
+        <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
+        <translation>Narysuj pień i sylwetkę: to samo drzewo przyjmie tę nową postać.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -512,6 +520,18 @@
         <translation>sketch wymaga co najmniej jednego rysunku</translation>
     </message>
     <message>
+        <source>it has more than %1 strokes</source>
+        <translation>ma więcej niż %1 kresek</translation>
+    </message>
+    <message>
+        <source>it has no line that can be a trunk, and no crown</source>
+        <translation>nie ma linii, która mogłaby być pniem, ani korony</translation>
+    </message>
+    <message>
+        <source>--vary wants a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
+        <translation>--vary wymaga liczby całkowitej od 0, a po dwukropku, jeśli chcesz, miary od %1 do 1, jak 7 lub 7:0.5, a nie „%2”</translation>
+    </message>
+    <message>
         <source>Espalier: brush trees into being.
 
 espalier [PROJECT]
@@ -524,7 +544,7 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
-                [--strict] [--set GROUP.NAME=VALUE]...
+                [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     Does what a recipe says, without a window, and writes what comes of it.
     Of a project, all is done again that was done to its tree.
     Of several recipes each continues the tree of the one before: the first
@@ -534,6 +554,8 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
     error, and nothing is written.
     --set gives a parameter a value for the whole replay, whatever recipes say:
     --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
+    --vary makes angles and lengths of the tree deviate a little, by an amount of
+    0.3, or up to 1: with another seed it is another tree beside it in a forest.
 
 espalier import SKELETON.csv -o OUT...
     Makes a tree of a measured one: lines of id, parent, both ends and radius.
@@ -547,13 +569,14 @@ espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
     drawn over the one before. --front-only: depth is given once, without a
     second placing from the side.
 
-espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...
-    Writes a project in other formats. --set changes parameters for what is
-    written; the project stays as it is.
+espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
+                [--set GROUP.NAME=VALUE]...
+    Writes a project in other formats. --vary and --set change what is written;
+    the project stays as it is.
 
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
-                [--set GROUP.NAME=VALUE]...
+                [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
     Takes a picture. It wants a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
     its shadow, as black of some opacity. --fibres: the strands of the wood.
@@ -579,7 +602,8 @@ espalier replay PRZEPIS|PROJEKT... [-o WYNIK]... [--png PLIK] [--size SxW]
                 [--camera front|side|top|three-quarter]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats PLIK] [--profiles PLIK] [--threads N] [--seed N]
-                [--strict] [--set GRUPA.NAZWA=WARTOŚĆ]...
+                [--strict] [--vary LICZBA[:MIARA]]
+                [--set GRUPA.NAZWA=WARTOŚĆ]...
     Wykonuje bez okna to, co mówi przepis, i zapisuje wynik.
     Z projektu powtarza wszystko, co zrobiono z jego drzewem.
     Przy kilku przepisach każdy prowadzi dalej drzewo poprzedniego: pierwszy
@@ -590,6 +614,8 @@ espalier replay PRZEPIS|PROJEKT... [-o WYNIK]... [--png PLIK] [--size SxW]
     --set nadaje parametrowi wartość na całe odtwarzanie, cokolwiek mówią
     przepisy: --set growth.shedding=0.1 --set leaves.visible=false. Kąty
     podaje się w stopniach.
+    --vary zmienia trochę kąty i długości drzewa, o miarę 0.3 albo do 1: inna
+    liczba to inne drzewo, obok niego w lesie.
 
 espalier import SZKIELET.csv -o WYNIK...
     Tworzy drzewo ze zmierzonego: wiersze z id, parent, oboma końcami i
@@ -604,13 +630,14 @@ espalier sketch RYSUNEK... [--index N] [--front-only] [-o WYNIK]...
     rysunków każdy jest rysowany na poprzednim. --front-only: głębia jest
     nadawana raz, bez drugiego umieszczenia rysunku z boku.
 
-espalier export PROJEKT [-o WYNIK]... [--set GRUPA.NAZWA=WARTOŚĆ]...
-    Zapisuje projekt w innych formatach. --set zmienia parametry tylko w tym,
+espalier export PROJEKT [-o WYNIK]... [--vary LICZBA[:MIARA]]
+                [--set GRUPA.NAZWA=WARTOŚĆ]...
+    Zapisuje projekt w innych formatach. --vary i --set zmieniają tylko to,
     co zostaje zapisane; projekt pozostaje bez zmian.
 
 espalier render PROJEKT --png PLIK [--size SxW] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
-                [--set GRUPA.NAZWA=WARTOŚĆ]...
+                [--vary LICZBA[:MIARA]] [--set GRUPA.NAZWA=WARTOŚĆ]...
     Tworzy obraz. Wymaga ekranu; wystarczy wirtualny.
     --transparent: samo drzewo, z prostym kanałem alfa; --ground-shadow
     zachowuje jego cień jako czerń o pewnym kryciu.
@@ -625,14 +652,6 @@ WYNIK kończy się na .espalier (projekt) lub na rozszerzenie formatu:
 %1Kod wyjścia: 0 po wykonaniu, 2 przy błędnym wierszu poleceń, 3 gdy danych nie
 da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 </translation>
-    </message>
-    <message>
-        <source>it has more than %1 strokes</source>
-        <translation>ma więcej niż %1 kresek</translation>
-    </message>
-    <message>
-        <source>it has no line that can be a trunk, and no crown</source>
-        <translation>nie ma linii, która mogłaby być pniem, ani korony</translation>
     </message>
 </context>
 <context>
@@ -2612,6 +2631,22 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>What the branches carried until now goes.</source>
         <translation>To, co gałęzie niosły dotąd, znika.</translation>
     </message>
+    <message>
+        <source>Variation</source>
+        <translation>Odmienność</translation>
+    </message>
+    <message>
+        <source>How much the angles and lengths of a variation deviate from the tree.</source>
+        <translation>Jak bardzo kąty i długości odmiany odbiegają od drzewa.</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Numer</translation>
+    </message>
+    <message>
+        <source>Which variation it is: the same number makes the same tree of the same one.</source>
+        <translation>Która to odmiana: ten sam numer robi z tego samego drzewa to samo.</translation>
+    </message>
 </context>
 <context>
     <name>ParametersJson</name>
@@ -3117,6 +3152,57 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Press a branch and hold: it shrinks until you let go</source>
         <translation>Nacisnąć gałąź i przytrzymać: kurczy się aż do puszczenia</translation>
+    </message>
+</context>
+<context>
+    <name>ReproduceTool</name>
+    <message>
+        <source>turn the view back to where you drew the first stroke, or press Esc to forget it</source>
+        <translation>obróć widok tam, skąd powstała pierwsza kreska, albo zapomnij ją klawiszem Esc</translation>
+    </message>
+    <message>
+        <source>look at the tree from the side, not from above or below, to draw its figure</source>
+        <translation>aby narysować postać drzewa, patrz na nie z boku, nie z góry ani z dołu</translation>
+    </message>
+    <message>
+        <source>there is no tree yet that could take another figure: make one first</source>
+        <translation>nie ma jeszcze drzewa, które mogłoby przyjąć inną postać: najpierw je zrób</translation>
+    </message>
+    <message>
+        <source>that is a point: draw the trunk as a line</source>
+        <translation>to punkt: narysuj pień jako linię</translation>
+    </message>
+    <message>
+        <source>that is a point: draw the silhouette as a line around the crown</source>
+        <translation>to punkt: narysuj sylwetkę jako linię wokół korony</translation>
+    </message>
+    <message>
+        <source>the stroke reaches too far away from the tree</source>
+        <translation>kreska sięga zbyt daleko od drzewa</translation>
+    </message>
+    <message>
+        <source>the trunk must be an open line</source>
+        <translation>pień musi być linią otwartą</translation>
+    </message>
+    <message>
+        <source>the tip of the trunk must be inside the silhouette</source>
+        <translation>wierzchołek pnia musi leżeć wewnątrz sylwetki</translation>
+    </message>
+    <message>
+        <source>the silhouette must enclose the tip of the trunk</source>
+        <translation>sylwetka musi otaczać wierzchołek pnia</translation>
+    </message>
+    <message>
+        <source>the trunk must be above the ground: draw it from its foot to its tip</source>
+        <translation>pień musi być nad ziemią: narysuj go od podstawy do wierzchołka</translation>
+    </message>
+    <message>
+        <source>Make a tree first, with the brush or the pencil; then draw its new figure</source>
+        <translation>Najpierw zrób drzewo pędzlem lub szkicem; potem narysuj jego nową postać</translation>
+    </message>
+    <message>
+        <source>Draw the new trunk, then the silhouette of its crown</source>
+        <translation>Narysuj nowy pień, potem sylwetkę jego korony</translation>
     </message>
 </context>
 <context>
@@ -4419,6 +4505,36 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Later</source>
         <translation>Później</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReproduceController</name>
+    <message>
+        <source>Draw the new trunk, from its foot to its tip.</source>
+        <translation>Narysuj nowy pień, od podstawy do wierzchołka.</translation>
+    </message>
+    <message>
+        <source>Now draw the silhouette of the crown around its tip.</source>
+        <translation>Teraz narysuj sylwetkę korony wokół jego wierzchołka.</translation>
+    </message>
+    <message>
+        <source>Now draw the trunk, with its tip inside the silhouette.</source>
+        <translation>Teraz narysuj pień, z wierzchołkiem wewnątrz sylwetki.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::ReproducePopOut</name>
+    <message>
+        <source>Another</source>
+        <translation>Inne</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Another&lt;/b&gt;&lt;br&gt;The same tree with slightly different angles and lengths, as it could stand beside it in a forest. As long as nothing else is done, the next one takes its place.</source>
+        <translation>&lt;b&gt;Inne&lt;/b&gt;&lt;br&gt;To samo drzewo z nieco innymi kątami i długościami, jakie mogłoby stać obok w lesie. Dopóki nic innego nie zrobisz, następne zajmuje jego miejsce.</translation>
     </message>
 </context>
 <context>

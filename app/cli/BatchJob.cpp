@@ -6,6 +6,7 @@
 #include "commands/DocumentProject.h"
 #include "commands/ImportSkeleton.h"
 #include "commands/SetParameters.h"
+#include "commands/VaryTree.h"
 #include "commands/recipe/JournalRecipe.h"
 #include "commands/recipe/Recipe.h"
 #include "commands/recipe/RecipePlayer.h"
@@ -340,6 +341,15 @@ Result<void> writeResults(const TreeDocument& document, const QString& name, con
     return line.stats.isEmpty() ? Result<void>() : writeStats(document, mesh, times, more, line.stats);
 }
 
+/// Varies the tree, if the command line says so.
+Result<void> varyIfAsked(TreeDocument& document, const CommandLine& line)
+{
+    if (!line.variation)
+        return {};
+    const Result<void> done = varyTree(document, line.variation->seed, line.variation->amount);
+    return done ? done : inputError(QFileInfo(line.inputs.constFirst()).fileName(), done.error().message);
+}
+
 Result<void> replay(const CommandLine& line)
 {
     TreeDocument document;
@@ -349,6 +359,8 @@ Result<void> replay(const CommandLine& line)
     const Result<QString> view = playRecipes(document, name, line);
     if (!view)
         return view.error();
+    if (const Result<void> done = varyIfAsked(document, line); !done)
+        return done.error();
     return writeResults(document, name, line, secondsOf(timer), *view, {});
 }
 
@@ -385,15 +397,15 @@ Result<void> importTree(const CommandLine& line)
     return writeOutputs(projectOf(document, QFileInfo(fileName).completeBaseName()), line.outputs);
 }
 
-/// Shows the project, with the parameters that the command line gives in force.
-Result<void> showWithOverrides(TreeDocument& document, Project project, const CommandLine& line)
+/// Shows the project as the command line changes it: with other parameters in force, and varied.
+Result<void> showChanged(TreeDocument& document, Project project, const CommandLine& line)
 {
     showProject(document, std::move(project));
     if (!setParameters(document, line.overrides.appliedTo(document.parameters())))
         return inputError(
             QFileInfo(line.inputs.constFirst()).fileName(),
             QCoreApplication::translate("CommandLine", "there is no room for more parameter sets"));
-    return {};
+    return varyIfAsked(document, line);
 }
 
 Result<void> exportProject(const CommandLine& line)
@@ -401,11 +413,11 @@ Result<void> exportProject(const CommandLine& line)
     Result<Project> project = loadInput(line);
     if (!project)
         return project.error();
-    if (line.overrides.isEmpty())
+    if (line.overrides.isEmpty() && !line.variation)
         return writeOutputs(*project, line.outputs);
     const QString name = project->name;
     TreeDocument document;
-    if (const Result<void> shown = showWithOverrides(document, std::move(*project), line); !shown)
+    if (const Result<void> shown = showChanged(document, std::move(*project), line); !shown)
         return shown.error();
     return writeOutputs(projectOf(document, name), line.outputs);
 }
@@ -416,7 +428,7 @@ Result<void> render(const CommandLine& line)
     if (!project)
         return project.error();
     TreeDocument document;
-    if (const Result<void> shown = showWithOverrides(document, std::move(*project), line); !shown)
+    if (const Result<void> shown = showChanged(document, std::move(*project), line); !shown)
         return shown.error();
     return writePictureOf(document, line, {});
 }

@@ -159,6 +159,24 @@ constexpr Option kOptions[] = {
                      .arg(value));
          return {};
      }},
+    {"vary", " replay export render ",
+     [](CommandLine& line, const QString& value) -> Result<void> {
+         VaryOperation variation;
+         bool isSeed = false;
+         bool isAmount = true;
+         variation.seed = value.section(QLatin1Char(':'), 0, 0).toULongLong(&isSeed);
+         if (value.contains(QLatin1Char(':')))
+             variation.amount = value.section(QLatin1Char(':'), 1).toDouble(&isAmount);
+         if (!isSeed || !isAmount || !(variation.amount >= VaryOperation::kLeastAmount) ||
+             !(variation.amount <= 1.0))
+             return usage(
+                 CommandLineText::tr("--vary wants a whole number from 0, and after a colon an amount "
+                                     "from %1 to 1 if you like, such as 7 or 7:0.5, not \"%2\"")
+                     .arg(VaryOperation::kLeastAmount)
+                     .arg(value));
+         line.variation = variation;
+         return {};
+     }},
     {"set", " replay sketch export render ",
      [](CommandLine& line, const QString& value) -> Result<void> { return line.overrides.add(value); }},
 };
@@ -323,7 +341,7 @@ QString commandLineHelp()
                "                [--camera front|side|top|three-quarter]\n"
                "                [--transparent [--ground-shadow]] [--fibres]\n"
                "                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]\n"
-               "                [--strict] [--set GROUP.NAME=VALUE]...\n"
+               "                [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...\n"
                "    Does what a recipe says, without a window, and writes what comes of it.\n"
                "    Of a project, all is done again that was done to its tree.\n"
                "    Of several recipes each continues the tree of the one before: the first\n"
@@ -333,6 +351,8 @@ QString commandLineHelp()
                "    error, and nothing is written.\n"
                "    --set gives a parameter a value for the whole replay, whatever recipes say:\n"
                "    --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.\n"
+               "    --vary makes angles and lengths of the tree deviate a little, by an amount of\n"
+               "    0.3, or up to 1: with another seed it is another tree beside it in a forest.\n"
                "\n"
                "espalier import SKELETON.csv -o OUT...\n"
                "    Makes a tree of a measured one: lines of id, parent, both ends and radius.\n"
@@ -346,13 +366,14 @@ QString commandLineHelp()
                "    drawn over the one before. --front-only: depth is given once, without a\n"
                "    second placing from the side.\n"
                "\n"
-               "espalier export PROJECT [-o OUT]... [--set GROUP.NAME=VALUE]...\n"
-               "    Writes a project in other formats. --set changes parameters for what is\n"
-               "    written; the project stays as it is.\n"
+               "espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]\n"
+               "                [--set GROUP.NAME=VALUE]...\n"
+               "    Writes a project in other formats. --vary and --set change what is written;\n"
+               "    the project stays as it is.\n"
                "\n"
                "espalier render PROJECT --png FILE [--size WxH] [--camera ...]\n"
                "                [--transparent [--ground-shadow]] [--fibres]\n"
-               "                [--set GROUP.NAME=VALUE]...\n"
+               "                [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...\n"
                "    Takes a picture. It wants a display; a virtual one will do.\n"
                "    --transparent: the tree alone, with straight alpha; --ground-shadow keeps\n"
                "    its shadow, as black of some opacity. --fibres: the strands of the wood.\n"

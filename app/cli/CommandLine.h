@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/ParameterOverrides.h"
+#include "commands/recipe/VaryOperation.h"
 #include "model/base/Error.h"
 
 #include <QSize>
@@ -35,14 +36,15 @@ struct CommandLine {
     bool fibres = false;      ///< The picture shows the strands in place of the bark
     /// The transparent picture has the tree's shadow too, as black of some opacity.
     bool groundShadow = false;
-    QString stats;                     ///< JSON; empty for none
-    QString profiles;                  ///< JSON of the strands in each cross-section; empty for none
-    bool strict = false;               ///< An operation that finds nothing to do is an error
-    int drawing = 0;                   ///< Of a file with many drawings, from 0
-    bool frontOnly = false;            ///< A drawing is placed once, not a second time turned by 90°
-    int threads = 0;                   ///< 0 for as many as the machine has
-    std::optional<std::uint64_t> seed; ///< In place of the recipe's
-    ParameterOverrides overrides{};    ///< In place of the recipe's or project's
+    QString stats;                          ///< JSON; empty for none
+    QString profiles;                       ///< JSON of the strands in each cross-section; empty for none
+    bool strict = false;                    ///< An operation that finds nothing to do is an error
+    int drawing = 0;                        ///< Of a file with many drawings, from 0
+    bool frontOnly = false;                 ///< A drawing is placed once, not a second time turned by 90°
+    int threads = 0;                        ///< 0 for as many as the machine has
+    std::optional<std::uint64_t> seed;      ///< In place of the recipe's
+    std::optional<VaryOperation> variation; ///< Of the tree at last
+    ParameterOverrides overrides{};         ///< In place of the recipe's or project's
 
     /// Whether a window or a picture will be drawn, which needs a display.
     bool needsDisplay() const;

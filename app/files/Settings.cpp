@@ -74,6 +74,7 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/depthHull"), values.depthHull);
     visit(QStringLiteral("view/depthLength"), values.depthLength);
     visit(QStringLiteral("view/depthAngle"), values.depthAngle);
+    visit(QStringLiteral("view/variation"), values.variation);
     visit(QStringLiteral("view/newBuds"), values.newBuds);
     visit(QStringLiteral("view/budSpacing"), values.budSpacing);
     visit(QStringLiteral("view/groundShown"), values.groundShown);

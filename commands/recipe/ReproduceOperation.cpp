@@ -9,6 +9,7 @@ namespace {
 
 constexpr QLatin1StringView kTrunkKey("trunk");
 constexpr QLatin1StringView kSilhouetteKey("silhouette");
+constexpr QLatin1StringView kFigureAzimuthKey("azimuth");
 
 } // namespace
 
@@ -20,12 +21,18 @@ ReproduceOperation ReproduceOperation::read(JsonReader& reader, RecipeReading& r
     ReproduceOperation operation;
     operation.figure.trunk = stroke(kTrunkKey);
     operation.figure.silhouette = stroke(kSilhouetteKey);
+    operation.figure.azimuth =
+        reader.number(kFigureAzimuthKey, -TreeFigure::kMostAzimuth, TreeFigure::kMostAzimuth, 0.0);
     return operation;
 }
 
 QJsonObject ReproduceOperation::write(RecipeWriting&) const
 {
-    return {{kTrunkKey, strokeToJson(figure.trunk)}, {kSilhouetteKey, strokeToJson(figure.silhouette)}};
+    QJsonObject json{{kTrunkKey, strokeToJson(figure.trunk)},
+                     {kSilhouetteKey, strokeToJson(figure.silhouette)}};
+    if (figure.azimuth != 0.0)
+        json[kFigureAzimuthKey] = figure.azimuth;
+    return json;
 }
 
 } // namespace espalier

@@ -49,6 +49,8 @@ void ViewSettings::setValues(const ViewValues& values)
     wanted.newBuds = std::round(std::clamp(wanted.newBuds, kLeastNewBuds, kMostNewBuds));
     for (double* factor : {&wanted.depthHull, &wanted.depthLength, &wanted.depthAngle})
         *factor = std::clamp(*factor, kLeastDepthFactor, kMostDepthFactor);
+    wanted.variation = std::clamp(wanted.variation, kLeastVariation, 1.0);
+    wanted.variationNumber = std::round(std::clamp(wanted.variationNumber, 1.0, kMostVariations));
     wanted.budSpacing = std::clamp(wanted.budSpacing, 0.0, kMostBudSpacing);
     wanted.sunElevation = std::clamp(wanted.sunElevation, kLeastSunElevation, radians(90));
     TracingImage& tracing = wanted.tracing;

@@ -27,6 +27,10 @@ inline constexpr double kMostBudSpacing = 0.3;
 inline constexpr double kLeastDepthFactor = 0.5;
 inline constexpr double kMostDepthFactor = 3.0;
 
+/// Limits of a tree's variations: how strong the weakest is, of 1, and their number.
+inline constexpr double kLeastVariation = 0.05;
+inline constexpr double kMostVariations = 100;
+
 /// The next larger (@p notches > 0) or smaller radius, for the wheel and the keys [ and ]: a notch changes it
 /// by a tenth, down to the radius 0 of a single axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
@@ -83,7 +87,9 @@ struct ViewValues {
     bool passesOnInOrder = false;
     bool passesOnScaled = true;
     bool passesOnAnew = false;
-    bool secondTree = true; ///< Depth is given to the drawing twice, the second time turned by 90°
+    double variation = 0.3;     ///< VaryOperation::amount, kLeastVariation...1
+    double variationNumber = 1; ///< The seed of a variation, a whole number, 1...kMostVariations
+    bool secondTree = true;     ///< Depth is given to the drawing twice, the second time turned by 90°
     /// DepthOptions::hullMagnification, lengthMagnification and angleMagnification,
     /// kLeastDepthFactor...kMostDepthFactor.
     double depthHull = 1.41;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <ranges>
 
 namespace espalier {
 
@@ -45,9 +46,10 @@ SketchLine convexCorners(std::span<const Eigen::Vector2d> points)
 CrownHull::CrownHull(std::span<const Eigen::Vector2d> points, double magnification)
     : m_corners(convexCorners(points)), m_magnification(magnification)
 {
-    m_top = m_corners.front().y();
-    for (const Eigen::Vector2d& corner : m_corners)
-        m_top = std::max(m_top, corner.y());
+    const auto summit =
+        std::ranges::is_sorted_until(m_corners, {}, [](const Eigen::Vector2d& corner) { return corner.y(); });
+    m_summit = static_cast<std::size_t>(summit - m_corners.begin()) - 1;
+    m_top = m_corners[m_summit].y();
 }
 
 CrownHull::Circle CrownHull::circle(double y) const
@@ -55,17 +57,30 @@ CrownHull::Circle CrownHull::circle(double y) const
     const double height = std::clamp(y, bottom(), top());
     double left = std::numeric_limits<double>::infinity();
     double right = -left;
-    for (std::size_t i = 0; i < m_corners.size(); ++i) {
-        const Eigen::Vector2d& a = m_corners[i];
-        const Eigen::Vector2d& b = m_corners[(i + 1) % m_corners.size()];
-        const auto [low, high] = std::minmax(a.y(), b.y());
-        if (height < low || height > high)
-            continue;
-        const bool isLevel = high == low;
+    const auto corner = [&](std::size_t i) -> const Eigen::Vector2d& {
+        return m_corners[i % m_corners.size()];
+    };
+    const auto extend = [&](std::size_t edge) {
+        const Eigen::Vector2d& a = corner(edge);
+        const Eigen::Vector2d& b = corner(edge + 1);
+        const bool isLevel = a.y() == b.y();
         const double x = isLevel ? a.x() : std::lerp(a.x(), b.x(), (height - a.y()) / (b.y() - a.y()));
         left = std::min({left, x, isLevel ? b.x() : x});
         right = std::max({right, x, isLevel ? b.x() : x});
-    }
+    };
+    // The edges that reach the height: on the way up, and on the way down.
+    const auto firstWhere = [](std::size_t first, std::size_t last, auto&& isBefore) {
+        const auto edges = std::views::iota(first, last);
+        return first +
+               static_cast<std::size_t>(std::ranges::partition_point(edges, isBefore) - edges.begin());
+    };
+    const std::size_t up = firstWhere(0, m_summit, [&](std::size_t i) { return corner(i + 1).y() < height; });
+    for (std::size_t i = up; i < m_summit && corner(i).y() <= height; ++i)
+        extend(i);
+    const std::size_t down =
+        firstWhere(m_summit, m_corners.size(), [&](std::size_t i) { return corner(i + 1).y() > height; });
+    for (std::size_t i = down; i < m_corners.size() && corner(i).y() >= height; ++i)
+        extend(i);
     return {.middle = 0.5 * (left + right), .radius = 0.5 * m_magnification * (right - left)};
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/sketch/SketchLine.h"
 
+#include <cstddef>
 #include <numbers>
 #include <span>
 
@@ -35,6 +36,7 @@ public:
 
 private:
     SketchLine m_corners;
+    std::size_t m_summit; ///< Corner up to which heights ascend, and after which they descend
     double m_top = 0.0;
     double m_magnification = 1.0;
 };

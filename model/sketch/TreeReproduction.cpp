@@ -26,13 +26,15 @@ Eigen::Vector3d onDrawing(const Eigen::Vector2d& point)
     return {point.x(), point.y(), 0.0};
 }
 
-/// The seedling's tree while it gets its new figure. Places are relative to the base of the trunk.
+/// The seedling's tree while it gets its new figure. Places are relative to the base of the trunk. The world
+/// is turned so that the drawing faces +Z.
 class NewFigure {
 public:
-    NewFigure(const Tree& tree, const TreeIndex& index, const CrownHull& hull)
+    NewFigure(const Tree& tree, const TreeIndex& index, const CrownHull& hull, double azimuth)
         : m_tree(tree),
           m_index(index),
           m_hull(hull),
+          m_toWorld(Eigen::AngleAxisd(azimuth, Eigen::Vector3d::UnitY())),
           m_longest(kLongestLimb * diagonalOf(hull)),
           m_nodes(tree.size(), Eigen::Vector3d::Zero()),
           m_rotations(tree.size(), Eigen::Quaterniond::Identity()),
@@ -68,9 +70,10 @@ private:
     const Tree& m_tree;
     const TreeIndex& m_index;
     const CrownHull& m_hull;
-    double m_longest; ///< m
+    Eigen::Quaterniond m_toWorld; ///< From the turned world
+    double m_longest;             ///< m
     std::vector<Eigen::Vector3d> m_nodes;
-    std::vector<Eigen::Quaterniond> m_rotations; ///< In the world
+    std::vector<Eigen::Quaterniond> m_rotations; ///< In the turned world
     std::vector<double> m_lengths;
     std::vector<double> m_ratios; ///< By branch: new length of the limb that carries it, divided by its old
     std::vector<bool> m_isPart;   ///< Living internodes of the tree
@@ -82,7 +85,7 @@ void NewFigure::drawTrunk(const SketchLine& stroke)
     const BranchAxis axis(m_tree, m_index, 0);
     Eigen::Vector3d node = Eigen::Vector3d::Zero();
     Eigen::Vector3d heading;
-    Eigen::Quaterniond frame = axis.frame(0);
+    Eigen::Quaterniond frame = m_toWorld.conjugate() * axis.frame(0);
     for (std::size_t i = 0; i < axis.internodes().size(); ++i) {
         const InternodeId id = axis.internodes()[i];
         const double share = axis.distanceOf({.number = i, .along = 1.0F}) / axis.length();
@@ -199,7 +202,7 @@ Result<Reproduction> NewFigure::finish()
         if (!m_isPart[id])
             continue;
         if (m_lengths[id] > double{kGreatestLength} ||
-            (root + m_nodes[id]).cwiseAbs().maxCoeff() > double{kFarthestNode})
+            (root + m_toWorld * m_nodes[id]).cwiseAbs().maxCoeff() > double{kFarthestNode})
             return Error{
                 Error::Kind::Input,
                 SketchText::tr("an internode would be longer than %1 m or lie farther than %2 m away")
@@ -209,9 +212,8 @@ Result<Reproduction> NewFigure::finish()
         Rotation after = before;
         if (isTrunk(id)) {
             const InternodeId parent = m_tree.parent(id);
-            const Eigen::Quaterniond below = parent == kNoInternode
-                                                 ? Eigen::Quaterniond(Eigen::Quaterniond::Identity())
-                                                 : m_rotations[parent];
+            const Eigen::Quaterniond below =
+                parent == kNoInternode ? Eigen::Quaterniond(m_toWorld.conjugate()) : m_rotations[parent];
             after = Rotation((below.conjugate() * m_rotations[id]).normalized().cast<float>());
         }
         delta.addFrame(id, before, after, m_tree.length(id), static_cast<float>(m_lengths[id]));
@@ -223,7 +225,7 @@ Result<Reproduction> NewFigure::finish()
 } // namespace
 
 Result<Reproduction> reproduced(const Tree& tree, const TreeIndex& index, const SketchLine& trunk,
-                                const SketchLine& silhouette)
+                                const SketchLine& silhouette, double azimuth)
 {
     if (trunk.size() < 2 || !(lengthOf(trunk) > 0.0))
         return Error{Error::Kind::Input, SketchText::tr("the new trunk has no length")};
@@ -239,7 +241,7 @@ Result<Reproduction> reproduced(const Tree& tree, const TreeIndex& index, const 
     if (outline.size() < 3 || !(box.sizes().minCoeff() > 0.0))
         return Error{Error::Kind::Input, SketchText::tr("the silhouette encloses nothing")};
     const CrownHull hull(outline, 1.0);
-    NewFigure figure(tree, index, hull);
+    NewFigure figure(tree, index, hull, azimuth);
     figure.drawTrunk(stroke);
     figure.drawBranches();
     return figure.finish();

@@ -27,7 +27,8 @@ struct Reproduction {
 ///
 /// @p trunk: an open stroke of two points or more, the new trunk; its lower end is the base. It moves so that
 /// the base is where the tree stands, and @p silhouette, three points or more, moves with it. Both in m, in
-/// the plane of the drawing, right and up; the drawing faces +Z.
+/// the plane of the drawing, right and up. @p azimuth: where the upright drawing is seen from, rad from +Z
+/// toward +X.
 ///
 /// The trunk follows its stroke: its internodes keep their shares of the length. All other internodes keep
 /// their rotations and places on their parents, so a branch keeps its direction in the turtle's frame of the
@@ -42,6 +43,6 @@ struct Reproduction {
 /// Fails (Kind::Input) if the trunk has no length or the silhouette no area, or if an internode would become
 /// longer than kGreatestLength or lie farther away than kFarthestNode.
 Result<Reproduction> reproduced(const Tree& tree, const TreeIndex& index, const SketchLine& trunk,
-                                const SketchLine& silhouette);
+                                const SketchLine& silhouette, double azimuth = 0.0);
 
 } // namespace espalier

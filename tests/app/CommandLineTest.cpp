@@ -25,6 +25,7 @@ private Q_SLOTS:
     void set_isTakenByEveryVerbThatMakesSomething();
     void set_winsOverContradictions();
     void set_holdsForAllOfARecipe();
+    void vary_takesASeedAndAnAmount();
     void wrongLines_saySo_data();
     void wrongLines_saySo();
 };
@@ -193,6 +194,21 @@ void CommandLineTest::set_holdsForAllOfARecipe()
     QCOMPARE(recipe.operations[1].as<SetParametersOperation>()->parameters, other);
 }
 
+void CommandLineTest::vary_takesASeedAndAnAmount()
+{
+    const auto variationOf = [](const char* words) {
+        const Result<CommandLine> line = parseCommandLine(QString::fromLatin1(words).split(QLatin1Char(' ')));
+        return line ? line->variation : std::nullopt;
+    };
+    QCOMPARE(variationOf("export a.espalier -o a.glb"), std::optional<VaryOperation>());
+    QCOMPARE(variationOf("export a.espalier -o a.glb --vary 7"),
+             std::optional(VaryOperation{.seed = 7, .amount = 0.3}));
+    QCOMPARE(variationOf("replay a.json --vary 18446744073709551615:1"),
+             std::optional(VaryOperation{.seed = 18446744073709551615U, .amount = 1.0}));
+    QCOMPARE(variationOf("render a.espalier --png a.png --vary=0:0.01"),
+             std::optional(VaryOperation{.seed = 0, .amount = 0.01}));
+}
+
 void CommandLineTest::wrongLines_saySo_data()
 {
     QTest::addColumn<QString>("words");
@@ -234,6 +250,12 @@ void CommandLineTest::wrongLines_saySo_data()
         "must not all be 0");
     add("export a.espalier --set growth.ellipseVertical=0.2 --set growth.ellipseOffset=0.3",
         "--set growth.ellipseOffset: it must not be beyond");
+    for (const char* words :
+         {"replay a.json --vary -1", "replay a.json --vary oak",
+          "replay a.json --vary 1:", "replay a.json --vary 1:0", "replay a.json --vary 1:1.1",
+          "replay a.json --vary 1:nan", "replay a.json --vary 1:0.5:2"})
+        add(words, "--vary wants a whole number from 0");
+    add("import a.csv -o a.obj --vary 1", "import knows no option --vary");
     add("info a.espalier --set growth.shedding=0.3", "info knows no option --set");
     add("import a.csv -o a.obj --set growth.shedding=0.3", "import knows no option --set");
     add("--demo --set growth.shedding=0.3", "espalier knows no option --set");

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void replay_continuesOneTreeThroughSeveralRecipes();
     void replay_takesTheSeedOfTheCommandLine();
     void replay_takesParametersOfTheCommandLine();
+    void vary_makesOtherTreesOfTheSameKind();
     void exportAndRender_takeParametersForTheirOutputAlone();
     void replayOfAProject_givesTheSameProject();
     void replayOfAnOldProject_saysWhichStepsAreNotKnown();
@@ -216,6 +217,23 @@ void ProgramTest::replay_takesParametersOfTheCommandLine()
     runWell({"replay", "plain.json", "-o", "plain.espalier"});
     runWell({"replay", "plain.espalier", "--strict", "--set", "growth.maxShootLength=4", "-o", "d.csv"});
     QCOMPARE(read("d.csv"), read("a.csv"));
+}
+
+void ProgramTest::vary_makesOtherTreesOfTheSameKind()
+{
+    runWell({"replay", "r.json", "-o", "t.espalier", "-o", "t.csv"});
+    const QByteArray before = read("t.espalier");
+    for (const char* number : {"1", "2"})
+        runWell({"export", "t.espalier", "--vary", number, "-o", QByteArray("t-") + number + ".csv"});
+    QVERIFY(read("t-1.csv") != read("t.csv"));
+    QVERIFY(read("t-1.csv") != read("t-2.csv"));
+    QCOMPARE(read("t-1.csv").count('\n'), read("t.csv").count('\n'));
+    QCOMPARE(read("t.espalier"), before);
+    // The same variation of the recipe's tree, which a project keeps as a step.
+    runWell({"replay", "r.json", "--vary", "2:0.3", "-o", "v.csv", "-o", "v.espalier"});
+    QCOMPARE(read("v.csv"), read("t-2.csv"));
+    runWell({"replay", "v.espalier", "--strict", "-o", "again.csv"});
+    QCOMPARE(read("again.csv"), read("v.csv"));
 }
 
 void ProgramTest::exportAndRender_takeParametersForTheirOutputAlone()

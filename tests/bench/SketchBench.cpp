@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/ReproduceTree.h"
 #include "commands/SketchStroke.h"
+#include "commands/VaryTree.h"
 #include "model/base/Random.h"
 #include "model/sketch/BranchPropagation.h"
 #include "model/sketch/FlatTree.h"
+#include "tests/bench/Crowns.h"
 #include "tests/support/TreeBuilder.h"
 
 #include <benchmark/benchmark.h>
+
+#include <cmath>
 
 namespace espalier {
 
@@ -78,6 +83,36 @@ void propagation(benchmark::State& state)
 }
 
 BENCHMARK(propagation)->Arg(10)->ArgName("twigs")->Unit(benchmark::kMillisecond);
+
+/// A grown crown takes the figure of a leaning trunk and of a silhouette of 500 points, as one command.
+void reproduction(benchmark::State& state)
+{
+    TreeDocument& document = crown(static_cast<std::uint32_t>(state.range(0)));
+    TreeFigure figure{.trunk = {{0.0F, 0.0F}, {0.3F, 1.0F}, {0.2F, 2.0F}}, .silhouette = {}, .azimuth = 20.0};
+    for (int i = 0; i < 500; ++i) {
+        const auto angle = static_cast<float>(radians(0.72 * i));
+        figure.silhouette.emplace_back(0.2F + 1.5F * std::cos(angle), 1.6F + 1.4F * std::sin(angle));
+    }
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(reproduceTree(document, figure));
+        state.PauseTiming();
+        document.undo();
+        state.ResumeTiming();
+    }
+}
+BENCHMARK(reproduction)->Arg(30'000)->ArgName("internodes")->Unit(benchmark::kMillisecond);
+
+/// One variation takes the place of another, as in the window.
+void variation(benchmark::State& state)
+{
+    TreeDocument& document = crown(static_cast<std::uint32_t>(state.range(0)));
+    VariationTrial trial(document);
+    std::uint64_t seed = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(trial.tryOut(++seed, 0.3));
+    document.undo();
+}
+BENCHMARK(variation)->Arg(30'000)->ArgName("internodes")->Unit(benchmark::kMillisecond);
 
 } // namespace
 

@@ -67,7 +67,8 @@ InternodeId bearerOf(const TreeDocument& document)
 TreeFigure figure()
 {
     return {.trunk = {{0.0F, -0.0F}, {0.2F, 1.0F}, {0.1F, 2.4F}},
-            .silhouette = {{-1.0F, 0.0F}, {1.3F, -0.1F}, {0.9F, 2.0F}, {0.1F, 2.6F}, {-0.8F, 2.1F}}};
+            .silhouette = {{-1.0F, 0.0F}, {1.3F, -0.1F}, {0.9F, 2.0F}, {0.1F, 2.6F}, {-0.8F, 2.1F}},
+            .azimuth = -33.3};
 }
 
 struct NamedCommand {
@@ -156,8 +157,9 @@ void BranchExamplesTest::refusedCommands_changeNothing()
     const DocumentState before(document);
     QVERIFY(!multiplyBranch(document, 4000, 1));
     QVERIFY(!propagateBranch(document, {.reference = 4000, .axes = {}}));
-    QVERIFY(!reproduceTree(document, {.trunk = {{0.0F, 1.0F}}, .silhouette = figure().silhouette}));
-    QVERIFY(!reproduceTree(document, {.trunk = figure().trunk, .silhouette = {}}));
+    QVERIFY(!reproduceTree(document,
+                           {.trunk = {{0.0F, 1.0F}}, .silhouette = figure().silhouette, .azimuth = 0.0}));
+    QVERIFY(!reproduceTree(document, {.trunk = figure().trunk, .silhouette = {}, .azimuth = 0.0}));
     QVERIFY(varyTree(document, 3, 0.0));
     QVERIFY(varyTree(document, 3, std::nan("")));
     QCOMPARE(differenceFrom(before, document), QString());

@@ -542,6 +542,7 @@ ReproduceOperation RandomOperations::make(const TreeDocument& document, int)
                                             5.0F * l * (m_random.inBall() + up()).head<2>());
     for (const Vec2& point : loop(20.0F * l))
         operation.figure.silhouette.emplace_back(point + Vec2(0.0F, 15.0F * l));
+    operation.figure.azimuth = m_random.uniform(-180.0, 180.0);
     return operation;
 }
 

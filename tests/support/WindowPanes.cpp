@@ -15,6 +15,7 @@
 #include "panels/MultiplyPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterRow.h"
+#include "panels/ReproducePopOut.h"
 #include "panels/RotationStrip.h"
 #include "panels/SettingsSheet.h"
 #include "panels/SketchPopOut.h"
@@ -64,6 +65,7 @@ std::vector<WindowPanes::Pane> WindowPanes::all()
         {"new buds", of(ActionId::AddBuds, *m_window.workspace().findChild<AddBudsPopOut*>())},
         {"sketch", of(ActionId::Sketch, m_window.workspace().sketchPopOut())},
         {"multiply", of(ActionId::Multiply, *m_window.workspace().findChild<MultiplyPopOut*>())},
+        {"reproduce", of(ActionId::Reproduce, m_window.workspace().reproducePopOut())},
         {"lasso", of(ActionId::Lasso, m_window.workspace().lassoPopOut())},
         {"history", of(ActionId::History, m_window.workspace().history())},
         {"help",

@@ -22,8 +22,16 @@ void Overlay::addLine(std::span<const Vec3> points, const QColor& colour, float 
 {
     if (points.size() < 2)
         return;
-    m_lines.push_back({m_points.size(), points.size(), colour, width, dash});
+    m_lines.push_back({m_points.size(), points.size(), colour, width, dash, false});
     m_points.insert(m_points.end(), points.begin(), points.end());
+}
+
+void Overlay::addInk(std::span<const Vec3> points, const QColor& colour, float width, float dash)
+{
+    if (points.size() < 2)
+        return;
+    addLine(points, colour, width, dash);
+    m_lines.back().isInk = true;
 }
 
 void Overlay::addDots(std::span<const Vec3> points, const QColor& colour, float size, float glow)

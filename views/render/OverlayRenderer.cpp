@@ -172,6 +172,7 @@ void OverlayRenderer::drawLines(const Overlay& overlay, const Camera& camera, fl
         m_lineBuffer.write(0, m_segments.data(), bytes);
         m_lineProgram->setUniformValue("width", line.width * pixelRatio);
         m_lineProgram->setUniformValue("dash", line.dash * pixelRatio);
+        m_lineProgram->setUniformValue("least", line.isInk ? 1.0F : 0.0F);
         m_lineProgram->setUniformValue("tint", tint(line.colour));
         m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(m_segments.size()));
     }

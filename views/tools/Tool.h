@@ -55,6 +55,9 @@ public:
         Q_UNUSED(key)
         return false;
     }
+    /// Takes back what the tool keeps of the last gesture for the next one. Undo does so before it undoes
+    /// anything else. Returns whether there was something.
+    virtual bool takeBack() { return false; }
 
     /// Whether a gesture is under way.
     virtual bool isActive() const = 0;

@@ -159,7 +159,9 @@ inline Recipe randomRecipe(std::uint64_t seed)
             propagate.axes.emplace_back(static_cast<InternodeId>(j));
         result.operations.emplace_back(propagate);
         result.operations.emplace_back(
-            ReproduceOperation{{sketch.sketch.strokes.front(), sketch.sketch.strokes.back()}});
+            ReproduceOperation{{.trunk = sketch.sketch.strokes.front(),
+                                .silhouette = sketch.sketch.strokes.back(),
+                                .azimuth = i % 2 == 0 ? 0.0 : random.uniform(-180.0, 180.0)}});
         result.operations.emplace_back(
             VaryOperation{random.bits(), random.uniform(VaryOperation::kLeastAmount, 1.0)});
     }

@@ -136,6 +136,9 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].trunk: a stroke has at least one point");
     row(operationsOf(R"({"op": "reproduce", "trunk": [[0, 0], [0, 1]], "silhouette": [[0, 0], [1]]})"),
         "operations[0].silhouette[1]: two numbers within ±1000 are expected, right and up, in m");
+    row(operationsOf(
+            R"({"op": "reproduce", "trunk": [[0, 0], [0, 1]], "silhouette": [[0, 0]], "azimuth": 181})"),
+        "operations[0].azimuth: a number from -180 to 180 is expected");
     row(operationsOf(R"({"op": "vary", "amount": 0})"),
         "operations[0].amount: a number from 0.01 to 1 is expected");
     row(operationsOf(R"({"op": "import", "file": "tree.csv"})"),

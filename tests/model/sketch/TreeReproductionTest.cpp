@@ -21,6 +21,7 @@ private Q_SLOTS:
     void ratioOfALimb_isThatOfAllItCarries();
     void limbOutside_isShort();
     void strokes_areMovedToTheTree();
+    void azimuth_turnsTheDrawing();
     void emptyStrokes_areErrors();
 };
 
@@ -268,6 +269,31 @@ void TreeReproductionTest::strokes_areMovedToTheTree()
     const Vec3 there = low.index.nodePosition(root + 3);
     reproduce(low, {{0.0, 0.0}, {0.0, 2.0}}, crownOutline());
     QCOMPARE(low.index.nodePosition(root + 3), there);
+}
+
+void TreeReproductionTest::azimuth_turnsTheDrawing()
+{
+    constexpr double kAzimuth = radians(70);
+    const Eigen::Quaterniond toDrawing(Eigen::AngleAxisd(-kAzimuth, Eigen::Vector3d::UnitY()));
+    const CrownHull hull = hullOf(crownOutline());
+    int touching = 0;
+    for (TreeBuilder& builder : branchTrees()) {
+        const Result<Reproduction> result =
+            reproduced(builder.tree, builder.index, kTrunk, crownOutline(), kAzimuth);
+        QVERIFY(result);
+        QCOMPARE(deltaFault(builder, result->delta), QString());
+        // Seen from there, the trunk is as drawn, and limbs end at the hull.
+        const Eigen::Vector3d tip = toDrawing * tipOf(builder, 0);
+        const Eigen::Vector2d wanted = kTrunk.back() - kTrunk.front();
+        QVERIFY((tip - Eigen::Vector3d(wanted.x(), wanted.y(), 0.0)).norm() < 1e-4);
+        for (const ChildBranch& limb : childrenOf(builder, 0)) {
+            if (!isWellInside(hull, toDrawing * baseOf(builder, limb.id)))
+                continue;
+            QVERIFY(isOnHull(hull, toDrawing * tipOf(builder, limb.id), 0.01 * kHullSize));
+            ++touching;
+        }
+    }
+    QVERIFY(touching > 40);
 }
 
 void TreeReproductionTest::emptyStrokes_areErrors()
