@@ -21,6 +21,7 @@ HelpController::HelpController(const Parts& parts, bool isSample)
     HelpPanel& help = parts.workspace.help();
     connect(parts.actions[ActionId::Help], &QAction::triggered, this, &HelpController::toggle);
     connect(&help, &HelpPanel::recipeAsked, this, &HelpController::playSample);
+    connect(m_tour.get(), &Tour::recipeAsked, this, &HelpController::playForTour);
     connect(&help, &HelpPanel::tourAsked, this, &HelpController::startTour);
     connect(&help, &HelpPanel::closeAsked, this, &HelpController::close);
     connect(&parts.recipeRunner, &RecipeRunner::started, m_tour.get(), &Tour::stop);
@@ -109,6 +110,14 @@ void HelpController::playSample(const QString& fileName)
     m_parts.workspace.viewport().setFocus();
 }
 
+void HelpController::playForTour(const QString& fileName)
+{
+    const int next = m_tour->step() + 1;
+    playSample(fileName);
+    if (m_parts.recipeRunner.isRunning())
+        m_tourGoesOn = next;
+}
+
 /// Gives the tree of a sample to the user, after the sample has been played or stopped.
 void HelpController::handOverSample()
 {
@@ -123,6 +132,8 @@ void HelpController::handOverSample()
         if (m_parts.workspace.isHelpShown() && m_parts.workspace.help().page() == tool->objectName())
             tool->trigger();
     }
+    if (const std::optional<int> step = std::exchange(m_tourGoesOn, std::nullopt))
+        m_tour->start(*step);
 }
 
 } // namespace espalier

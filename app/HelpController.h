@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include <memory>
+#include <optional>
 
 namespace espalier {
 
@@ -67,12 +68,14 @@ public:
 private:
     void close();
     void handOverSample();
+    void playForTour(const QString& fileName);
     /// The page of the sheet that has the keyboard focus, or else that of the current tool.
     QString pageAtHand() const;
 
     Parts m_parts;
     std::unique_ptr<Tour> m_tour;
     bool m_isSample;
+    std::optional<int> m_tourGoesOn; ///< With this step, after the recipe that it shows
 };
 
 } // namespace espalier

@@ -21,6 +21,9 @@ constexpr int kPause = 900;        ///< ms to see what came of it
 constexpr double kTurned = 0.2;    ///< rad; less is a trembling hand
 constexpr int kBaseReach = 26;     ///< Of the ring around the base of the tree, px
 
+/// Drawn from a blank page, with leaves.
+constexpr QLatin1StringView kDrawnTree(":/docs/help/recipes/sketch.json");
+
 /// The button of an action on a bar of @p workspace.
 const QWidget* buttonOf(const QWidget& workspace, const QAction* action)
 {
@@ -45,6 +48,7 @@ Tour::Tour(Workspace& workspace, const Actions& actions, TreeDocument& document,
     watch(actions);
     connect(m_card, &TourCard::nextAsked, this, &Tour::next);
     connect(m_card, &TourCard::skipAsked, this, &Tour::stop);
+    connect(m_card, &TourCard::linkAsked, this, &Tour::recipeAsked);
     m_following.setInterval(kCardInterval);
     connect(&m_following, &QTimer::timeout, this, &Tour::follow);
     m_pause.setInterval(kPause);
@@ -90,6 +94,13 @@ void Tour::makeSteps(const Actions& actions)
         said(tr("<b>Draw along this edge</b>, and the tree turns, even while your other hand brushes. "
                 "The right mouse button turns it as well.")),
         at(m_workspace.findChild<RotationStrip*>()), [brush] { brush->trigger(); }};
+    m_steps[SketchStep] = {
+        tr("Draw a tree"),
+        said(tr("<b>Take Sketch</b> to draw a trunk and branches as on paper, and give the drawing depth. "
+                "<a href=\"%1\">Watch how thirty strokes become a tree</a>.")
+                 .arg(kDrawnTree)),
+        at(buttonOf(m_workspace, actions[ActionId::Sketch])),
+        {}};
     m_steps[HelpStep] = {
         tr("When you wonder"),
         said(tr("<b>F1</b> or this button tells of the tool in your hand. <b>Ctrl+Z</b> takes back "
@@ -115,6 +126,7 @@ void Tour::watch(const Actions& actions)
         if (std::abs(std::remainder(turned, 2.0 * std::numbers::pi)) > kTurned)
             did(TurnStep);
     });
+    connect(actions[ActionId::Sketch], &QAction::triggered, this, [this] { did(SketchStep); });
     connect(actions[ActionId::Help], &QAction::triggered, this, [this] { did(HelpStep); });
 }
 

@@ -34,8 +34,12 @@ public:
     int step() const { return m_step; }
     int stepCount() const { return static_cast<int>(m_steps.size()); }
 
+Q_SIGNALS:
+    /// The person wants to watch a recipe of the program; the tour may go on with the next step after it.
+    void recipeAsked(const QString& fileName);
+
 private:
-    enum Step { BrushStep, RadiusStep, ToolsStep, TimeStep, TurnStep, HelpStep };
+    enum Step { BrushStep, RadiusStep, ToolsStep, TimeStep, TurnStep, SketchStep, HelpStep };
     struct Card {
         QString title;
         std::function<QString()> text;

@@ -18,19 +18,20 @@ struct EngineText {
 
 /// In the order of kLeafEngines.
 constexpr std::array<EngineText, kLeafEngines.size()> kEngineTexts{{
-    {QT_TRANSLATE_NOOP("LeafChoices", "One more"),
-     QT_TRANSLATE_NOOP("LeafChoices",
+    {QT_TRANSLATE_NOOP("espalier::LeafChoices", "One more"),
+     QT_TRANSLATE_NOOP("espalier::LeafChoices",
                        "One more leaf at this place; all of them stand evenly around the branch.")},
-    {QT_TRANSLATE_NOOP("LeafChoices", "Whorls"),
-     QT_TRANSLATE_NOOP("LeafChoices", "Such whorls at this distance along the whole branch.")},
-    {QT_TRANSLATE_NOOP("LeafChoices", "Alternate"),
+    {QT_TRANSLATE_NOOP("espalier::LeafChoices", "Whorls"),
+     QT_TRANSLATE_NOOP("espalier::LeafChoices", "Such whorls at this distance along the whole branch.")},
+    {QT_TRANSLATE_NOOP("espalier::LeafChoices", "Alternate"),
      QT_TRANSLATE_NOOP(
          "LeafChoices",
          "One leaf at a time along the branch, each turned as the second is against the first.")},
-    {QT_TRANSLATE_NOOP("LeafChoices", "Opposite"),
-     QT_TRANSLATE_NOOP("LeafChoices", "Pairs of leaves along the branch, all in one plane.")},
-    {QT_TRANSLATE_NOOP("LeafChoices", "Decussate"),
-     QT_TRANSLATE_NOOP("LeafChoices", "Pairs of leaves along the branch, each across the one below it.")},
+    {QT_TRANSLATE_NOOP("espalier::LeafChoices", "Opposite"),
+     QT_TRANSLATE_NOOP("espalier::LeafChoices", "Pairs of leaves along the branch, all in one plane.")},
+    {QT_TRANSLATE_NOOP("espalier::LeafChoices", "Decussate"),
+     QT_TRANSLATE_NOOP("espalier::LeafChoices",
+                       "Pairs of leaves along the branch, each across the one below it.")},
 }};
 
 } // namespace

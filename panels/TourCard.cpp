@@ -99,6 +99,8 @@ TourCard::TourCard(QWidget* parent)
     line->addWidget(m_skip);
     line->addWidget(m_next);
     column->addLayout(line);
+    m_text->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_text, &QLabel::linkActivated, this, &TourCard::linkAsked);
     connect(m_skip, &QPushButton::clicked, this, &TourCard::skipAsked);
     connect(m_next, &QPushButton::clicked, this, &TourCard::nextAsked);
     m_ring->hide();

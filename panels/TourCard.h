@@ -25,6 +25,8 @@ public:
 Q_SIGNALS:
     void nextAsked();
     void skipAsked();
+    /// A link in the text was clicked.
+    void linkAsked(const QString& link);
 
 protected:
     void hideEvent(QHideEvent* event) override;

@@ -399,6 +399,14 @@
         <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
         <translation>Stamm und Umriss zeichnen: derselbe Baum nimmt diese neue Gestalt an.</translation>
     </message>
+    <message>
+        <source>Move</source>
+        <translation>Versetzen</translation>
+    </message>
+    <message>
+        <source>Drag a branch along the wood, around it, or to other wood, with all it carries.</source>
+        <translation>Einen Ast am Holz entlang ziehen, um es herum oder an anderes Holz, mit allem, was er trägt.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -777,6 +785,10 @@ geschrieben werden konnte.
     <message>
         <source>Vary Tree</source>
         <translation>Baum abwandeln</translation>
+    </message>
+    <message>
+        <source>Move Branch</source>
+        <translation>Ast versetzen</translation>
     </message>
 </context>
 <context>
@@ -1237,6 +1249,13 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>LeafChoices</name>
+    <message>
+        <source>One leaf at a time along the branch, each turned as the second is against the first.</source>
+        <translation>Ein Blatt nach dem anderen am Ast entlang, jedes so gedreht wie das zweite gegen das erste.</translation>
+    </message>
+</context>
+<context>
     <name>Library</name>
     <message>
         <source>A tree needs a name.</source>
@@ -1284,14 +1303,25 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
-    <name>MultiplyTool</name>
+    <name>MoveTool</name>
     <message>
-        <source>Tap a branch: other branches get what it carries</source>
-        <translation>Auf einen Ast tippen: andere Äste bekommen, was er trägt</translation>
+        <source>a trunk stays where it stands; hold a branch</source>
+        <translation>ein Stamm bleibt, wo er steht; fassen Sie einen Ast</translation>
     </message>
+    <message>
+        <source>Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it</source>
+        <translation>Einen Ast am Holz entlang oder um es herum ziehen; am Ansatz an anderes Holz; an der Spitze skalieren</translation>
+    </message>
+</context>
+<context>
+    <name>MultiplyTool</name>
     <message>
         <source>Tap a branch: it gets one more branch like those that it carries</source>
         <translation>Auf einen Ast tippen: er bekommt einen Ast mehr wie die, die er trägt</translation>
+    </message>
+    <message>
+        <source>Tap a branch: the others get what it carries; drag from it across those that shall get it</source>
+        <translation>Auf einen Ast tippen: Die anderen bekommen, was er trägt; oder von ihm über die ziehen, die es bekommen sollen</translation>
     </message>
 </context>
 <context>
@@ -3359,6 +3389,18 @@ geschrieben werden konnte.
         <source>the silhouette encloses nothing</source>
         <translation>die Silhouette umschließt nichts</translation>
     </message>
+    <message>
+        <source>a trunk cannot be moved</source>
+        <translation>ein Stamm kann nicht versetzt werden</translation>
+    </message>
+    <message>
+        <source>a branch cannot stand on itself</source>
+        <translation>ein Ast kann nicht auf sich selbst stehen</translation>
+    </message>
+    <message>
+        <source>a branch can be made %1 to %2 times as large</source>
+        <translation>ein Ast kann %1- bis %2-mal so groß werden</translation>
+    </message>
 </context>
 <context>
     <name>SketchTool</name>
@@ -3369,14 +3411,6 @@ geschrieben werden konnte.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Zeichnen Sie einen Ast vom Holz aus; mit Umschalt quer über Äste gezeichnet, nimmt der Strich sie weg</translation>
-    </message>
-    <message>
-        <source>draw the trunk first: a loop is a leaf, which needs a branch</source>
-        <translation>zeichnen Sie zuerst den Stamm: eine Schleife ist ein Blatt, und das braucht einen Ast</translation>
-    </message>
-    <message>
-        <source>a loop this large is no leaf; the Lasso makes crowns of loops</source>
-        <translation>eine so große Schleife ist kein Blatt; aus Schleifen macht das Lasso Kronen</translation>
     </message>
 </context>
 <context>
@@ -4093,6 +4127,53 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::LeafChoices</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Weiter mit</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2</translation>
+    </message>
+    <message>
+        <source>One more</source>
+        <translation>Eins mehr</translation>
+    </message>
+    <message>
+        <source>One more leaf at this place; all of them stand evenly around the branch.</source>
+        <translation>Ein Blatt mehr an dieser Stelle; alle stehen gleichmäßig um den Ast.</translation>
+    </message>
+    <message>
+        <source>Whorls</source>
+        <translation>Quirle</translation>
+    </message>
+    <message>
+        <source>Such whorls at this distance along the whole branch.</source>
+        <translation>Solche Quirle in diesem Abstand am ganzen Ast entlang.</translation>
+    </message>
+    <message>
+        <source>Alternate</source>
+        <translation>Wechselständig</translation>
+    </message>
+    <message>
+        <source>Opposite</source>
+        <translation>Gegenständig</translation>
+    </message>
+    <message>
+        <source>Pairs of leaves along the branch, all in one plane.</source>
+        <translation>Blattpaare am Ast entlang, alle in einer Ebene.</translation>
+    </message>
+    <message>
+        <source>Decussate</source>
+        <translation>Kreuzgegenständig</translation>
+    </message>
+    <message>
+        <source>Pairs of leaves along the branch, each across the one below it.</source>
+        <translation>Blattpaare am Ast entlang, jedes quer zu dem darunter.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::LibraryCards</name>
     <message>
         <source>Name</source>
@@ -4782,6 +4863,14 @@ geschrieben werden konnte.
     <message>
         <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
         <translation>&lt;b&gt;F1&lt;/b&gt; oder dieser Knopf erklärt das Werkzeug in der Hand. &lt;b&gt;Strg+Z&lt;/b&gt; nimmt alles zurück, also ruhig ausprobieren.</translation>
+    </message>
+    <message>
+        <source>Draw a tree</source>
+        <translation>Einen Baum zeichnen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. &lt;a href=&quot;%1&quot;&gt;Watch how thirty strokes become a tree&lt;/a&gt;.</source>
+        <translation>&lt;b&gt;Nehmen Sie Skizze&lt;/b&gt;, um Stamm und Äste wie auf Papier zu zeichnen, und geben Sie der Zeichnung Tiefe. &lt;a href=&quot;%1&quot;&gt;Sehen Sie zu, wie dreißig Striche ein Baum werden&lt;/a&gt;.</translation>
     </message>
 </context>
 <context>

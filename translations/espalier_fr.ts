@@ -399,6 +399,14 @@
         <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
         <translation>Dessiner un tronc et une silhouette&#xa0;: le même arbre prend cette nouvelle forme.</translation>
     </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Drag a branch along the wood, around it, or to other wood, with all it carries.</source>
+        <translation>Tirer une branche le long du bois, autour de lui ou sur un autre bois, avec tout ce qu’elle porte.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -776,6 +784,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Vary Tree</source>
         <translation>Varier l’arbre</translation>
+    </message>
+    <message>
+        <source>Move Branch</source>
+        <translation>Déplacer la branche</translation>
     </message>
 </context>
 <context>
@@ -1236,6 +1248,13 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>LeafChoices</name>
+    <message>
+        <source>One leaf at a time along the branch, each turned as the second is against the first.</source>
+        <translation>Une feuille à la fois le long de la branche, chacune tournée comme la deuxième par rapport à la première.</translation>
+    </message>
+</context>
+<context>
     <name>Library</name>
     <message>
         <source>A tree needs a name.</source>
@@ -1283,14 +1302,25 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
-    <name>MultiplyTool</name>
+    <name>MoveTool</name>
     <message>
-        <source>Tap a branch: other branches get what it carries</source>
-        <translation>Touchez une branche : les autres reçoivent ce qu’elle porte</translation>
+        <source>a trunk stays where it stands; hold a branch</source>
+        <translation>un tronc reste où il est&#xa0;; tenez une branche</translation>
     </message>
+    <message>
+        <source>Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it</source>
+        <translation>Tirer une branche le long du bois ou autour de lui&#xa0;; à sa base, sur un autre bois&#xa0;; à sa pointe, pour l’agrandir</translation>
+    </message>
+</context>
+<context>
+    <name>MultiplyTool</name>
     <message>
         <source>Tap a branch: it gets one more branch like those that it carries</source>
         <translation>Touchez une branche : elle en reçoit une de plus comme celles qu’elle porte</translation>
+    </message>
+    <message>
+        <source>Tap a branch: the others get what it carries; drag from it across those that shall get it</source>
+        <translation>Toucher une branche&#xa0;: les autres reçoivent ce qu’elle porte&#xa0;; ou tirer d’elle à travers celles qui doivent le recevoir</translation>
     </message>
 </context>
 <context>
@@ -3358,6 +3388,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>the silhouette encloses nothing</source>
         <translation>la silhouette n’enclot rien</translation>
     </message>
+    <message>
+        <source>a trunk cannot be moved</source>
+        <translation>un tronc ne peut pas être déplacé</translation>
+    </message>
+    <message>
+        <source>a branch cannot stand on itself</source>
+        <translation>une branche ne peut pas se porter elle-même</translation>
+    </message>
+    <message>
+        <source>a branch can be made %1 to %2 times as large</source>
+        <translation>une branche peut devenir de %1 à %2 fois plus grande</translation>
+    </message>
 </context>
 <context>
     <name>SketchTool</name>
@@ -3368,14 +3410,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Dessinez une branche depuis le bois ; avec Maj, un trait en travers enlève les branches</translation>
-    </message>
-    <message>
-        <source>draw the trunk first: a loop is a leaf, which needs a branch</source>
-        <translation>dessinez d’abord le tronc : une boucle est une feuille, et il lui faut une branche</translation>
-    </message>
-    <message>
-        <source>a loop this large is no leaf; the Lasso makes crowns of loops</source>
-        <translation>une boucle aussi grande n’est pas une feuille ; le Lasso fait des couronnes avec des boucles</translation>
     </message>
 </context>
 <context>
@@ -4092,6 +4126,53 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::LeafChoices</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Continuer avec</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2</translation>
+    </message>
+    <message>
+        <source>One more</source>
+        <translation>Une de plus</translation>
+    </message>
+    <message>
+        <source>One more leaf at this place; all of them stand evenly around the branch.</source>
+        <translation>Une feuille de plus à cet endroit&#xa0;; toutes se tiennent régulièrement autour de la branche.</translation>
+    </message>
+    <message>
+        <source>Whorls</source>
+        <translation>Verticilles</translation>
+    </message>
+    <message>
+        <source>Such whorls at this distance along the whole branch.</source>
+        <translation>De tels verticilles à cette distance, tout le long de la branche.</translation>
+    </message>
+    <message>
+        <source>Alternate</source>
+        <translation>Alternes</translation>
+    </message>
+    <message>
+        <source>Opposite</source>
+        <translation>Opposées</translation>
+    </message>
+    <message>
+        <source>Pairs of leaves along the branch, all in one plane.</source>
+        <translation>Des paires de feuilles le long de la branche, toutes dans un plan.</translation>
+    </message>
+    <message>
+        <source>Decussate</source>
+        <translation>Décussées</translation>
+    </message>
+    <message>
+        <source>Pairs of leaves along the branch, each across the one below it.</source>
+        <translation>Des paires de feuilles le long de la branche, chacune en croix avec celle du dessous.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::LibraryCards</name>
     <message>
         <source>Name</source>
@@ -4781,6 +4862,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
         <translation>&lt;b&gt;F1&lt;/b&gt; ou ce bouton parle de l’outil en main. &lt;b&gt;Ctrl+Z&lt;/b&gt; annule tout ce que vous avez fait&#xa0;: essayez donc.</translation>
+    </message>
+    <message>
+        <source>Draw a tree</source>
+        <translation>Dessiner un arbre</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. &lt;a href=&quot;%1&quot;&gt;Watch how thirty strokes become a tree&lt;/a&gt;.</source>
+        <translation>&lt;b&gt;Prenez Esquisse&lt;/b&gt; pour dessiner un tronc et des branches comme sur le papier, et donnez de la profondeur au dessin. &lt;a href=&quot;%1&quot;&gt;Regardez trente traits devenir un arbre&lt;/a&gt;.</translation>
     </message>
 </context>
 <context>

@@ -399,6 +399,14 @@
         <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
         <translation>幹と輪郭を描くと、同じ木がその新しい姿になります。</translation>
     </message>
+    <message>
+        <source>Move</source>
+        <translation>移す</translation>
+    </message>
+    <message>
+        <source>Drag a branch along the wood, around it, or to other wood, with all it carries.</source>
+        <translation>枝を、木に沿って、木のまわりに、または別の木へ、付いているものごとドラッグします。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -772,6 +780,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Vary Tree</source>
         <translation>木を変化させる</translation>
+    </message>
+    <message>
+        <source>Move Branch</source>
+        <translation>枝を移す</translation>
     </message>
 </context>
 <context>
@@ -1232,6 +1244,13 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>LeafChoices</name>
+    <message>
+        <source>One leaf at a time along the branch, each turned as the second is against the first.</source>
+        <translation>枝に沿って葉を一枚ずつ。どれも、二枚目が一枚目に対して回った角度だけ回ります。</translation>
+    </message>
+</context>
+<context>
     <name>Library</name>
     <message>
         <source>A tree needs a name.</source>
@@ -1279,14 +1298,25 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
-    <name>MultiplyTool</name>
+    <name>MoveTool</name>
     <message>
-        <source>Tap a branch: other branches get what it carries</source>
-        <translation>枝をタップすると、付いているものがほかの枝にも付きます</translation>
+        <source>a trunk stays where it stands; hold a branch</source>
+        <translation>幹はその場に立ったままです。枝をつかんでください</translation>
     </message>
+    <message>
+        <source>Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it</source>
+        <translation>枝を木に沿って、または木のまわりにドラッグします。付け根なら別の木へ、先なら大きさが変わります</translation>
+    </message>
+</context>
+<context>
+    <name>MultiplyTool</name>
     <message>
         <source>Tap a branch: it gets one more branch like those that it carries</source>
         <translation>枝をタップすると、付いている枝に似た枝が一本増えます</translation>
+    </message>
+    <message>
+        <source>Tap a branch: the others get what it carries; drag from it across those that shall get it</source>
+        <translation>枝をタップすると、ほかの枝に広がります。一部の枝だけなら、その枝から相手の枝の上をドラッグします</translation>
     </message>
 </context>
 <context>
@@ -3354,6 +3384,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>the silhouette encloses nothing</source>
         <translation>シルエットが何も囲んでいません</translation>
     </message>
+    <message>
+        <source>a trunk cannot be moved</source>
+        <translation>幹は移せません</translation>
+    </message>
+    <message>
+        <source>a branch cannot stand on itself</source>
+        <translation>枝をその枝自身に付けることはできません</translation>
+    </message>
+    <message>
+        <source>a branch can be made %1 to %2 times as large</source>
+        <translation>枝の大きさは %1 倍から %2 倍までです</translation>
+    </message>
 </context>
 <context>
     <name>SketchTool</name>
@@ -3364,14 +3406,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>木部から枝を描きます。Shift を押して枝を横切ると取り去ります</translation>
-    </message>
-    <message>
-        <source>draw the trunk first: a loop is a leaf, which needs a branch</source>
-        <translation>先に幹を描いてください。輪は葉で、枝が必要です</translation>
-    </message>
-    <message>
-        <source>a loop this large is no leaf; the Lasso makes crowns of loops</source>
-        <translation>これほど大きな輪は葉になりません。輪から樹冠を作るのは投げ縄です</translation>
     </message>
 </context>
 <context>
@@ -4088,6 +4122,53 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>espalier::LeafChoices</name>
+    <message>
+        <source>Go on with</source>
+        <translation>続け方</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2</translation>
+    </message>
+    <message>
+        <source>One more</source>
+        <translation>もう一枚</translation>
+    </message>
+    <message>
+        <source>One more leaf at this place; all of them stand evenly around the branch.</source>
+        <translation>この場所に葉をもう一枚。すべての葉が枝のまわりに均等に並びます。</translation>
+    </message>
+    <message>
+        <source>Whorls</source>
+        <translation>輪生</translation>
+    </message>
+    <message>
+        <source>Such whorls at this distance along the whole branch.</source>
+        <translation>同じ輪を、この間隔で枝全体に。</translation>
+    </message>
+    <message>
+        <source>Alternate</source>
+        <translation>互生</translation>
+    </message>
+    <message>
+        <source>Opposite</source>
+        <translation>対生</translation>
+    </message>
+    <message>
+        <source>Pairs of leaves along the branch, all in one plane.</source>
+        <translation>枝に沿って葉を二枚ずつ、すべて一つの面に。</translation>
+    </message>
+    <message>
+        <source>Decussate</source>
+        <translation>十字対生</translation>
+    </message>
+    <message>
+        <source>Pairs of leaves along the branch, each across the one below it.</source>
+        <translation>枝に沿って葉を二枚ずつ、どの組も下の組と直交させて。</translation>
+    </message>
+</context>
+<context>
     <name>espalier::LibraryCards</name>
     <message>
         <source>Name</source>
@@ -4776,6 +4857,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
         <translation>&lt;b&gt;F1&lt;/b&gt; かこのボタンで、手にしているツールの説明が開きます。&lt;b&gt;Ctrl+Z&lt;/b&gt; で何でも元に戻せるので、気軽に試してください。</translation>
+    </message>
+    <message>
+        <source>Draw a tree</source>
+        <translation>木を描く</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. &lt;a href=&quot;%1&quot;&gt;Watch how thirty strokes become a tree&lt;/a&gt;.</source>
+        <translation>&lt;b&gt;スケッチを選ぶ&lt;/b&gt;と、紙に描くように幹と枝を描き、絵に奥行きを与えられます。&lt;a href=&quot;%1&quot;&gt;三十本の線が木になる様子を見る&lt;/a&gt;。</translation>
     </message>
 </context>
 <context>

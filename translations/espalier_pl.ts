@@ -399,6 +399,14 @@
         <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
         <translation>Narysuj pień i sylwetkę: to samo drzewo przyjmie tę nową postać.</translation>
     </message>
+    <message>
+        <source>Move</source>
+        <translation>Przesuń</translation>
+    </message>
+    <message>
+        <source>Drag a branch along the wood, around it, or to other wood, with all it carries.</source>
+        <translation>Przeciągnij gałąź wzdłuż drewna, wokół niego albo na inne drewno, ze wszystkim, co niesie.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -775,6 +783,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Vary Tree</source>
         <translation>Zmień drzewo</translation>
+    </message>
+    <message>
+        <source>Move Branch</source>
+        <translation>Przesuń gałąź</translation>
     </message>
 </context>
 <context>
@@ -1235,6 +1247,13 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>LeafChoices</name>
+    <message>
+        <source>One leaf at a time along the branch, each turned as the second is against the first.</source>
+        <translation>Po jednym liściu wzdłuż gałęzi, każdy obrócony tak jak drugi względem pierwszego.</translation>
+    </message>
+</context>
+<context>
     <name>Library</name>
     <message>
         <source>A tree needs a name.</source>
@@ -1282,14 +1301,25 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
-    <name>MultiplyTool</name>
+    <name>MoveTool</name>
     <message>
-        <source>Tap a branch: other branches get what it carries</source>
-        <translation>Dotknij gałęzi: inne dostaną to, co ona niesie</translation>
+        <source>a trunk stays where it stands; hold a branch</source>
+        <translation>pień stoi w miejscu; chwyć gałąź</translation>
     </message>
+    <message>
+        <source>Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it</source>
+        <translation>Przeciągnij gałąź wzdłuż drewna lub wokół niego; przy nasadzie na inne drewno; przy wierzchołku, by zmienić wielkość</translation>
+    </message>
+</context>
+<context>
+    <name>MultiplyTool</name>
     <message>
         <source>Tap a branch: it gets one more branch like those that it carries</source>
         <translation>Dotknij gałęzi: dostanie jeszcze jedną podobną do tych, które niesie</translation>
+    </message>
+    <message>
+        <source>Tap a branch: the others get what it carries; drag from it across those that shall get it</source>
+        <translation>Stuknij gałąź: inne dostają to, co ona niesie; albo przeciągnij od niej przez te, które mają to dostać</translation>
     </message>
 </context>
 <context>
@@ -3357,6 +3387,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>the silhouette encloses nothing</source>
         <translation>sylwetka niczego nie obejmuje</translation>
     </message>
+    <message>
+        <source>a trunk cannot be moved</source>
+        <translation>pnia nie można przesunąć</translation>
+    </message>
+    <message>
+        <source>a branch cannot stand on itself</source>
+        <translation>gałąź nie może stać na sobie samej</translation>
+    </message>
+    <message>
+        <source>a branch can be made %1 to %2 times as large</source>
+        <translation>gałąź może być od %1 do %2 razy większa</translation>
+    </message>
 </context>
 <context>
     <name>SketchTool</name>
@@ -3367,14 +3409,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Narysuj gałąź od drewna; z Shiftem kreska w poprzek zabiera gałęzie</translation>
-    </message>
-    <message>
-        <source>draw the trunk first: a loop is a leaf, which needs a branch</source>
-        <translation>najpierw narysuj pień: pętla to liść, a ten potrzebuje gałęzi</translation>
-    </message>
-    <message>
-        <source>a loop this large is no leaf; the Lasso makes crowns of loops</source>
-        <translation>tak duża pętla nie jest liściem; Lasso robi z pętli korony</translation>
     </message>
 </context>
 <context>
@@ -4091,6 +4125,53 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::LeafChoices</name>
+    <message>
+        <source>Go on with</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;%2</translation>
+    </message>
+    <message>
+        <source>One more</source>
+        <translation>Jeszcze jeden</translation>
+    </message>
+    <message>
+        <source>One more leaf at this place; all of them stand evenly around the branch.</source>
+        <translation>Jeszcze jeden liść w tym miejscu; wszystkie stoją równo wokół gałęzi.</translation>
+    </message>
+    <message>
+        <source>Whorls</source>
+        <translation>Okółki</translation>
+    </message>
+    <message>
+        <source>Such whorls at this distance along the whole branch.</source>
+        <translation>Takie okółki w tym odstępie wzdłuż całej gałęzi.</translation>
+    </message>
+    <message>
+        <source>Alternate</source>
+        <translation>Skrętoległe</translation>
+    </message>
+    <message>
+        <source>Opposite</source>
+        <translation>Naprzeciwległe</translation>
+    </message>
+    <message>
+        <source>Pairs of leaves along the branch, all in one plane.</source>
+        <translation>Pary liści wzdłuż gałęzi, wszystkie w jednej płaszczyźnie.</translation>
+    </message>
+    <message>
+        <source>Decussate</source>
+        <translation>Na krzyż</translation>
+    </message>
+    <message>
+        <source>Pairs of leaves along the branch, each across the one below it.</source>
+        <translation>Pary liści wzdłuż gałęzi, każda w poprzek tej poniżej.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::LibraryCards</name>
     <message>
         <source>Name</source>
@@ -4781,6 +4862,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
         <translation>&lt;b&gt;F1&lt;/b&gt; lub ten przycisk opowiada o wybranym narzędziu. &lt;b&gt;Ctrl+Z&lt;/b&gt; cofa każdą czynność, więc warto próbować.</translation>
+    </message>
+    <message>
+        <source>Draw a tree</source>
+        <translation>Narysuj drzewo</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. &lt;a href=&quot;%1&quot;&gt;Watch how thirty strokes become a tree&lt;/a&gt;.</source>
+        <translation>&lt;b&gt;Weź Szkic&lt;/b&gt;, by narysować pień i gałęzie jak na papierze, i nadaj rysunkowi głębię. &lt;a href=&quot;%1&quot;&gt;Zobacz, jak trzydzieści kresek staje się drzewem&lt;/a&gt;.</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QFont>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QListWidgetItem>
@@ -51,6 +52,7 @@ private Q_SLOTS:
     void narrowWindow_hasTheContentsInPlaceOfThePage();
     void playing_asksAboutUnsavedWorkAndLeavesNone();
     void tour_goesOnByDoing();
+    void tour_showsADrawnTreeAndGoesOn();
     void tour_isSkippedAndNeverComesBack();
     void help_looksLikeThis();
 
@@ -315,10 +317,41 @@ void HelpTest::tour_goesOnByDoing()
     drag(strip, strip + QPoint(200, 0));
     QTRY_COMPARE(tour.step(), 5);
 
+    QTest::keyClick(handle(), Qt::Key_S);
+    QTRY_COMPARE(tour.step(), 6);
+
     QTest::keyClick(handle(), Qt::Key_F1);
     QTRY_VERIFY(!tour.isRunning());
     QVERIFY(help().isVisible());
     QVERIFY(!tourButton("tourNext")->isVisible());
+}
+
+void HelpTest::tour_showsADrawnTreeAndGoesOn()
+{
+    Tour& tour = m_window->help().tour();
+    tour.start(5);
+    QLabel* text = nullptr;
+    for (QLabel* label : workspace().findChildren<QLabel*>()) {
+        if (label->isVisible() && label->text().contains(QLatin1String("sketch.json")))
+            text = label;
+    }
+    QVERIFY(text);
+    const auto isLink = [text](const QPoint& point) {
+        QTest::mouseMove(text, point);
+        return text->cursor().shape() == Qt::PointingHandCursor;
+    };
+    QPoint link(8, text->height() - 8);
+    while (link.y() > 0 && !isLink(link))
+        link.ry() -= 6;
+    QVERIFY(link.y() > 0);
+    QTest::mouseClick(text, Qt::LeftButton, {}, link);
+    QTRY_VERIFY(m_window->recipeRunner().isRunning());
+    QVERIFY(!tour.isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->document().index().livingCount() > 100, 60'000);
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QTRY_VERIFY(!m_window->recipeRunner().isRunning());
+    QTRY_COMPARE(tour.step(), 6);
+    tour.stop();
 }
 
 void HelpTest::tour_isSkippedAndNeverComesBack()

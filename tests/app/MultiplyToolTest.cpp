@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "views/tools/MultiplyTool.h"
+
 #include "commands/SketchStroke.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
@@ -16,6 +18,8 @@ private Q_SLOTS:
     void tap_addsABranchLikeItsNeighbours();
     void finger_addsABranch();
     void passOn_givesOthersTheTwigs();
+    void dragFromABranch_givesToThoseItCrosses();
+    void hover_showsWhatATapWouldDo();
     void tapOnABareBranch_saysWhyNot();
     void escape_dropsTheTap();
 
@@ -76,6 +80,41 @@ void MultiplyToolTest::passOn_givesOthersTheTwigs()
     // The other branch gets the twig; so does the twig itself not.
     QCOMPARE(axes(), 5U);
     QCOMPARE(m_window->document().undoStack().undoText(), QStringLiteral("Propagate Branch"));
+}
+
+void MultiplyToolTest::dragFromABranch_givesToThoseItCrosses()
+{
+    drawTree();
+    QVERIFY(sketchBranch(
+        m_window->document(),
+        {.stroke = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0.0F, 1.0F}, {-0.7F, 1.3F}}}, .base = {}}));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isBusy() && viewport().isAtRest(), 20'000);
+    m_window->viewSettings().set(&ViewValues::passesOn, true);
+    // From the branch with the twig to the upper one on the left, not to the lower one.
+    const QPoint from = at(0.7F, 1.325F);
+    const QPoint to = at(-0.5F, 1.857F);
+    QTest::mouseMove(handle(), from);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    for (const QPoint& point : {at(0.6F, 1.9F), at(-0.3F, 1.95F), to})
+        QTest::mouseMove(handle(), point);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, to);
+    QCOMPARE(axes(), 6U);
+    QVERIFY(m_window->document().index().nodePosition(tree().size() - 1).y() > 1.4F);
+}
+
+void MultiplyToolTest::hover_showsWhatATapWouldDo()
+{
+    drawTree();
+    const auto& tool = static_cast<const MultiplyTool&>(viewport().tool());
+    QVERIFY(tool.preview().empty());
+    QTest::mouseMove(handle(), at(0.0F, 0.4F));
+    QTRY_VERIFY(!tool.preview().empty());
+    const std::array<Vec3, 2> last = tool.preview().back();
+    const std::size_t count = tool.preview().size();
+    const std::uint32_t before = tree().size();
+    QTest::mouseClick(handle(), Qt::LeftButton, {}, at(0.0F, 0.4F));
+    QCOMPARE(tree().size() - before, count);
+    QVERIFY((m_window->document().index().nodePosition(tree().size() - 1) - last[1]).norm() < 1e-5F);
 }
 
 void MultiplyToolTest::tapOnABareBranch_saysWhyNot()
