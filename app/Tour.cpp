@@ -48,7 +48,8 @@ Tour::Tour(Workspace& workspace, const Actions& actions, TreeDocument& document,
     watch(actions);
     connect(m_card, &TourCard::nextAsked, this, &Tour::next);
     connect(m_card, &TourCard::skipAsked, this, &Tour::stop);
-    connect(m_card, &TourCard::linkAsked, this, &Tour::recipeAsked);
+    connect(m_card, &TourCard::watchAsked, this,
+            [this] { Q_EMIT recipeAsked(m_steps[static_cast<std::size_t>(m_step)].recipe); });
     m_following.setInterval(kCardInterval);
     connect(&m_following, &QTimer::timeout, this, &Tour::follow);
     m_pause.setInterval(kPause);
@@ -97,10 +98,10 @@ void Tour::makeSteps(const Actions& actions)
     m_steps[SketchStep] = {
         tr("Draw a tree"),
         said(tr("<b>Take Sketch</b> to draw a trunk and branches as on paper, and give the drawing depth. "
-                "<a href=\"%1\">Watch how thirty strokes become a tree</a>.")
-                 .arg(kDrawnTree)),
+                "Watch how thirty strokes become a tree.")),
         at(buttonOf(m_workspace, actions[ActionId::Sketch])),
-        {}};
+        {},
+        kDrawnTree};
     m_steps[HelpStep] = {
         tr("When you wonder"),
         said(tr("<b>F1</b> or this button tells of the tool in your hand. <b>Ctrl+Z</b> takes back "
@@ -156,7 +157,7 @@ void Tour::showStep(int step)
     m_undoIndex = m_document.undoStack().index();
     m_radius = m_settings.values().brushRadius;
     m_azimuth = static_cast<double>(m_workspace.viewport().camera().azimuth());
-    m_card->setWords(card.title, card.text(), step + 1, stepCount());
+    m_card->setWords(card.title, card.text(), step + 1, stepCount(), !card.recipe.isEmpty());
     follow();
 }
 

@@ -45,6 +45,7 @@ private:
         std::function<QString()> text;
         std::function<QRect()> target; ///< px of the workspace; empty if the widget is not visible
         std::function<void()> prepare; ///< Called before the card shows; may be empty
+        QString recipe = {};           ///< File that shows what the card tells of; may be empty
     };
 
     void makeSteps(const Actions& actions);

@@ -70,6 +70,7 @@ TourCard::TourCard(QWidget* parent)
       m_title(new QLabel(this)),
       m_text(new QLabel(this)),
       m_number(new QLabel(this)),
+      m_watch(new QPushButton(tr("Watch"), this)),
       m_skip(new QPushButton(tr("Skip"), this)),
       m_next(new QPushButton(this))
 {
@@ -81,10 +82,11 @@ TourCard::TourCard(QWidget* parent)
     m_text->setWordWrap(true);
     m_text->setFixedWidth(kTextWidth);
     theme::setTone(*m_number, theme::Tone::Dim);
+    m_watch->setObjectName(QStringLiteral("tourWatch"));
     m_skip->setObjectName(QStringLiteral("tourSkip"));
     m_next->setObjectName(QStringLiteral("tourNext"));
     m_next->setDefault(true);
-    for (QPushButton* button : {m_skip, m_next}) {
+    for (QPushButton* button : {m_watch, m_skip, m_next}) {
         button->setMinimumHeight(theme::kTarget);
         button->setFocusPolicy(Qt::TabFocus);
     }
@@ -96,22 +98,23 @@ TourCard::TourCard(QWidget* parent)
     column->addSpacing(8);
     auto* line = new QHBoxLayout;
     line->addWidget(m_number, 1);
+    line->addWidget(m_watch);
     line->addWidget(m_skip);
     line->addWidget(m_next);
     column->addLayout(line);
-    m_text->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    connect(m_text, &QLabel::linkActivated, this, &TourCard::linkAsked);
+    connect(m_watch, &QPushButton::clicked, this, &TourCard::watchAsked);
     connect(m_skip, &QPushButton::clicked, this, &TourCard::skipAsked);
     connect(m_next, &QPushButton::clicked, this, &TourCard::nextAsked);
     m_ring->hide();
     hide();
 }
 
-void TourCard::setWords(const QString& title, const QString& text, int number, int count)
+void TourCard::setWords(const QString& title, const QString& text, int number, int count, bool canBeWatched)
 {
     m_title->setText(title);
     m_text->setText(text);
     m_number->setText(tr("%1 of %2").arg(number).arg(count));
+    m_watch->setVisible(canBeWatched);
     m_skip->setVisible(number < count);
     m_next->setText(number < count ? tr("Next") : tr("Done"));
     m_text->setFixedHeight(m_text->heightForWidth(kTextWidth));

@@ -16,8 +16,8 @@ class TourCard : public Bar {
 public:
     explicit TourCard(QWidget* parent);
 
-    /// @p number counts from 1 to @p count.
-    void setWords(const QString& title, const QString& text, int number, int count);
+    /// @p number counts from 1 to @p count. @p canBeWatched: a button plays what the words tell of.
+    void setWords(const QString& title, const QString& text, int number, int count, bool canBeWatched);
     /// Puts the card beside @p target, px of the parent, without covering it; with an empty one the card
     /// points at nothing.
     void pointAt(const QRect& target);
@@ -25,8 +25,7 @@ public:
 Q_SIGNALS:
     void nextAsked();
     void skipAsked();
-    /// A link in the text was clicked.
-    void linkAsked(const QString& link);
+    void watchAsked();
 
 protected:
     void hideEvent(QHideEvent* event) override;
@@ -39,6 +38,7 @@ private:
     QLabel* m_title;
     QLabel* m_text;
     QLabel* m_number;
+    QPushButton* m_watch;
     QPushButton* m_skip;
     QPushButton* m_next;
 };

@@ -4869,8 +4869,8 @@ geschrieben werden konnte.
         <translation>Einen Baum zeichnen</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. &lt;a href=&quot;%1&quot;&gt;Watch how thirty strokes become a tree&lt;/a&gt;.</source>
-        <translation>&lt;b&gt;Nehmen Sie Skizze&lt;/b&gt;, um Stamm und Äste wie auf Papier zu zeichnen, und geben Sie der Zeichnung Tiefe. &lt;a href=&quot;%1&quot;&gt;Sehen Sie zu, wie dreißig Striche ein Baum werden&lt;/a&gt;.</translation>
+        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
+        <translation>&lt;b&gt;Nehmen Sie Skizze&lt;/b&gt;, um Stamm und Äste wie auf Papier zu zeichnen, und geben Sie der Zeichnung Tiefe. Sehen Sie zu, wie dreißig Striche ein Baum werden.</translation>
     </message>
 </context>
 <context>
@@ -4894,6 +4894,10 @@ geschrieben werden konnte.
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Zusehen</translation>
     </message>
 </context>
 <context>

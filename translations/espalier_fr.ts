@@ -4868,8 +4868,8 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Dessiner un arbre</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. &lt;a href=&quot;%1&quot;&gt;Watch how thirty strokes become a tree&lt;/a&gt;.</source>
-        <translation>&lt;b&gt;Prenez Esquisse&lt;/b&gt; pour dessiner un tronc et des branches comme sur le papier, et donnez de la profondeur au dessin. &lt;a href=&quot;%1&quot;&gt;Regardez trente traits devenir un arbre&lt;/a&gt;.</translation>
+        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
+        <translation>&lt;b&gt;Prenez Esquisse&lt;/b&gt; pour dessiner un tronc et des branches comme sur le papier, et donnez de la profondeur au dessin. Regardez trente traits devenir un arbre.</translation>
     </message>
 </context>
 <context>
@@ -4893,6 +4893,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Regarder</translation>
     </message>
 </context>
 <context>

@@ -4863,8 +4863,8 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>木を描く</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. &lt;a href=&quot;%1&quot;&gt;Watch how thirty strokes become a tree&lt;/a&gt;.</source>
-        <translation>&lt;b&gt;スケッチを選ぶ&lt;/b&gt;と、紙に描くように幹と枝を描き、絵に奥行きを与えられます。&lt;a href=&quot;%1&quot;&gt;三十本の線が木になる様子を見る&lt;/a&gt;。</translation>
+        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
+        <translation>&lt;b&gt;スケッチを選ぶ&lt;/b&gt;と、紙に描くように幹と枝を描き、絵に奥行きを与えられます。三十本の線が木になる様子を見られます。</translation>
     </message>
 </context>
 <context>
@@ -4888,6 +4888,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Done</source>
         <translation>完了</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>見る</translation>
     </message>
 </context>
 <context>

@@ -393,7 +393,7 @@
     </message>
     <message>
         <source>Reproduce</source>
-        <translation>Odtwarzanie</translation>
+        <translation>Odtwórz</translation>
     </message>
     <message>
         <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
@@ -4868,8 +4868,8 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Narysuj drzewo</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. &lt;a href=&quot;%1&quot;&gt;Watch how thirty strokes become a tree&lt;/a&gt;.</source>
-        <translation>&lt;b&gt;Weź Szkic&lt;/b&gt;, by narysować pień i gałęzie jak na papierze, i nadaj rysunkowi głębię. &lt;a href=&quot;%1&quot;&gt;Zobacz, jak trzydzieści kresek staje się drzewem&lt;/a&gt;.</translation>
+        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
+        <translation>&lt;b&gt;Weź Szkic&lt;/b&gt;, by narysować pień i gałęzie jak na papierze, i nadaj rysunkowi głębię. Zobacz, jak trzydzieści kresek staje się drzewem.</translation>
     </message>
 </context>
 <context>
@@ -4893,6 +4893,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Done</source>
         <translation>Gotowe</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Zobacz</translation>
     </message>
 </context>
 <context>

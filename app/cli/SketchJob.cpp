@@ -2,9 +2,10 @@
 #include "app/cli/SketchJob.h"
 
 #include "commands/DrawSketch.h"
-#include "commands/recipe/LassoOperation.h"
+#include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/RecipePlayer.h"
 #include "commands/recipe/SketchOperation.h"
+#include "model/envelope/LassoLoop.h"
 #include "model/io/import/DrawingFile.h"
 #include "model/mesh/LeafPlacer.h"
 #include "model/shape/Widths.h"
@@ -179,18 +180,25 @@ Result<QJsonObject> sketchTree(TreeDocument& document, const CommandLine& line)
 
     Recipe recipe;
     recipe.seed = line.seed.value_or(recipe.seed);
+    line.overrides.applyTo(recipe);
     if (!drawing.isEmpty())
         recipe.operations.emplace_back(SketchOperation{sketch});
     // The trunk's foot moves to the origin, and the crowns with it.
     const Vec2 foot =
         drawing.isEmpty() ? Vec2(Vec2::Zero()) : Vec2(drawing.branches().front().line.front().cast<float>());
+    std::vector<LassoStroke> envelopes;
     for (const std::vector<Vec2>& crown : crowns) {
-        LassoOperation lasso;
-        for (const Vec2& point : crown)
-            lasso.stroke.points.emplace_back(point - foot);
-        recipe.operations.emplace_back(lasso);
+        LassoStroke outline;
+        for (const Vec2& point : simplified(crown))
+            outline.points.emplace_back(point - foot);
+        envelopes.push_back(outline);
+        if (!line.frontOnly)
+            envelopes.push_back(turnedToTheSide(outline));
     }
-    line.overrides.applyTo(recipe);
+    if (!envelopes.empty()) {
+        recipe.operations.emplace_back(
+            FillEnvelopesOperation{.envelopes = envelopes, .parameters = recipe.parameters});
+    }
     RecipePlayer player(document, std::move(recipe));
     QElapsedTimer timer;
     timer.start();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/runners/LassoRunner.h"
 
+#include "commands/recipe/LassoJson.h"
+#include "model/envelope/LassoLoop.h"
+
 namespace espalier {
 
 void LassoRunner::fill(const LassoStroke& stroke)
@@ -8,6 +11,18 @@ void LassoRunner::fill(const LassoStroke& stroke)
     end();
     document().interruptEdit();
     start(LassoGesture::fill(document(), stroke, document().competitors()));
+}
+
+void LassoRunner::fillAll(std::span<const LassoStroke> strokes)
+{
+    end();
+    document().interruptEdit();
+    std::vector<LassoStroke> all = document().tree().lassosInForce();
+    for (LassoStroke stroke : strokes) {
+        stroke.points = simplified(stroke.points);
+        all.push_back(recordableLasso(std::move(stroke)));
+    }
+    start(LassoGesture::fillAll(document(), all, document().parameters(), document().competitors()));
 }
 
 void LassoRunner::regrow()

@@ -19,6 +19,8 @@ public:
 
     /// See LassoGesture::fill(); an error is reported by refused(). Ends growth that is under way.
     void fill(const LassoStroke& stroke) override;
+    /// See LassoGesture::fillAll(): beside the envelopes in force. The strokes need not be simplified.
+    void fillAll(std::span<const LassoStroke> strokes) override;
     void end() override { GrowthRunner::end(); }
     std::span<const Vec3> markers() const override
     {

@@ -187,4 +187,12 @@ bool coplanar(const LassoStroke& first, const LassoStroke& second)
     return std::abs(normal.dot(apart)) <= 1e-5F * scale;
 }
 
+LassoStroke turnedToTheSide(LassoStroke stroke)
+{
+    const auto turned = [](const Vec3& v) { return Vec3(v.z(), v.y(), -v.x()); };
+    stroke.right = turned(stroke.right);
+    stroke.up = turned(stroke.up);
+    return stroke;
+}
+
 } // namespace espalier

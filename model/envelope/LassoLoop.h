@@ -13,6 +13,10 @@ namespace espalier {
 /// reduced to evenly spaced points. Linear in the number of points.
 std::vector<Vec2> simplified(const std::vector<Vec2>& points, double tolerance = 1.0 / 2048.0);
 
+/// The outline as seen when the tree has turned by 90° around the vertical through @p stroke's origin: a
+/// crown that fills both is as deep as it is wide, like a drawing that is placed twice (Okabe 2005, 4.1).
+LassoStroke turnedToTheSide(LassoStroke stroke);
+
 /// The closed loop of a simplified stroke, its last point joined to its first. People close a loop by
 /// crossing its beginning: where the two ends cross, both tails are cut off at the crossing, if they are
 /// together at most @p longestTails of the stroke's length.

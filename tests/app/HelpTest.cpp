@@ -14,7 +14,6 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QFont>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QListWidgetItem>
@@ -330,21 +329,7 @@ void HelpTest::tour_showsADrawnTreeAndGoesOn()
 {
     Tour& tour = m_window->help().tour();
     tour.start(5);
-    QLabel* text = nullptr;
-    for (QLabel* label : workspace().findChildren<QLabel*>()) {
-        if (label->isVisible() && label->text().contains(QLatin1String("sketch.json")))
-            text = label;
-    }
-    QVERIFY(text);
-    const auto isLink = [text](const QPoint& point) {
-        QTest::mouseMove(text, point);
-        return text->cursor().shape() == Qt::PointingHandCursor;
-    };
-    QPoint link(8, text->height() - 8);
-    while (link.y() > 0 && !isLink(link))
-        link.ry() -= 6;
-    QVERIFY(link.y() > 0);
-    QTest::mouseClick(text, Qt::LeftButton, {}, link);
+    click(tourButton("tourWatch"));
     QTRY_VERIFY(m_window->recipeRunner().isRunning());
     QVERIFY(!tour.isRunning());
     QTRY_VERIFY_WITH_TIMEOUT(m_window->document().index().livingCount() > 100, 60'000);

@@ -14,6 +14,8 @@ public:
     virtual ~EnvelopeFilling() = default;
     /// Ends what is under way, adds the envelope of @p stroke and fills it.
     virtual void fill(const LassoStroke& stroke) = 0;
+    /// The same with several envelopes at once.
+    virtual void fillAll(std::span<const LassoStroke> strokes) = 0;
     /// Ends filling at once and keeps what has grown.
     virtual void end() = 0;
     /// World positions of the living markers of free space, m; empty while nothing is filled.

@@ -3,6 +3,7 @@
 
 #include "commands/PlaceLeaves.h"
 #include "commands/Prune.h"
+#include "model/envelope/LassoLoop.h"
 #include "model/sketch/FlatTree.h"
 #include "model/sketch/LeafPlacement.h"
 #include "views/tools/ToolColours.h"
@@ -191,7 +192,7 @@ void SketchTool::drawLoop(SketchLine outline)
         drawLeaf(std::move(outline));
 }
 
-/// The tree fills the outline, in the plane through its foot.
+/// The tree fills the outline, in the plane through its foot, and, if the sides are to be filled, across it.
 void SketchTool::drawCrown(const SketchLine& outline)
 {
     const Camera& camera = context().camera();
@@ -200,7 +201,10 @@ void SketchTool::drawCrown(const SketchLine& outline)
         const Vec3 offset = camera.onPlane(downward(pixel), stroke.origin) - stroke.origin;
         stroke.points.emplace_back(offset.dot(stroke.right), offset.dot(stroke.up));
     }
-    m_filling.fill(stroke);
+    if (context().viewSettings().values().secondTree)
+        m_filling.fillAll(std::array{stroke, turnedToTheSide(stroke)});
+    else
+        m_filling.fill(stroke);
 }
 
 void SketchTool::drawLeaf(SketchLine outline)
