@@ -393,7 +393,7 @@
     </message>
     <message>
         <source>Reproduce</source>
-        <translation>Odtwarzanie</translation>
+        <translation>Odtwórz</translation>
     </message>
     <message>
         <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
