@@ -145,6 +145,7 @@ void MainWindow::takeTool()
     m_profiles->setShown(popOut == Workspace::PopOut::Profile);
     m_leaves->setShown(popOut == Workspace::PopOut::Sketch);
     m_workspace->showPopOut(popOut);
+    updateEnabled();
 }
 
 void MainWindow::updateTip()
@@ -158,7 +159,8 @@ void MainWindow::updateEnabled()
 {
     // Undo and redo are not shown disabled while a stroke is made: that would flicker.
     const QUndoStack& stack = m_document.undoStack();
-    m_actions[ActionId::Undo]->setEnabled(stack.canUndo() || isHandBusy());
+    m_actions[ActionId::Undo]->setEnabled(stack.canUndo() || isHandBusy() ||
+                                          m_workspace->viewport().tool().canTakeBack());
     m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
     const bool isIdle = !m_recipeRunner.isRunning();
     for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::SaveRecipe, ActionId::Export})

@@ -16,8 +16,11 @@ void MainWindow::undo()
     const bool wasBusy = isHandBusy();
     const QUndoCommand* before = last();
     finishHand();
-    if (last() == before && m_workspace->viewport().takeBackInTool())
+    if (last() == before && m_workspace->viewport().tool().canTakeBack()) {
+        m_workspace->viewport().takeBackInTool();
+        updateEnabled();
         return;
+    }
     // A gesture that has changed nothing yet is all that there was to undo.
     if (!wasBusy || last() != before)
         m_undoRunner.undo();
@@ -79,8 +82,10 @@ void MainWindow::cancel()
         library->setChecked(false);
         return;
     }
-    if (m_workspace->viewport().keyForTool(Qt::Key_Escape))
+    if (m_workspace->viewport().keyForTool(Qt::Key_Escape)) {
+        updateEnabled();
         return;
+    }
     if (m_help->putAway())
         return;
     if (!m_document.competitors().areAll()) {

@@ -93,8 +93,8 @@ public:
     void cancelGesture();
     /// Passes a key to the tool, between gestures. Returns whether the tool uses it.
     bool keyForTool(int key);
-    /// Makes the tool take back what it keeps between gestures. Returns whether there was something.
-    bool takeBackInTool() { return m_tool->takeBack(); }
+    /// See Tool::takeBack().
+    void takeBackInTool() { m_tool->takeBack(); }
 
     /// The picture of the tree, without the overlays of tools and the sun's ball.
     QImage grabPicture();

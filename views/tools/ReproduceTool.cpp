@@ -120,17 +120,17 @@ void ReproduceTool::cancel()
 
 bool ReproduceTool::keyPressed(int key)
 {
-    return key == Qt::Key_Escape && takeBack();
+    if (key != Qt::Key_Escape || !m_first)
+        return false;
+    takeBack();
+    return true;
 }
 
-bool ReproduceTool::takeBack()
+void ReproduceTool::takeBack()
 {
-    if (!m_first)
-        return false;
     m_first.reset();
     m_figures.expect(due(), false);
     context().requestRepaint();
-    return true;
 }
 
 bool ReproduceTool::isSeedling() const

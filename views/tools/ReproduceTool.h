@@ -43,7 +43,8 @@ public:
     void finish() override;
     void cancel() override;
     bool keyPressed(int key) override;
-    bool takeBack() override;
+    bool canTakeBack() const override { return m_first.has_value(); }
+    void takeBack() override;
 
     bool isActive() const override { return m_isActive; }
     void paint(Overlay& overlay) const override;

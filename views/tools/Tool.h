@@ -55,9 +55,10 @@ public:
         Q_UNUSED(key)
         return false;
     }
-    /// Takes back what the tool keeps of the last gesture for the next one. Undo does so before it undoes
-    /// anything else. Returns whether there was something.
-    virtual bool takeBack() { return false; }
+    /// Whether the tool keeps something of the last gesture for the next one, between gestures.
+    virtual bool canTakeBack() const { return false; }
+    /// Takes that back. Undo does so before it undoes anything else.
+    virtual void takeBack() {}
 
     /// Whether a gesture is under way.
     virtual bool isActive() const = 0;
