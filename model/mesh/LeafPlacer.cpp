@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kTubesPerTask = 256;
 /// The diameter of the thickest wood with leaves, where the user has set it, in lengths of a leaf.
-constexpr double kThickestShoot = 0.25;
+constexpr double kThickestShoot = 0.4;
 /// The farthest that a leaf card reaches from its petiole, in lengths and widths.
 constexpr float kLongestReach = 1.5F;
 /// Number of steps in half a turn upward.

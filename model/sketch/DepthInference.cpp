@@ -59,26 +59,6 @@ Vector3 drawnPoint(const Eigen::Vector2d& point, double depth = 0.0)
     return {point.x(), point.y(), depth};
 }
 
-/// Makes a trunk at most as crooked in depth as it was drawn, measured by the greatest distance from its
-/// chord, which is in the drawing's plane: the straight parts of a slightly crooked one would bend far into
-/// depth.
-void keepAsCrookedAsDrawn(std::vector<Vector3>& line)
-{
-    const Eigen::Vector2d base = line.front().head<2>();
-    const Eigen::Vector2d chord = (line.back().head<2>() - base).normalized();
-    double drawn = 0.0;
-    double deep = 0.0;
-    for (const Vector3& point : line) {
-        const Eigen::Vector2d offset = point.head<2>() - base;
-        drawn = std::max(drawn, std::abs(chord.x() * offset.y() - chord.y() * offset.x()));
-        deep = std::max(deep, std::abs(point.z()));
-    }
-    if (deep <= drawn)
-        return;
-    for (Vector3& point : line)
-        point.z() *= drawn / deep;
-}
-
 /// What the drawing says about a branch.
 struct BranchChord {
     std::size_t parent = 0; ///< Row; its own for the trunk
@@ -228,7 +208,6 @@ private:
         PlacedBranch& trunk = started(row);
         const std::uint64_t bits = branchBits(m_options.seed, false, trunk.source, 1);
         trunk.line = curve(row, 0.0, 0.0, m_options.bentTrunk ? ((bits & 1U) != 0 ? 1.0 : -1.0) : 0.0);
-        keepAsCrookedAsDrawn(trunk.line);
     }
 
     void placeBranch(std::size_t row)

@@ -143,7 +143,7 @@ void LeafPlacerTest::woodThatTheUserMadeThick_isBare()
     TreeBuilder builder(1, parameters);
     const InternodeId tip = builder.growAxis(0, kTerminalSlot, continuing(), 4);
     QVERIFY(LeafRule(builder.tree, builder.index).bears(tip));
-    builder.apply(widthChange(builder.tree, tip, 0.03F));
+    builder.apply(widthChange(builder.tree, tip, 0.04F));
     QVERIFY(!LeafRule(builder.tree, builder.index).bears(tip));
     QVERIFY(LeafRule(builder.tree, builder.index).bears(tip - 1));
     builder.apply(widthChange(builder.tree, tip, 0.015F));
