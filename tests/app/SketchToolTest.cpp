@@ -290,7 +290,7 @@ void SketchToolTest::placedLeaves_bringSuggestions()
         return choices.findChild<QAbstractButton*>(
             QStringLiteral("leafChoice%1").arg(static_cast<int>(engine)));
     };
-    QVERIFY(!choices.isVisible());
+    QTRY_VERIFY(!choices.isVisible());
     draw({{0.5F, 1.4F}, {0.46F, 1.5F}, {0.5F, 1.6F}, {0.54F, 1.5F}, {0.505F, 1.41F}});
     QCOMPARE(tree().placedLeaves().size(), 1U);
     QTRY_VERIFY(choices.isVisible());

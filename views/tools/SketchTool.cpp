@@ -371,9 +371,9 @@ void SketchTool::paintInk(Overlay& overlay) const
         ink.push_back(camera.onPlane(point, foot));
         image.push_back(ink.back() + 2.0F * (middle - ink.back().dot(camera.right())) * camera.right());
     }
-    overlay.addLine(ink, kBrushColour, 2.4F);
+    overlay.addInk(ink, kBrushColour, 2.4F);
     if (context().viewSettings().values().sketchMirror)
-        overlay.addLine(image, kBrushColour, 1.6F, 5.0F);
+        overlay.addInk(image, kBrushColour, 1.6F, 5.0F);
 }
 
 void SketchTool::paint(Overlay& overlay) const
