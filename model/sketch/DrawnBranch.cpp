@@ -177,9 +177,11 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
         InternodeId id = 0;
         if (isSeedling) {
             delta.addFrame(id, tree.columns().rotation[id], local, tree.length(id), pieceLength);
-            delta.internodes.buds.push_back({id, tree.budStates(id), buds});
-            delta.sparse.rootPosition.push_back(
-                {id, tree.content().sparse.rootPosition.at(id), Vec3(ends.front())});
+            if (tree.budStates(id) != buds)
+                delta.internodes.buds.push_back({id, tree.budStates(id), buds});
+            const std::optional<Vec3> foot(ends.front());
+            if (tree.content().sparse.rootPosition.at(id) != foot)
+                delta.sparse.rootPosition.push_back({id, tree.content().sparse.rootPosition.at(id), foot});
         } else {
             const bool isFirst = i == 0;
             const bool continues =
@@ -208,7 +210,7 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
         if (!branch.radii.empty()) {
             const float share = static_cast<float>(i + 1) / static_cast<float>(pieces);
             const float diameter = std::min(2.0F * radiusOn(branch.radii, share), kGreatestDiameter);
-            if (diameter > 0.0F)
+            if (diameter > 0.0F && tree.content().sparse.width.at(id) != diameter)
                 delta.sparse.width.push_back({id, tree.content().sparse.width.at(id), diameter});
         }
         below = placeOn(below.node, below.rotation, local, pieceLength);

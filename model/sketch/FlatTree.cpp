@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_set>
 
 namespace espalier {
 
@@ -61,6 +62,8 @@ public:
             m_delta.rows.reset();
         return std::move(m_delta);
     }
+    /// Whether something would be longer or farther away than is possible.
+    bool isFar() const { return m_isFar; }
 
 private:
     /// The axis of the drawing that a placed branch is.
@@ -108,6 +111,8 @@ private:
             const Rotation local = length > kShortestDrawn ? turnedTo(old, way) : old;
             visit(i, local, std::max(length, kShortestDrawn));
             below = placeOn(below.node, below.rotation, local, std::max(length, kShortestDrawn));
+            m_isFar = m_isFar || !(length <= kGreatestLength) ||
+                      !(below.node.cwiseAbs().maxCoeff() <= kFarthestNode);
             m_worlds[branch].push_back(below);
         }
     }
@@ -134,9 +139,11 @@ private:
         forEachFrame(branch, [&](std::size_t i, const Rotation& local, float length) {
             const InternodeId source = axis[i];
             const InternodeId id = m_delta.born.first + m_delta.rows->internodes.size();
-            // Siblings of one slot were born in different steps, and so are their copies in the key's eyes.
             const int slot = i == 0 ? kBudSlots - 1 : kTerminalSlot;
             key = childKey(key, slot, i == 0 ? m_delta.stepAfter + m_tree.birth(source) : m_delta.stepAfter);
+            // Siblings of one slot can have been born in one step: where branches were copied.
+            if (!m_usedKeys.insert(key).second)
+                key = mixedBits(key ^ m_tree.key(source));
             const InternodeColumns& c = m_tree.columns();
             m_delta.rows->internodes.append({.parent = parent,
                                              .along = c.along[source],
@@ -172,6 +179,8 @@ private:
     const TreeDrawing& m_flat;
     const PlacedTree& m_placed;
     TreeDelta m_delta;
+    std::unordered_set<InternodeKey> m_usedKeys; ///< Of the copies' first internodes
+    bool m_isFar = false;
     std::multimap<InternodeId, LeafId> m_leaves;   ///< That live, by the internode that bears them
     std::vector<Vec3> m_bases;                     ///< By placed branch, m
     std::vector<std::vector<Placement>> m_worlds;  ///< By placed branch and internode
@@ -244,7 +253,15 @@ Result<TreeDelta> giveDepth(const Tree& tree, const TreeIndex& index, const Dept
     const TreeDrawing flat = drawingOf(tree, index);
     if (flat.axes.size() < 2)
         return depthError(SketchText::tr("draw branches first: a trunk alone has no depth to find"));
-    return DepthEdit(tree, flat, inferDepth(flat.drawing, options)).make();
+    const PlacedTree placed = inferDepth(flat.drawing, options);
+    DepthEdit edit(tree, flat, placed);
+    TreeDelta delta = edit.make();
+    if (edit.isFar())
+        return depthError(
+            SketchText::tr("an internode would be longer than %1 m or lie farther than %2 m away")
+                .arg(static_cast<double>(kGreatestLength))
+                .arg(static_cast<double>(kFarthestNode)));
+    return delta;
 }
 
 } // namespace espalier

@@ -18,7 +18,7 @@ struct TreeDrawing {
     SketchedTree drawing;
     std::vector<std::vector<InternodeId>> axes; ///< By branch of the drawing: its internodes, base first
 };
-/// The drawing that the thickest trunk of a tree and all that it carries make, seen from the front.
+/// The drawing that the seedling's trunk and all that it carries make, seen from the front.
 /// Precondition: the seedling is the only living root.
 TreeDrawing drawingOf(const Tree& tree, const TreeIndex& index);
 

@@ -91,9 +91,24 @@ void MultiplyTool::move(const PointerSample& sample)
 void MultiplyTool::end(const PointerSample& sample)
 {
     move(sample);
-    const bool isTap =
+    complete();
+}
+
+void MultiplyTool::finish()
+{
+    // A tap that its release has not made yet is none; a drag is kept.
+    if (m_targets.empty())
+        cancel();
+    else
+        complete();
+}
+
+/// Does what the tap or the drag says.
+void MultiplyTool::complete()
+{
+    const bool isMade =
         std::exchange(m_isDown, false) && m_axis && m_revision == context().document().revision();
-    if (isTap) {
+    if (isMade) {
         TreeDocument& document = context().document();
         const Result<void> done = context().viewSettings().values().passesOn
                                       ? propagateBranch(document, propagation())

@@ -13,7 +13,7 @@
 
 namespace espalier {
 
-/// More by example (Okabe 2005, 3.3 and 3.6): a tap on a branch gives it one more branch like those that it
+/// More by example (Okabe 2005, 3.4 and 3.6): a tap on a branch gives it one more branch like those that it
 /// carries. With ViewValues::passesOn, a tap gives other branches what that branch carries, and a drag from
 /// it across others gives it to these alone. The branch under the pointer shows, and in thin lines what would
 /// come of it.
@@ -30,7 +30,7 @@ public:
     void begin(const PointerSample& sample) override;
     void move(const PointerSample& sample) override;
     void end(const PointerSample& sample) override;
-    void finish() override { cancel(); }
+    void finish() override;
     void cancel() override;
     void hover(const PointerSample& sample) override;
     void leave() override;
@@ -48,6 +48,7 @@ private:
     Propagation propagation() const;
     Result<TreeDelta> result() const;
     void foresee();
+    void complete();
     void paintAxis(Overlay& overlay, InternodeId axis, bool isTaken) const;
 
     std::function<void(const QString& why)> m_refused;

@@ -247,6 +247,10 @@ void SketchTool::drawLine(SketchLine line)
         if (std::optional<TwoSidedBranch> branch = twoSidedBranch(last->line, line)) {
             line = std::move(branch->axis);
             sides = std::move(branch->radii);
+            if (!last->base && line.front().y() > line.back().y()) { // A trunk that was drawn downward
+                std::ranges::reverse(line);
+                std::ranges::reverse(sides);
+            }
         }
     }
     BranchStroke stroke{.stroke = {}, .base = {}};
