@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/SketchStroke.h"
 
+#include "commands/DocumentProject.h"
 #include "commands/InferDepth.h"
 #include "commands/PlaceLeaves.h"
+#include "commands/PropagateBranch.h"
 #include "commands/Prune.h"
+#include "model/io/project/ProjectFile.h"
 #include "model/sketch/FlatTree.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
@@ -32,6 +35,9 @@ private Q_SLOTS:
     void depth_givesTheSecondTreeItsLeaves();
     void depth_isRefusedWhereThereIsSome();
     void depthTrial_replacesTheLastOne();
+    void trunkDrawnAgain_canBeSaved();
+    void depthOfCopiedTwigs_canBeSaved();
+    void depthBeyondTheLimits_isRefused();
     void drawnTree_growsOn();
 };
 
@@ -56,6 +62,16 @@ LeafRow leafAt(InternodeId id)
     leaf.rotation = Rotation::Identity();
     leaf.length = 0.1F;
     return leaf;
+}
+
+/// What is wrong with the document's file; empty if it can be written and read.
+QString fileFault(const TreeDocument& document)
+{
+    const Result<QByteArray> packed = packProject(projectOf(document, QStringLiteral("drawn")));
+    if (!packed)
+        return packed.error().message;
+    const Result<Project> read = unpackProject(*packed);
+    return read ? QString() : read.error().message;
 }
 
 /// The last internode of a branch.
@@ -330,6 +346,50 @@ void SketchStrokeTest::depthTrial_replacesTheLastOne()
     QVERIFY(!trial.isLast());
     QVERIFY(!trial.tryOut({.seed = 3}));
     QCOMPARE(document.undoStack().count(), steps + 2);
+}
+
+void SketchStrokeTest::trunkDrawnAgain_canBeSaved()
+{
+    TreeDocument document;
+    const std::vector<Vec2> line{{0.0F, 0.0F}, {0.0F, 1.0F}};
+    QVERIFY(sketchBranch(document, {.stroke = strokeOf(line), .base = {}, .radii = {0.1F, 0.05F}}));
+    QVERIFY(sketchBranch(document, {.stroke = strokeOf({{0.0F, 0.0F}, {0.0F, 1.5F}}),
+                                    .base = {},
+                                    .radii = {0.1F, 0.05F},
+                                    .replaces = InternodeId{0}}));
+    QCOMPARE(fileFault(document), QString());
+}
+
+void SketchStrokeTest::depthOfCopiedTwigs_canBeSaved()
+{
+    TreeDocument document;
+    draw(document, {{0.0F, 0.0F}, {0.0F, 2.0F}});
+    const InternodeId limb = draw(document, {{0.0F, 0.8F}, {0.8F, 1.2F}});
+    draw(document, {{0.0F, 1.4F}, {-0.8F, 1.8F}});
+    // Two twigs at one node, of which the copies are born in the same step.
+    const InternodeId node = document.index().mainChild(limb);
+    QVERIFY(node != kNoInternode);
+    for (const float up : {0.3F, -0.3F}) {
+        const Vec3 base = placeOf(document, node);
+        QVERIFY(sketchBranch(document,
+                             {.stroke = strokeOf({{base.x(), base.y()}, {base.x() + 0.2F, base.y() + up}}),
+                              .base = BranchPlace{node, 1.0F}}));
+    }
+    QVERIFY(propagateBranch(document, {.reference = limb, .axes = {}}));
+    QVERIFY(inferDepth(document, {}));
+    QCOMPARE(fileFault(document), QString());
+}
+
+void SketchStrokeTest::depthBeyondTheLimits_isRefused()
+{
+    TreeDocument document;
+    QVERIFY(sketchBranch(document, {.stroke = strokeOf({{0.0F, 0.0F}, {0.0F, 990.0F}}), .base = {}}));
+    for (const float side : {1.0F, -1.0F})
+        QVERIFY(sketchBranch(document,
+                             {.stroke = strokeOf({{0.0F, 400.0F}, {700.0F * side, 900.0F}}), .base = {}}));
+    const Result<void> given = inferDepth(document, {.hullMagnification = 3.0});
+    QVERIFY(given || given.error().message.startsWith(QLatin1String("an internode would be longer")));
+    QCOMPARE(fileFault(document), QString());
 }
 
 void SketchStrokeTest::drawnTree_growsOn()
