@@ -57,7 +57,7 @@ void LeafController::follow(const TreeChange& change)
 
 void LeafController::offer()
 {
-    if (m_isBusy()) {
+    if (m_place && m_isBusy()) {
         m_timer.start();
         return;
     }

@@ -10,6 +10,7 @@ namespace espalier {
 namespace {
 
 constexpr int kColumns = 2;
+constexpr int kButtonEdge = 4; ///< px
 
 struct EngineText {
     const char* name;
@@ -53,6 +54,7 @@ LeafChoices::LeafChoices(QWidget* parent) : Bar(parent)
         button->setProperty("look", "tool");
         button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
         button->setIconSize({kPicture, kPicture});
+        button->setMinimumWidth(kPicture + 2 * kButtonEdge);
         const QString name = tr(kEngineTexts[i].name);
         button->setText(name);
         button->setToolTip(tr("<b>%1</b><br>%2").arg(name, tr(kEngineTexts[i].tip)));

@@ -26,6 +26,8 @@ constexpr qreal kTwigLine = 1.2;          ///< px
 /// A branch is seen from the side if its direction and the viewer's make a smaller angle than this has as its
 /// sine.
 constexpr float kLeastBroadside = 0.5F;
+/// By which the view is turned around the branch, rad.
+constexpr float kAside = 0.35F;
 /// A leaf's outline, base to tip and back: x in widths, y in lengths.
 constexpr std::array<std::array<float, 2>, 10> kOutline{{{0.0F, 0.0F},
                                                          {0.06F, 0.12F},
@@ -115,7 +117,12 @@ QImage leafPicture(const Tree& tree, const TreeIndex& index, InternodeId branch,
     const Vec3 base = index.basePosition(tree, axis.front());
     Vec3 right = style.right;
     Vec3 up = style.up;
-    standBeside((index.nodePosition(axis.back()) - base).normalized(), right, up);
+    const Vec3 direction = (index.nodePosition(axis.back()) - base).normalized();
+    standBeside(direction, right, up);
+    // Seen a little from the side of the branch, no leaf of a drawing is exactly edge-on.
+    const Rotation aside(Eigen::AngleAxisf(kAside, direction));
+    right = aside * right;
+    up = aside * up;
 
     const std::vector<InternodeId> wood = branchWithTwigs(index, axis);
     const std::unordered_set<InternodeId> drawn(wood.begin(), wood.end());

@@ -19,6 +19,7 @@ ViewRow* makeViewRow(const ViewField& field, ViewSettings& settings, QWidget* pa
     });
     QObject::connect(&settings, &ViewSettings::changed, row, follow);
     row->setValue(field.get(settings.values()));
+    row->setUsual(field.get(ViewValues()));
     return row;
 }
 

@@ -8,6 +8,7 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -71,9 +72,24 @@ ViewRow::ViewRow(const ParameterScale& scale, QWidget* parent) : QWidget(parent)
         line->addWidget(makeLabel(label, this), 1);
         line->addWidget(m_number);
         column->addWidget(m_slider);
+        m_slider->installEventFilter(this);
         connect(m_slider, &ParameterSlider::edited, this, &ViewRow::edit);
         connect(m_number, &ParameterNumber::edited, this, &ViewRow::edit);
     }
+}
+
+bool ViewRow::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isDelete =
+        event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete;
+    if (m_usual && (isDelete || event->type() == QEvent::MouseButtonDblClick)) {
+        m_isTakenBack = !isDelete;
+        edit(*m_usual);
+        return true;
+    }
+    if (event->type() == QEvent::MouseButtonPress)
+        m_isTakenBack = false;
+    return (event->type() == QEvent::MouseMove && m_isTakenBack) || QWidget::eventFilter(watched, event);
 }
 
 void ViewRow::edit(double value)

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QCheckBox;
 class QComboBox;
 
@@ -26,16 +28,23 @@ public:
     double value() const { return m_value; }
     /// Shows @p value; emits no signal.
     void setValue(double value);
+    /// The value that a double click on the slider, or Del, brings back.
+    void setUsual(double value) { m_usual = value; }
 
 Q_SIGNALS:
     /// The user has changed the value.
     void edited(double value);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void edit(double value);
 
     ParameterScale m_scale;
     double m_value = 0.0;
+    std::optional<double> m_usual;
+    bool m_isTakenBack = false; ///< By a double click whose second press is held
     ParameterSlider* m_slider = nullptr;
     ParameterNumber* m_number = nullptr;
     QCheckBox* m_switch = nullptr;

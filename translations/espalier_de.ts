@@ -571,7 +571,7 @@ espalier import SKELETON.csv -o OUT...
 espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
                 [--size WxH] [--camera ...] [--stats FILE] [--seed N]
                 [--set GROUP.NAME=VALUE]...
-    Makes a tree of what somebody drew: lines are branches, small loops leaves,
+    Makes a tree of a drawing: lines are branches, small loops leaves,
     a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
     .ndjson, of which --index takes a line, from 0. Of several drawings each is
     drawn over the one before. --front-only: depth is given once, without a
@@ -827,6 +827,10 @@ geschrieben werden konnte.
     <message>
         <source>it has no strokes</source>
         <translation>sie hat keine Striche</translation>
+    </message>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>sie hat mehr als %1 Punkte</translation>
     </message>
 </context>
 <context>

@@ -571,7 +571,7 @@ espalier import SKELETON.csv -o OUT...
 espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
                 [--size WxH] [--camera ...] [--stats FILE] [--seed N]
                 [--set GROUP.NAME=VALUE]...
-    Makes a tree of what somebody drew: lines are branches, small loops leaves,
+    Makes a tree of a drawing: lines are branches, small loops leaves,
     a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
     .ndjson, of which --index takes a line, from 0. Of several drawings each is
     drawn over the one before. --front-only: depth is given once, without a
@@ -822,6 +822,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>it has no strokes</source>
         <translation>線がありません</translation>
+    </message>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>点が %1 個を超えています</translation>
     </message>
 </context>
 <context>

@@ -360,7 +360,7 @@ QString commandLineHelp()
                "espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]\n"
                "                [--size WxH] [--camera ...] [--stats FILE] [--seed N]\n"
                "                [--set GROUP.NAME=VALUE]...\n"
-               "    Makes a tree of what somebody drew: lines are branches, small loops leaves,\n"
+               "    Makes a tree of a drawing: lines are branches, small loops leaves,\n"
                "    a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!\n"
                "    .ndjson, of which --index takes a line, from 0. Of several drawings each is\n"
                "    drawn over the one before. --front-only: depth is given once, without a\n"

@@ -211,6 +211,8 @@ Result<QJsonObject> sketchTree(TreeDocument& document, const CommandLine& line)
     if (const QStringList warnings = player.warnings(); !warnings.isEmpty())
         return inputError(name, warnings.constFirst());
 
+    if (line.stats.isEmpty())
+        return QJsonObject();
     const double front = silhouetteArea(document, Vec3::UnitX());
     const double side = silhouetteArea(document, Vec3::UnitZ());
     const auto count = [](std::size_t value) { return static_cast<qint64>(value); };

@@ -99,7 +99,7 @@ void FileController::replaceWith(const QString& name, Read read, Show show, Fail
     const auto opening = std::make_shared<Opening>();
     m_opening = opening;
     QTimer::singleShot(kSlow, this, [this, name, opening] {
-        if (m_opening != opening)
+        if (m_opening != opening || opening->isRead)
             return;
         opening->isShown = true;
         m_notice->showProgress(*this, openingText(name), -1.0, [this] { cancelOpening(); });
@@ -109,6 +109,7 @@ void FileController::replaceWith(const QString& name, Read read, Show show, Fail
         [=, this](auto result) mutable {
             if (m_opening != opening)
                 return;
+            opening->isRead = true; // Questions about unsaved changes may take their time
             if (std::exchange(opening->isShown, false))
                 m_notice->finishProgress(*this);
             if (!result)

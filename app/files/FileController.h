@@ -119,6 +119,7 @@ private:
     /// The file that is being read and will replace the document; null if there is none.
     struct Opening {
         std::atomic<bool> isCancelled = false;
+        bool isRead = false;
         bool isShown = false; ///< As progress
     };
     std::shared_ptr<Opening> m_opening;

@@ -230,8 +230,7 @@ void BranchCopies::removeLeaf(LeafId leaf)
 Result<TreeDelta> BranchCopies::finish()
 {
     if (m_isFull)
-        return Error{Error::Kind::Input,
-                     SketchText::tr("the copies would have more than %1 internodes").arg(kMost)};
+        return tooManyCopies();
     if (m_isFar)
         return Error{Error::Kind::Input, SketchText::tr("a copy would reach farther than %1 m away")
                                              .arg(static_cast<double>(kFarthestNode))};
@@ -239,6 +238,12 @@ Result<TreeDelta> BranchCopies::finish()
     if (!m_delta.bringsRows() && m_delta.died.empty() && m_delta.leaves.death.empty())
         m_delta.stepAfter = m_delta.stepBefore;
     return std::move(m_delta);
+}
+
+Error tooManyCopies()
+{
+    return {Error::Kind::Input,
+            SketchText::tr("the copies would have more than %1 internodes").arg(BranchCopies::kMost)};
 }
 
 } // namespace espalier

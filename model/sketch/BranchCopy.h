@@ -87,4 +87,7 @@ private:
     bool m_isFull = false;
 };
 
+/// What BranchCopies::finish() says of too many internodes.
+Error tooManyCopies();
+
 } // namespace espalier

@@ -81,6 +81,12 @@ AllowedAngles allowedAngles(const Eigen::Vector3d& up, double& downAngle)
     return {.middle = middle, .halfWidth = std::acos(std::clamp((least - a) / b, -1.0, 1.0))};
 }
 
+/// A rotation angle that a new branch may have, and its distance from the nearest other one, rad.
+struct FreeAngle {
+    double angle;
+    double clearance;
+};
+
 /// The distance of an angle from the nearest of @p others, 0...π.
 double clearanceOf(double angle, std::span<const double> others)
 {
@@ -102,27 +108,29 @@ double freestAngle(const std::vector<double>& others, const AllowedAngles& allow
     // allowed.
     std::vector<double> sorted = others;
     std::ranges::sort(sorted);
-    std::vector<double> candidates;
+    std::vector<FreeAngle> candidates;
     for (std::size_t i = 0; i < sorted.size(); ++i) {
         const double next = i + 1 < sorted.size() ? sorted[i + 1] : sorted.front() + 2.0 * std::numbers::pi;
         const double middle = 0.5 * (sorted[i] + next);
         if (isAnyAllowed || betweenAngles(middle, allowed.middle) <= allowed.halfWidth)
-            candidates.push_back(middle);
+            candidates.push_back({middle, middle - sorted[i]});
     }
     if (!isAnyAllowed) {
-        candidates.push_back(allowed.middle - allowed.halfWidth);
-        candidates.push_back(allowed.middle + allowed.halfWidth);
+        for (const double end : {allowed.middle - allowed.halfWidth, allowed.middle + allowed.halfWidth})
+            candidates.push_back({end, clearanceOf(end, sorted)});
     }
-    const auto keepFreest = [&candidates](std::span<const double> from) {
-        double most = 0.0;
-        for (const double candidate : candidates)
-            most = std::max(most, clearanceOf(candidate, from));
+    const auto keepFreest = [&candidates] {
+        const double most = std::ranges::max(candidates, {}, &FreeAngle::clearance).clearance;
         std::erase_if(candidates,
-                      [&](double angle) { return clearanceOf(angle, from) < most - kEqualAngles; });
+                      [most](const FreeAngle& free) { return free.clearance < most - kEqualAngles; });
     };
-    keepFreest(others);
-    keepFreest(std::span(others).first(std::min(others.size(), kDecidingNeighbours)));
-    return candidates[random.bits() % candidates.size()];
+    keepFreest();
+    const std::span<const double> deciding =
+        std::span(others).first(std::min(others.size(), kDecidingNeighbours));
+    for (FreeAngle& free : candidates)
+        free.clearance = clearanceOf(free.angle, deciding);
+    keepFreest();
+    return candidates[random.bits() % candidates.size()].angle;
 }
 
 /// The turtle's turn from a branch to a branch on it: around the parent, then away from it.

@@ -20,6 +20,8 @@ using Vector3 = Eigen::Vector3d;
 
 /// Depths are tried on both sides in this many steps.
 constexpr int kDepthSteps = 24;
+/// A trunk's greatest distance from its chord, in depth, in those of the drawing.
+constexpr double kMostCrooked = 3.0;
 /// Places for a branch with this share of the best one's clearance are about as good.
 constexpr double kAboutAsGood = 0.93;
 
@@ -57,6 +59,27 @@ double angleOfSteps(const Vector3& a, const Vector3& b)
 Vector3 drawnPoint(const Eigen::Vector2d& point, double depth = 0.0)
 {
     return {point.x(), point.y(), depth};
+}
+
+/// Makes a trunk at most kMostCrooked times as crooked in depth as it was drawn, measured by the greatest
+/// distance from its chord, which is in the drawing's plane: the straight parts of a slightly crooked one
+/// would bend far into depth.
+void keepAboutAsCrooked(std::vector<Vector3>& line)
+{
+    const Eigen::Vector2d base = line.front().head<2>();
+    const Eigen::Vector2d chord = (line.back().head<2>() - base).normalized();
+    double drawn = 0.0;
+    double deep = 0.0;
+    for (const Vector3& point : line) {
+        const Eigen::Vector2d offset = point.head<2>() - base;
+        drawn = std::max(drawn, std::abs(chord.x() * offset.y() - chord.y() * offset.x()));
+        deep = std::max(deep, std::abs(point.z()));
+    }
+    const double most = kMostCrooked * drawn;
+    if (deep <= most)
+        return;
+    for (Vector3& point : line)
+        point.z() *= most / deep;
 }
 
 /// What the drawing says about a branch.
@@ -208,6 +231,7 @@ private:
         PlacedBranch& trunk = started(row);
         const std::uint64_t bits = branchBits(m_options.seed, false, trunk.source, 1);
         trunk.line = curve(row, 0.0, 0.0, m_options.bentTrunk ? ((bits & 1U) != 0 ? 1.0 : -1.0) : 0.0);
+        keepAboutAsCrooked(trunk.line);
     }
 
     void placeBranch(std::size_t row)

@@ -86,7 +86,8 @@ struct PlacedTree {
 /// clearance in GroundDistances, among depths that put it within the CrownHull, not longer and at no wider
 /// angle than the limits. If no depth satisfies all rules, the sideways rule is given up first, then hull,
 /// length and angle. No branch is left out. Curves get the depths of constantCurvatureDepths() between base
-/// and tip.
+/// and tip; a trunk's are scaled so that it is at most three times as crooked in depth as it was drawn (the
+/// paper does not say).
 ///
 /// x and y of the first tree's points are the drawing's, exactly. The second tree is the same drawing, placed
 /// again and turned by 90° around the vertical at the base of each branch of first order; it shares the

@@ -139,7 +139,7 @@ public:
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < whorls.size(); ++i) {
             const double distance = std::abs(placeOf(whorls[i]) - placeOf(m_chosen));
-            if (i != chosen && distance < nearest) {
+            if (distance > kWhorlTolerance * branch.length() && distance < nearest) {
                 nearest = distance;
                 m_other = &whorls[i];
             }
@@ -152,8 +152,7 @@ public:
         m_delta = deltaStartingAt(m_tree);
         if (engine == LeafEngine::AddToWhorl)
             return addToWhorl();
-        if (m_other == nullptr ||
-            std::abs(placeOf(*m_other) - placeOf(m_chosen)) <= kWhorlTolerance * m_branch.length())
+        if (m_other == nullptr)
             return false;
         switch (engine) {
         case LeafEngine::ExtendWhorls:

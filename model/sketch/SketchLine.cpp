@@ -68,16 +68,6 @@ Eigen::Vector2d pointAlong(const SketchLine& line, double along)
     return LineWalk(line).at(std::max(along, 0.0) * lengthOf(line));
 }
 
-SketchLine lineUpTo(const SketchLine& line, double along)
-{
-    LineWalk walk(line);
-    const Eigen::Vector2d end = walk.at(along * lengthOf(line));
-    SketchLine part(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(walk.pointsBefore()));
-    if (part.size() == 1 || part.back() != end)
-        part.push_back(end);
-    return part;
-}
-
 SketchLine evenLine(const SketchLine& line, std::size_t count)
 {
     SketchLine even;

@@ -23,9 +23,6 @@ std::vector<double> arcShares(const SketchLine& line);
 /// more.
 Eigen::Vector2d pointAlong(const SketchLine& line, double along);
 
-/// The part of a line up to the share @p along (0...1) of its arc length; its last point lies there.
-SketchLine lineUpTo(const SketchLine& line, double along);
-
 /// @p count points (2 or more) at even distances along a line of a point or more; the ends stay.
 SketchLine evenLine(const SketchLine& line, std::size_t count);
 

@@ -67,18 +67,6 @@ std::size_t trunkOf(const std::vector<LooseBranch>& loose)
     return trunk;
 }
 
-/// The radii of the part of a branch up to a share of its length, as many as before.
-std::vector<double> radiiUpTo(const std::vector<double>& whole, double end)
-{
-    std::vector<double> radii = whole;
-    for (std::size_t i = 0; i < whole.size() && whole.size() > 1; ++i) {
-        const double place = end * static_cast<double>(i);
-        const auto below = std::min(static_cast<std::size_t>(place), whole.size() - 2);
-        radii[i] = std::lerp(whole[below], whole[below + 1], place - static_cast<double>(below));
-    }
-    return radii;
-}
-
 /// On which side of the line through two points a third lies; a point on the line counts as left.
 bool isLeft(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Eigen::Vector2d& point)
 {
@@ -309,55 +297,6 @@ SketchedTree SketchedTree::ofStrokes(std::span<const SketchStroke> strokes, cons
             tree.addLeaf(tree.m_next++, stroke.line);
     }
     return tree;
-}
-
-SketchCut SketchedTree::cut(const SketchLine& stroke)
-{
-    m_firstSide.reset();
-    std::vector<double> ends(m_branches.size(), 1.0); // The share of each branch that stays; 0: erased
-    for (std::size_t i = 0; i < m_branches.size(); ++i) {
-        const std::vector<double> crossings = properCrossings(m_branches[i].line, stroke);
-        if (!crossings.empty())
-            ends[i] = crossings.size() == 1 ? crossings.front() : 0.0;
-    }
-    const auto endOf = [&](SketchId carrier) { return ends[rowOf(m_branches, carrier)]; };
-    // A parent's end is final before its children are asked, since it comes before them.
-    for (std::size_t i = 0; i < m_branches.size(); ++i) {
-        const SketchedBranch& branch = m_branches[i];
-        if (branch.parent && (endOf(*branch.parent) == 0.0 || branch.along > endOf(*branch.parent)))
-            ends[i] = 0.0;
-    }
-    SketchCut result;
-    std::vector<SketchedLeaf> leaves;
-    for (const SketchedLeaf& leaf : m_leaves) {
-        const double end = endOf(leaf.branch);
-        if (end == 0.0 || leaf.along > end) {
-            result.erased.push_back(leaf.id);
-        } else {
-            leaves.push_back(leaf);
-            leaves.back().along /= end;
-        }
-    }
-    std::vector<SketchedBranch> kept;
-    for (std::size_t i = 0; i < m_branches.size(); ++i) {
-        if (ends[i] == 0.0) {
-            result.erased.push_back(m_branches[i].id);
-            continue;
-        }
-        SketchedBranch branch = m_branches[i];
-        if (branch.parent)
-            branch.along /= endOf(*branch.parent);
-        if (ends[i] < 1.0) {
-            result.cut.push_back(branch.id);
-            branch.line = lineUpTo(branch.line, ends[i]);
-            branch.radii = radiiUpTo(branch.radii, ends[i]);
-        }
-        kept.push_back(std::move(branch));
-    }
-    m_branches = std::move(kept);
-    m_leaves = std::move(leaves);
-    std::ranges::sort(result.erased);
-    return result;
 }
 
 } // namespace espalier

@@ -42,12 +42,6 @@ struct StrokePairRule {
     double longest = 1.3;       ///< The longer side's length divided by the shorter's
 };
 
-/// What an editing stroke removed: ids ascend.
-struct SketchCut {
-    std::vector<SketchId> cut;    ///< Branches that lost their tip
-    std::vector<SketchId> erased; ///< Branches and leaves that are gone
-};
-
 /// A drawing of a tree: strokes as branches that hang together (Okabe 2005, 3.2). A value; parents come
 /// before their children.
 class SketchedTree {
@@ -74,12 +68,6 @@ public:
     /// A loop is the outline of a leaf. The point that is nearest to a branch is its base, moves onto it, and
     /// takes the other points along, the less the farther away they are.
     std::optional<SketchId> attach(const SketchStroke& stroke, const StrokePairRule& rule = {});
-
-    /// Edits by a stroke over the drawing (3.2): a branch that it crosses once loses what lies beyond the
-    /// crossing and all that this carries; a branch that it crosses twice or more is erased with all that it
-    /// carries. Only proper crossings count, not points where an end touches. It edits all branches that it
-    /// crosses; crossings are counted before anything is removed. The trunk can be erased, too.
-    SketchCut cut(const SketchLine& stroke);
 
     const std::vector<SketchedBranch>& branches() const { return m_branches; }
     const std::vector<SketchedLeaf>& leaves() const { return m_leaves; }

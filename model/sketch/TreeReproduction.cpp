@@ -14,6 +14,9 @@ namespace espalier {
 
 namespace {
 
+/// Of a silhouette's hull, in areas of its box.
+constexpr double kLeastArea = 1e-6;
+
 /// Internodes of a trunk are at least this long, m.
 constexpr double kShortestOfTrunk = 1e-5;
 /// Limbs become at most this many diagonals of the hull long.
@@ -77,7 +80,7 @@ private:
     std::vector<double> m_lengths;
     std::vector<double> m_ratios; ///< By branch: new length of the limb that carries it, divided by its old
     std::vector<bool> m_isPart;   ///< Living internodes of the tree
-    Reproduction m_result{.delta = {}, .outside = 0, .doubledBack = 0};
+    Reproduction m_result{.delta = {}, .outside = 0};
 };
 
 void NewFigure::drawTrunk(const SketchLine& stroke)
@@ -164,10 +167,9 @@ double NewFigure::limbRatio(const Start& start)
         return kShrunkLimb;
     }
     const double most = m_longest / start.length;
-    if (m_hull.contains(start.base + most * start.way)) {
-        ++m_result.doubledBack;
+    // A limb can be so curled that no sensible length takes it to the hull.
+    if (m_hull.contains(start.base + most * start.way))
         return most;
-    }
     return farthestInHull(start, most);
 }
 
@@ -222,6 +224,17 @@ Result<Reproduction> NewFigure::finish()
     return std::move(m_result);
 }
 
+/// The area that a convex polygon encloses, m².
+double areaOf(const SketchLine& corners)
+{
+    double twice = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector2d& next = corners[(i + 1) % corners.size()];
+        twice += corners[i].x() * next.y() - corners[i].y() * next.x();
+    }
+    return 0.5 * std::abs(twice);
+}
+
 } // namespace
 
 Result<Reproduction> reproduced(const Tree& tree, const TreeIndex& index, const SketchLine& trunk,
@@ -241,6 +254,8 @@ Result<Reproduction> reproduced(const Tree& tree, const TreeIndex& index, const 
     if (outline.size() < 3 || !(box.sizes().minCoeff() > 0.0))
         return Error{Error::Kind::Input, SketchText::tr("the silhouette encloses nothing")};
     const CrownHull hull(outline, 1.0);
+    if (!(areaOf(hull.corners()) > kLeastArea * box.sizes().prod()))
+        return Error{Error::Kind::Input, SketchText::tr("the silhouette encloses nothing")};
     NewFigure figure(tree, index, hull, azimuth);
     figure.drawTrunk(stroke);
     figure.drawBranches();

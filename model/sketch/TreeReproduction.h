@@ -18,8 +18,6 @@ inline constexpr double kShrunkLimb = 0.01;
 struct Reproduction {
     TreeDelta delta;           ///< Changes rotations and lengths alone; no step of time
     std::uint32_t outside = 0; ///< Branches that begin outside the hull, and so cannot end in it
-    std::uint32_t doubledBack =
-        0; ///< Limbs that are so curled that no sensible length takes them to the hull
 };
 
 /// The seedling's tree in another figure, with the same branches and internodes (reproduction, Okabe 2005,

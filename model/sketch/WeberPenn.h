@@ -6,22 +6,6 @@
 
 namespace espalier {
 
-/// Outlines of a crown (Weber & Penn 1995, 4.3 and the appendix); the values are the paper's numbers.
-enum class CrownShape {
-    Conical = 0,
-    Spherical = 1,
-    Hemispherical = 2,
-    Cylindrical = 3,
-    TaperedCylindrical = 4,
-    Flame = 5,
-    InverseConical = 6,
-    TendFlame = 7,
-};
-
-/// ShapeRatio: the length of a first-order branch as a share of the longest, 0...1. @p ratio: 0 at the top of
-/// the crown, 1 at its base; clamped.
-double shapeRatio(CrownShape shape, double ratio);
-
 /// A branch as a straight segment from its base to its tip.
 struct BranchLength {
     int order = 0;             ///< 0: the trunk

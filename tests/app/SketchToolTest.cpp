@@ -4,6 +4,7 @@
 #include "model/sketch/FlatTree.h"
 #include "panels/LeafChoices.h"
 #include "panels/Notice.h"
+#include "panels/ParameterSlider.h"
 #include "panels/SketchPopOut.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
@@ -28,6 +29,9 @@ private Q_SLOTS:
     void hover_showsWhereAStrokeWouldJoin();
     void escape_dropsTheStroke();
     void twoSides_giveABranchItsWidth();
+    void twoSides_mayRunDownward();
+    void newPage_forgetsTheForm();
+    void sliders_goBackOnADoubleClick();
     void mirror_drawsBothSides();
     void strokeAcrossOnce_cuts_twice_erases();
     void eraser_erasesWhatItCrossesTwice();
@@ -164,6 +168,46 @@ void SketchToolTest::twoSides_giveABranchItsWidth()
         first = tree().parent(first);
     QVERIFY(tree().widthConstraint(first) > 0.06F);
     QVERIFY(tree().widthConstraint(first) < tree().widthConstraint(0));
+}
+
+void SketchToolTest::twoSides_mayRunDownward()
+{
+    take();
+    draw({{-0.05F, 2.0F}, {-0.15F, 0.0F}});
+    draw({{0.05F, 2.0F}, {0.15F, 0.0F}});
+    QCOMPARE(axes(), 1U);
+    QVERIFY(std::abs(tree().widthConstraint(0) - 0.3F) < 0.05F);
+    QVERIFY(tree().widthConstraint(tree().size() - 1) < 0.15F);
+}
+
+void SketchToolTest::newPage_forgetsTheForm()
+{
+    take();
+    draw({{-0.15F, 0.0F}, {-0.05F, 2.0F}});
+    draw({{0.15F, 0.0F}, {0.05F, 2.0F}});
+    action(ActionId::Undo)->trigger();
+    action(ActionId::Undo)->trigger();
+    QCOMPARE(tree().widthConstraint(0), 0.0F);
+    draw({{0.0F, 0.0F}, {0.0F, 2.0F}});
+    QVERIFY(tree().widthConstraint(0) > 0.0F);
+    QVERIFY(tree().widthConstraint(0) < 0.12F);
+}
+
+void SketchToolTest::sliders_goBackOnADoubleClick()
+{
+    take();
+    const double usual = m_window->viewSettings().values().depthLength;
+    auto* row = workspace().sketchPopOut().findChild<QWidget*>(QStringLiteral("view.depthLength"));
+    auto* slider = row->findChild<ParameterSlider*>();
+    for (const bool isKey : {false, true}) {
+        QTest::mouseClick(slider, Qt::LeftButton, {}, {slider->width() - 12, slider->height() / 2});
+        QVERIFY(m_window->viewSettings().values().depthLength > usual);
+        if (isKey)
+            QTest::keyClick(slider, Qt::Key_Delete);
+        else
+            QTest::mouseDClick(slider, Qt::LeftButton, {}, slider->rect().center());
+        QCOMPARE(m_window->viewSettings().values().depthLength, usual);
+    }
 }
 
 void SketchToolTest::mirror_drawsBothSides()

@@ -4,6 +4,7 @@
 #include "commands/PropagateBranch.h"
 #include "commands/Prune.h"
 #include "commands/ReproduceTree.h"
+#include "commands/SketchStroke.h"
 #include "commands/VaryTree.h"
 #include "commands/recipe/RecipeFile.h"
 #include "commands/recipe/RecipePlayer.h"
@@ -28,6 +29,7 @@ class BranchExamplesTest : public QObject {
 private Q_SLOTS:
     void eachCommand_isOneUndoStepAndARecipe();
     void manyBranches_areOneUndoStep();
+    void copiesOfCopies_haveALimit();
     void refusedCommands_changeNothing();
     void copies_goOnGrowing();
     void outsideBranches_areCounted();
@@ -146,6 +148,24 @@ void BranchExamplesTest::manyBranches_areOneUndoStep()
     QCOMPARE(document.undoStack().count(), before.undoIndex + 1);
     QCOMPARE(replayFault(document), QString());
     document.undo();
+    QCOMPARE(differenceFrom(before, document), QString());
+}
+
+void BranchExamplesTest::copiesOfCopies_haveALimit()
+{
+    TreeDocument document;
+    const auto draw = [&document](std::vector<Vec2> points) {
+        return *sketchBranch(
+            document,
+            {.stroke = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), std::move(points)}, .base = {}});
+    };
+    draw({{0.0F, 0.0F}, {0.0F, 2.0F}});
+    const InternodeId limb = draw({{0.0F, 0.8F}, {0.9F, 1.4F}});
+    draw({{0.5F, 1.13F}, {0.8F, 1.0F}});
+    QVERIFY(multiplyBranch(document, limb, 1, 1000));
+    const DocumentState before(document);
+    const Result<void> done = multiplyBranch(document, 0, 1, 1000);
+    QVERIFY(!done && done.error().message.contains(QLatin1String("1000000")));
     QCOMPARE(differenceFrom(before, document), QString());
 }
 

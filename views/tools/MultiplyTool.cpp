@@ -82,7 +82,9 @@ void MultiplyTool::move(const PointerSample& sample)
         take(axis);
         return;
     }
-    if (!axis || *axis == *m_axis || std::ranges::find(m_targets, *axis) != m_targets.end())
+    // A way across the tree leads over the trunk.
+    if (!axis || context().document().tree().isRoot(*axis) || *axis == *m_axis ||
+        std::ranges::find(m_targets, *axis) != m_targets.end())
         return;
     m_targets.push_back(*axis);
     foresee();

@@ -240,6 +240,8 @@ void SketchTool::drawLine(SketchLine line)
     TreeDocument& document = context().document();
     const Camera& camera = context().camera();
     const std::optional<Side> last = std::exchange(m_last, std::nullopt);
+    if (isSeedling()) // A new drawing has no form yet
+        m_form = kUsualForm;
     std::vector<double> sides; // px
     const bool mayBeSide = last && last->revision == document.revision() && last->camera == camera;
     SketchLine drawn = line;

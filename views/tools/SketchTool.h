@@ -56,6 +56,7 @@ private:
         Vec3 up = Vec3::UnitY();
         bool isDrawing = true; ///< That of a flat tree
     };
+    static inline const std::vector<float> kUsualForm{0.022F, 0.004F};
     /// What the last stroke drew, while a second side may follow.
     struct Side {
         SketchLine line; ///< px, up
@@ -88,7 +89,7 @@ private:
     std::uint64_t m_placeRevision = 0; ///< Of the tree that m_place is on
     std::optional<Side> m_last;
     /// Radii of the last two-sided branch in shares of its length, base to tip; before there is one, a taper.
-    std::vector<float> m_form{0.022F, 0.004F};
+    std::vector<float> m_form = kUsualForm;
     CutPreview m_preview;
 };
 

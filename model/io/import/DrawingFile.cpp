@@ -29,7 +29,7 @@ struct DrawingText {
 constexpr qint64 kMostDrawingBytes = qint64{32} << 20;
 /// The longer side of an SVG while its curves are made lines, so that these are fine.
 constexpr double kSvgSize = 2000.0;
-/// An SVG of more points is not read to its end.
+/// Of an SVG, when its curves are lines.
 constexpr std::size_t kMostDrawingPoints = 2'000'000;
 
 /// Keeps the lines that are painted.
@@ -38,6 +38,7 @@ public:
     LineRecorder() : QPaintEngine(AllFeatures) {}
 
     DrawingStrokes strokes;
+    bool isTooLarge() const { return m_points > kMostDrawingPoints; }
 
     bool begin(QPaintDevice*) override { return true; }
     bool end() override { return true; }
@@ -73,7 +74,7 @@ private:
     {
         m_points += static_cast<std::size_t>(polygon.size());
         if (m_points > kMostDrawingPoints)
-            return;
+            return; // isTooLarge()
         std::vector<Vec2> stroke;
         for (const QPointF& point : polygon)
             stroke.emplace_back(static_cast<float>(point.x()), static_cast<float>(-point.y()));
@@ -149,6 +150,9 @@ Result<DrawingStrokes> readSvg(const QByteArray& bytes)
     QPainter painter(&device);
     renderer.render(&painter, QRectF(QPointF(), size));
     painter.end();
+    if (recorder.isTooLarge())
+        return Error{Error::Kind::Input,
+                     DrawingText::tr("it has more than %1 points").arg(kMostDrawingPoints)};
     return std::move(recorder.strokes);
 }
 

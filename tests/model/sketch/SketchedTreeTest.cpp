@@ -23,12 +23,6 @@ private Q_SLOTS:
     void attach_laterParallelStroke_isABranchOfItsOwn();
     void ofStrokes_inAnyOrder_isTheSameTree();
     void ofStrokes_pairsSidesDrawnOneAfterTheOther();
-    void cut_once_removesTheDistalPartAndWhatItCarries();
-    void cut_twice_erasesTheBranchAndItsDescendants();
-    void cut_thatOnlyTouches_changesNothing();
-    void cut_throughAPointOfTheLine_countsOnce();
-    void cut_ofAncestorAndDescendant_removesBoth();
-    void cut_shortensTheRadii();
 };
 
 namespace {
@@ -194,79 +188,6 @@ void SketchedTreeTest::ofStrokes_pairsSidesDrawnOneAfterTheOther()
     QVERIFY(!tree.branches()[0].radii.empty());
     QVERIFY(tree.branches()[1].radii.empty());
     QVERIFY(SketchedTree::ofStrokes({}).isEmpty());
-}
-
-void SketchedTreeTest::cut_once_removesTheDistalPartAndWhatItCarries()
-{
-    SmallDrawing small;
-    const SketchId near = *small.tree.attach(openStroke({{0.5, 1.9}, {0.5, 1.0}}));
-    const SketchCut done = small.tree.cut({{1.0, 1.5}, {1.0, 2.5}});
-    QCOMPARE(done.cut, std::vector<SketchId>{small.limb});
-    QCOMPARE(done.erased, std::vector<SketchId>{small.twig});
-    QCOMPARE(small.tree.branches().size(), std::size_t{4});
-    const SketchedBranch* limb = small.tree.branch(small.limb);
-    QVERIFY((limb->line.back() - Eigen::Vector2d(1.0, 2.0)).norm() < 1e-9);
-    // What stays is where it was, at another share of a shorter branch.
-    const SketchedBranch* kept = small.tree.branch(near);
-    QVERIFY(std::abs(kept->along - 0.5) < 1e-9);
-    QVERIFY((pointAlong(limb->line, kept->along) - kept->line.front()).norm() < 1e-9);
-    QVERIFY(small.tree.branch(small.twig) == nullptr);
-}
-
-void SketchedTreeTest::cut_twice_erasesTheBranchAndItsDescendants()
-{
-    SmallDrawing small;
-    small.tree.attach({.kind = SketchStroke::Kind::Closed, .line = {{1.6, 2.5}, {1.8, 2.4}, {1.8, 2.6}}});
-    const SketchId leaf = small.tree.leaves().front().id;
-    const SketchCut done = small.tree.cut({{0.5, 1.5}, {0.7, 2.5}, {0.9, 1.5}});
-    QVERIFY(done.cut.empty());
-    QCOMPARE(done.erased, (std::vector<SketchId>{small.limb, small.twig, leaf}));
-    QCOMPARE(small.tree.branches().size(), std::size_t{2});
-    QVERIFY(small.tree.leaves().empty());
-    // Ids are not given again.
-    QVERIFY(*small.tree.attach(openStroke({{0.1, 2.0}, {1.0, 2.0}})) > leaf);
-}
-
-void SketchedTreeTest::cut_thatOnlyTouches_changesNothing()
-{
-    SmallDrawing small;
-    const auto before = small.tree.branches();
-    small.tree.cut({{1.0, 1.5}, {1.0, 2.0}});             // Ends on the limb
-    small.tree.cut({{0.0, 4.0}, {1.0, 4.0}});             // Begins at the trunk's tip
-    small.tree.cut({{-1.0, 4.0}, {1.0, 4.0}});            // Passes through the trunk's tip
-    small.tree.cut({{3.0, 0.0}, {3.0, 5.0}});             // Passes by
-    small.tree.cut({{0.5, 1.5}, {0.7, 2.0}, {0.9, 1.5}}); // Comes up to the limb and turns back
-    QVERIFY(small.tree.branches() == before);
-}
-
-void SketchedTreeTest::cut_throughAPointOfTheLine_countsOnce()
-{
-    // The trunk has a point at (0, 1).
-    SmallDrawing small;
-    const SketchCut done = small.tree.cut({{-1.0, 1.0}, {1.0, 1.0}});
-    QCOMPARE(done.cut, std::vector<SketchId>{small.trunk});
-    QCOMPARE(small.tree.branches().size(), std::size_t{1});
-    QVERIFY((small.tree.branches().front().line.back() - Eigen::Vector2d(0.0, 1.0)).norm() < 1e-12);
-}
-
-void SketchedTreeTest::cut_ofAncestorAndDescendant_removesBoth()
-{
-    SmallDrawing small;
-    // Through the twig (x = 1.5, y = 2.5) and the trunk at y = 2.5; the limb at 2 m stays.
-    const SketchCut done = small.tree.cut({{2.0, 2.5}, {-0.5, 2.5}});
-    QCOMPARE(done.cut, (std::vector<SketchId>{small.trunk, small.twig}));
-    QCOMPARE(done.erased, std::vector<SketchId>{small.left});
-    QVERIFY(std::abs(small.tree.branch(small.twig)->line.back().y() - 2.5) < 1e-9);
-}
-
-void SketchedTreeTest::cut_shortensTheRadii()
-{
-    SketchedTree tree;
-    tree.attach(openStroke({{-0.3, 0.0}, {-0.1, 4.0}}));
-    tree.attach(openStroke({{0.3, 0.0}, {0.1, 4.0}}));
-    tree.cut({{-1.0, 2.0}, {1.0, 2.0}});
-    QVERIFY(std::abs(tree.branches().front().radii.front() - 0.3) < 1e-12);
-    QVERIFY(std::abs(tree.branches().front().radii.back() - 0.2) < 1e-9);
 }
 
 const TestClass<SketchedTreeTest> sketchedTreeTest;

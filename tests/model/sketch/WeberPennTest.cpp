@@ -14,40 +14,9 @@ class WeberPennTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void shapeRatio_hasItsKnownAnswers();
-    void shapeRatio_isBoundedAndContinuous();
     void childLength_fallsTowardTheParentsTip();
     void drawnLengthShares_admitWhatWasDrawn();
 };
-
-void WeberPennTest::shapeRatio_hasItsKnownAnswers()
-{
-    const auto isNear = [](double value, double expected) { return std::abs(value - expected) < 1e-12; };
-    QVERIFY(isNear(shapeRatio(CrownShape::TendFlame, 0.35), 0.75));
-    QVERIFY(isNear(shapeRatio(CrownShape::TendFlame, 0.85), 0.75));
-    QVERIFY(isNear(shapeRatio(CrownShape::Flame, 0.35), 0.5));
-    QVERIFY(isNear(shapeRatio(CrownShape::Flame, 0.85), 0.5));
-    QVERIFY(isNear(shapeRatio(CrownShape::Conical, 0.25), 0.4));
-    QVERIFY(isNear(shapeRatio(CrownShape::Spherical, 0.5), 1.0));
-    QVERIFY(isNear(shapeRatio(CrownShape::Spherical, 1.0), 0.2));
-    QVERIFY(isNear(shapeRatio(CrownShape::Hemispherical, 1.0), 1.0));
-    QVERIFY(isNear(shapeRatio(CrownShape::Cylindrical, 0.3), 1.0));
-    QVERIFY(isNear(shapeRatio(CrownShape::TaperedCylindrical, 0.5), 0.75));
-    QVERIFY(isNear(shapeRatio(CrownShape::InverseConical, 1.0), 0.2));
-}
-
-void WeberPennTest::shapeRatio_isBoundedAndContinuous()
-{
-    for (int shape = 0; shape <= static_cast<int>(CrownShape::TendFlame); ++shape) {
-        double before = shapeRatio(static_cast<CrownShape>(shape), 0.0);
-        for (int i = -10; i <= 1010; ++i) {
-            const double ratio = shapeRatio(static_cast<CrownShape>(shape), i / 1000.0);
-            QVERIFY(ratio >= 0.0 && ratio <= 1.0);
-            QVERIFY(std::abs(ratio - before) < 0.005);
-            before = ratio;
-        }
-    }
-}
 
 void WeberPennTest::childLength_fallsTowardTheParentsTip()
 {
