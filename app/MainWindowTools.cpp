@@ -59,8 +59,11 @@ void MainWindow::connectTools()
     connect(&m_recipeRunner, &RecipeRunner::advanced, this, &MainWindow::followRecipe);
     connect(&m_recipeRunner, &RecipeRunner::finished, this, [this](bool whole) {
         m_workspace->notice().finishProgress(m_recipeRunner);
-        if (whole)
+        if (whole) {
+            // What the recipe makes, it makes again: nothing would be lost.
+            m_document.undoStack().setClean();
             showRecipeWarnings();
+        }
         takeTool();
         updateEnabled();
         m_workspace->viewport().frameAll();

@@ -19,6 +19,10 @@ constexpr ViewField kSketchCuts = viewSwitch<&ViewValues::sketchCuts>(
     QT_TRANSLATE_NOOP("Parameters",
                       "A stroke takes away: a branch that it crosses once is cut there, one that it "
                       "crosses twice is erased. Shift or a pen's eraser does so, too."));
+constexpr ViewField kSketchSides = viewSwitch<&ViewValues::sketchSides>(
+    "view.sketchSides", QT_TRANSLATE_NOOP("Parameters", "Two sides"),
+    QT_TRANSLATE_NOOP("Parameters", "Two strokes side by side, one after the other, are the two sides of one "
+                                    "branch, which gets its width from them."));
 constexpr ViewField kSketchMirror = viewSwitch<&ViewValues::sketchMirror>(
     "view.sketchMirror", QT_TRANSLATE_NOOP("Parameters", "Mirror"),
     QT_TRANSLATE_NOOP("Parameters", "Each branch is drawn on the other side of the trunk as well."));
@@ -74,6 +78,7 @@ SketchPopOut::SketchPopOut(ViewSettings& settings, QWidget* parent) : Bar(parent
         column->addWidget(row);
     };
     addRow(kSketchCuts);
+    addRow(kSketchSides);
     addRow(kSketchMirror);
     m_give = addButton(
         QStringLiteral("giveDepth"), tr("Give depth"),

@@ -80,6 +80,7 @@ struct ViewValues {
     bool twistsSubtree = false; ///< A twist reaches all that a branch carries, not only the branch itself
     double newBuds = 5;         ///< Buds that a tap adds, a whole number, kLeastNewBuds...kMostNewBuds
     bool sketchCuts = false;    ///< Strokes of the pencil take branches away
+    bool sketchSides = true;    ///< Two strokes of the pencil side by side are the two sides of one branch
     bool sketchMirror = false;  ///< Strokes of the pencil are drawn on the other side of the trunk as well
     /// A tap of Multiply passes on what a branch carries, instead of adding to it: only to branches of its
     /// order, scaled with them, in place of what they carried.

@@ -24,6 +24,8 @@ constexpr int kDepthSteps = 24;
 constexpr double kMostCrooked = 3.0;
 /// Places for a branch with this share of the best one's clearance are about as good.
 constexpr double kAboutAsGood = 0.93;
+/// Places that exceed the limits by that much more than the least are about as near to them.
+constexpr double kAboutAsLittle = 0.02;
 
 /// A random number of a branch in one of the two trees, of one use; a pure function of its arguments.
 std::uint64_t branchBits(std::uint64_t seed, bool isSecond, SketchId branch, std::uint64_t use)
@@ -249,13 +251,15 @@ private:
             double depth;
             double score;
             BrokenRules broken;
+            double excess;
         };
         std::vector<Candidate> candidates;
-        double bestScore = 0.0;
         int leastBroken = std::numeric_limits<int>::max();
+        double leastExcess = std::numeric_limits<double>::infinity();
         for (const double depth : depthsToTry(row, base.point)) {
             const Vector3 tip = drawnPoint(drawn.line.back(), depth);
-            const BrokenRules broken = brokenBy(row, base, tip);
+            double excess = 0.0;
+            const BrokenRules broken = brokenBy(row, base, tip, excess);
             // The rule that is given up first counts least.
             const int rank = (broken.sideways ? 1 : 0) + (broken.hull ? 2 : 0) + (broken.length ? 4 : 0) +
                              (broken.angle ? 8 : 0);
@@ -263,16 +267,20 @@ private:
                 continue;
             if (rank < leastBroken) {
                 candidates.clear();
-                bestScore = 0.0;
                 leastBroken = rank;
+                leastExcess = excess;
             }
+            leastExcess = std::min(leastExcess, excess);
             const GroundDistances::Clearance clearance =
                 m_field.clearance(onGround(base.point), onGround(tip));
             const double score =
                 m_options.clearance == DepthOptions::Clearance::Mean ? clearance.mean : clearance.least;
-            bestScore = std::max(bestScore, score);
-            candidates.push_back({depth, score, broken});
+            candidates.push_back({depth, score, broken, excess});
         }
+        // A limit that must be broken is broken by as little as possible, or about that.
+        std::erase_if(candidates,
+                      [&](const Candidate& one) { return one.excess > leastExcess + kAboutAsLittle; });
+        const double bestScore = std::ranges::max(candidates, {}, &Candidate::score).score;
         // Each of those about as good as the best is taken with the same probability, so that seeds differ.
         std::erase_if(candidates, [&](const Candidate& one) { return one.score < kAboutAsGood * bestScore; });
         const auto chosen =
@@ -318,7 +326,9 @@ private:
         return depths;
     }
 
-    BrokenRules brokenBy(std::size_t row, const PlaceInSpace& base, const Vector3& tip) const
+    /// The rules that a branch breaks with its tip there. @p excess: by how much it exceeds the limits of
+    /// length, as a share of it, and angle, rad, together.
+    BrokenRules brokenBy(std::size_t row, const PlaceInSpace& base, const Vector3& tip, double& excess) const
     {
         const BranchChord& chord = m_measures.chord(row);
         const std::vector<Vector3>& parent = m_placed[chord.parent].line;
@@ -330,10 +340,13 @@ private:
         for (const double share : {0.25, 0.5, 0.75, 1.0})
             broken.hull = broken.hull || !m_measures.hull().contains(base.point + share * step);
         const double parentLength = parentStep.norm();
-        broken.length = step.norm() > m_measures.lengthLimit(chord.order, parentLength,
-                                                             m_drawing.branches()[row].along * parentLength) +
-                                          slack;
-        broken.angle = angleOfSteps(parentStep, step) > m_measures.angleLimit() + 1e-9;
+        const double longest = m_measures.lengthLimit(chord.order, parentLength,
+                                                      m_drawing.branches()[row].along * parentLength);
+        const double angle = angleOfSteps(parentStep, step);
+        broken.length = step.norm() > longest + slack;
+        broken.angle = angle > m_measures.angleLimit() + 1e-9;
+        excess = (broken.length ? step.norm() / std::max(longest, slack) - 1.0 : 0.0) +
+                 (broken.angle ? angle - m_measures.angleLimit() : 0.0);
         return broken;
     }
 

@@ -85,7 +85,7 @@ struct PlacedTree {
 /// each branch gets one of the depths of its tip at which its straight segment has about the greatest
 /// clearance in GroundDistances, among depths that put it within the CrownHull, not longer and at no wider
 /// angle than the limits. If no depth satisfies all rules, the sideways rule is given up first, then hull,
-/// length and angle. No branch is left out. Curves get the depths of constantCurvatureDepths() between base
+/// length and angle, and those of length and angle are exceeded by as little as possible. No branch is left out. Curves get the depths of constantCurvatureDepths() between base
 /// and tip; a trunk's are scaled so that it is at most three times as crooked in depth as it was drawn (the
 /// paper does not say).
 ///

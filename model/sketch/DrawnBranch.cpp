@@ -149,10 +149,11 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
         curve.emplace_back(point.cast<double>());
     // A trunk is about as large as the drawing will be.
     const float size = isTrunk ? length : std::max(length, woodSize(tree, index));
+    const CurvePieces division =
+        curvePieces(curve, std::max(internodeLength, double{length} / kMostCurvePieces),
+                    kDrawingTolerance * double{size});
     std::vector<Vec3> ends;
-    for (const Eigen::Vector3d& end :
-         curvePieces(curve, std::max(internodeLength, double{length} / kMostCurvePieces),
-                     kDrawingTolerance * double{size}))
+    for (const Eigen::Vector3d& end : division.ends)
         ends.emplace_back(end.cast<float>());
     const std::size_t pieces = ends.size() - 1;
     TreeDelta delta = deltaStartingAt(tree);
@@ -208,7 +209,7 @@ Result<TreeDelta> growDrawnBranch(const Tree& tree, const TreeIndex& index, Draw
                  .key = key});
         }
         if (!branch.radii.empty()) {
-            const float share = static_cast<float>(i + 1) / static_cast<float>(pieces);
+            const auto share = static_cast<float>(division.shares[i + 1]);
             const float diameter = std::min(2.0F * radiusOn(branch.radii, share), kGreatestDiameter);
             if (diameter > 0.0F && tree.content().sparse.width.at(id) != diameter)
                 delta.sparse.width.push_back({id, tree.content().sparse.width.at(id), diameter});

@@ -125,7 +125,7 @@ void PanesTest::window_looksLikeThis()
         QVERIFY2(colours.size() > 50, name);
     };
     shoot("window-empty.png");
-    const Result<Recipe> recipe = readRecipe(QStringLiteral(":/recipes/oak.json"));
+    const Result<Recipe> recipe = readRecipe(QStringLiteral(":/recipes/bonsai.json"));
     QVERIFY(recipe);
     RecipePlayer(m_window->document(), *recipe).playAll();
     action(ActionId::FrameAll)->trigger();

@@ -409,7 +409,7 @@ void ProgramTest::sketch_makesATreeOfADrawing()
     const QJsonObject stats = QJsonDocument::fromJson(read(QStringLiteral("s.json"))).object();
     QCOMPARE(stats[QStringLiteral("strokes")].toInt(), 3);
     QCOMPARE(stats[QStringLiteral("attached")].toInt(), 3);
-    QVERIFY(stats[QStringLiteral("frontError")].toDouble(9.0) < 3.0);
+    QVERIFY(stats[QStringLiteral("frontError")].toDouble(9.0) < 1.0);
     QVERIFY(stats[QStringLiteral("sideOverFront")].toDouble() > 0.5);
     QVERIFY(stats[QStringLiteral("seconds")].toObject()[QStringLiteral("infer")].toDouble() > 0.0);
     QCOMPARE(stats[QStringLiteral("axes")].toInt(), 5);

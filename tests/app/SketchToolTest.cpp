@@ -30,6 +30,8 @@ private Q_SLOTS:
     void escape_dropsTheStroke();
     void twoSides_giveABranchItsWidth();
     void twoSides_mayRunDownward();
+    void twoSides_switchedOff_areTwoBranches();
+    void stroke_announcesWhatItWillBe();
     void newPage_forgetsTheForm();
     void sliders_goBackOnADoubleClick();
     void mirror_drawsBothSides();
@@ -61,14 +63,17 @@ private:
         QTest::mouseClick(button(name), Qt::LeftButton);
     }
     void take() { action(ActionId::Sketch)->trigger(); }
-    /// Draws with the mouse from place to place.
+    /// Draws with the mouse from place to place, without lifting the pencil; returns where it is.
+    QPoint drawOn(const std::vector<Place>& places, Qt::KeyboardModifiers keys = {});
     void draw(const std::vector<Place>& places, Qt::KeyboardModifiers keys = {});
+    /// What the pencil says that the stroke will be.
+    QString announced();
     /// A trunk with two branches.
     void drawTree();
     std::uint32_t axes();
 };
 
-void SketchToolTest::draw(const std::vector<Place>& places, Qt::KeyboardModifiers keys)
+QPoint SketchToolTest::drawOn(const std::vector<Place>& places, Qt::KeyboardModifiers keys)
 {
     const QPoint first = at(places.front().right, places.front().up);
     QTest::mouseMove(handle(), first);
@@ -80,8 +85,20 @@ void SketchToolTest::draw(const std::vector<Place>& places, Qt::KeyboardModifier
             QTest::mouseMove(handle(), last + (next - last) * i / 8);
         last = next;
     }
-    QTest::mouseRelease(handle(), Qt::LeftButton, keys, last);
+    return last;
+}
+
+void SketchToolTest::draw(const std::vector<Place>& places, Qt::KeyboardModifiers keys)
+{
+    QTest::mouseRelease(handle(), Qt::LeftButton, keys, drawOn(places, keys));
     QCoreApplication::processEvents();
+}
+
+QString SketchToolTest::announced()
+{
+    Overlay overlay;
+    viewport().tool().paint(overlay);
+    return overlay.labels().empty() ? QString() : overlay.labels().front().text;
 }
 
 void SketchToolTest::drawTree()
@@ -168,6 +185,43 @@ void SketchToolTest::twoSides_giveABranchItsWidth()
         first = tree().parent(first);
     QVERIFY(tree().widthConstraint(first) > 0.06F);
     QVERIFY(tree().widthConstraint(first) < tree().widthConstraint(0));
+}
+
+void SketchToolTest::twoSides_switchedOff_areTwoBranches()
+{
+    take();
+    draw({{0.0F, 0.0F}, {0.0F, 2.0F}});
+    auto* row = workspace().sketchPopOut().findChild<QWidget*>(QStringLiteral("view.sketchSides"));
+    auto* twoSides = row->findChild<QAbstractButton*>();
+    QTest::mouseClick(twoSides, Qt::LeftButton, {}, QPoint(10, twoSides->height() / 2));
+    QVERIFY(!m_window->viewSettings().values().sketchSides);
+    draw({{0.0F, 1.2F}, {1.0F, 1.6F}});
+    draw({{0.0F, 1.3F}, {1.0F, 1.7F}});
+    QCOMPARE(axes(), 3U);
+}
+
+void SketchToolTest::stroke_announcesWhatItWillBe()
+{
+    drawTree();
+    const auto release = [this](const QPoint& place) {
+        QTest::mouseRelease(handle(), Qt::LeftButton, {}, place);
+        QCoreApplication::processEvents();
+    };
+    QPoint last = drawOn({{0.0F, 1.2F}, {1.0F, 1.2F}});
+    QVERIFY(announced().isEmpty());
+    release(last);
+    last = drawOn({{0.0F, 1.3F}, {1.0F, 1.3F}});
+    QCOMPARE(announced(), QStringLiteral("Two sides of one branch"));
+    release(last);
+    QCOMPARE(axes(), 4U);
+    last = drawOn({{0.5F, 1.35F}, {0.6F, 1.45F}, {0.5F, 1.5F}, {0.45F, 1.4F}, {0.5F, 1.36F}});
+    QCOMPARE(announced(), QStringLiteral("A leaf"));
+    release(last);
+    QCOMPARE(tree().placedLeaves().size(), 1U);
+    last = drawOn({{0.0F, 0.8F}, {1.0F, 1.4F}, {0.0F, 2.2F}, {-1.0F, 1.4F}, {-0.02F, 0.8F}});
+    QCOMPARE(announced(), QStringLiteral("A crown"));
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    release(last);
 }
 
 void SketchToolTest::twoSides_mayRunDownward()

@@ -6,7 +6,7 @@ Usage: check_drawings.py ESPALIER FILE.ndjson... [--pictures FOLDER]
 
 Prints a table: strokes, what joined the tree, crowns, the error from the front in thousandths of the drawing, the silhouette
 from the side as a share of that from the front, and seconds. Fails if a drawing gives neither a tree nor one sentence, if a
-tree is farther than 3 thousandths from its drawing, or if a drawing with three or more branches and no crown is much
+tree is farther than a thousandth from its drawing, or if a drawing with three or more branches and no crown is much
 fuller or thinner from the side (beyond a quarter).
 """
 import argparse
@@ -50,7 +50,7 @@ def main():
             seconds = said["seconds"].get("infer", 0.0)
             print(f"| {label} | {said['strokes']} | {said['attached']} | {said['crowns']} | {said['internodes']} "
                   f"| {said['frontError']:.2f} | {said['sideOverFront']:.2f} | {seconds:.3f} |")
-            if said["frontError"] > 3.0:
+            if said["frontError"] > 1.0:
                 faults.append(f"{label}: {said['frontError']:.1f} thousandths from its drawing")
             branches = said["attached"] - said["leavesPlaced"]
             if branches > 3 and said["crowns"] == 0 and not 0.75 <= said["sideOverFront"] <= 1.25:

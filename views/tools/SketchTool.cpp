@@ -70,7 +70,7 @@ void SketchTool::move(const PointerSample& sample)
 {
     if (!m_isActive || m_path.back() == sample.position)
         return;
-    // The ink comes first: nothing is computed until the pointer is lifted.
+    // The ink comes first: the tree changes when the pointer is lifted.
     m_path.push_back(sample.position);
     if (m_isCutting)
         crossOut();
@@ -161,23 +161,38 @@ Vec3 SketchTool::onPlane(const Plane& plane, const Eigen::Vector2d& pixel) const
     return ray.origin - ray.origin.z() / ray.direction.z() * ray.direction;
 }
 
-void SketchTool::draw()
+SketchTool::Reading SketchTool::reading() const
 {
     SketchLine samples;
     for (const QPointF& point : m_path)
         samples.push_back(upward(point));
     std::optional<SketchStroke> stroke = fitStroke(samples);
     if (!stroke || stroke->kind == SketchStroke::Kind::Dot)
-        return;
-    if (stroke->kind == SketchStroke::Kind::Closed)
-        drawLoop(std::move(stroke->line));
-    else
-        drawLine(std::move(stroke->line));
+        return {};
+    if (stroke->kind == SketchStroke::Kind::Closed) {
+        const Meaning meaning = isLarge(stroke->line) ? Meaning::Crown : Meaning::Leaf;
+        return {.meaning = meaning, .line = std::move(stroke->line), .radii = {}};
+    }
+    const bool mayBeSide = m_last && context().viewSettings().values().sketchSides &&
+                           m_last->revision == context().document().revision() &&
+                           m_last->camera == context().camera();
+    if (mayBeSide) {
+        if (std::optional<TwoSidedBranch> branch = twoSidedBranch(m_last->line, stroke->line)) {
+            if (!m_last->base && branch->axis.front().y() > branch->axis.back().y()) { // Drawn downward
+                std::ranges::reverse(branch->axis);
+                std::ranges::reverse(branch->radii);
+            }
+            return {.meaning = Meaning::SecondSide,
+                    .line = std::move(branch->axis),
+                    .radii = std::move(branch->radii)};
+        }
+    }
+    return {.meaning = Meaning::Branch, .line = std::move(stroke->line), .radii = {}};
 }
 
-void SketchTool::drawLoop(SketchLine outline)
+/// Whether a loop is large for the tree, or there is none.
+bool SketchTool::isLarge(const SketchLine& outline) const
 {
-    m_last.reset();
     const TreeDocument& document = context().document();
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& point : outline)
@@ -186,10 +201,22 @@ void SketchTool::drawLoop(SketchLine outline)
     const Camera& camera = context().camera();
     const double scale = camera.pixelsPerMetre(std::max(camera.depth(foot), Camera::kMinDistance));
     const double size = double{boundsOf(document).sizes().norm()};
-    if (isSeedling() || box.diagonal().norm() > kLargestLeaf * size * scale)
-        drawCrown(outline);
-    else
-        drawLeaf(std::move(outline));
+    return isSeedling() || box.diagonal().norm() > kLargestLeaf * size * scale;
+}
+
+void SketchTool::draw()
+{
+    Reading drawn = reading();
+    if (drawn.meaning == Meaning::Nothing)
+        return;
+    const std::optional<Side> first = std::exchange(m_last, std::nullopt);
+    switch (drawn.meaning) {
+        case Meaning::Nothing: break;
+        case Meaning::Crown: drawCrown(drawn.line); break;
+        case Meaning::Leaf: drawLeaf(std::move(drawn.line)); break;
+        case Meaning::Branch:
+        case Meaning::SecondSide: drawBranch(std::move(drawn), first); break;
+    }
 }
 
 /// The tree fills the outline, in the plane through its foot, and, if the sides are to be filled, across it.
@@ -235,72 +262,57 @@ void SketchTool::drawLeaf(SketchLine outline)
                                    nearest->place.along, *blade));
 }
 
-void SketchTool::drawLine(SketchLine line)
+void SketchTool::drawBranch(Reading drawn, const std::optional<Side>& first)
 {
     TreeDocument& document = context().document();
     const Camera& camera = context().camera();
-    const std::optional<Side> last = std::exchange(m_last, std::nullopt);
     if (isSeedling()) // A new drawing has no form yet
         m_form = kUsualForm;
-    std::vector<double> sides; // px
-    const bool mayBeSide = last && last->revision == document.revision() && last->camera == camera;
-    SketchLine drawn = line;
-    if (mayBeSide) {
-        if (std::optional<TwoSidedBranch> branch = twoSidedBranch(last->line, line)) {
-            line = std::move(branch->axis);
-            sides = std::move(branch->radii);
-            if (!last->base && line.front().y() > line.back().y()) { // A trunk that was drawn downward
-                std::ranges::reverse(line);
-                std::ranges::reverse(sides);
-            }
-        }
-    }
     BranchStroke stroke{.stroke = {}, .base = {}};
     stroke.isMirrored = context().viewSettings().values().sketchMirror;
-    if (!sides.empty()) {
-        stroke.base = last->base;
-        stroke.replaces = last->branch;
+    const bool hasSides = drawn.meaning == Meaning::SecondSide;
+    if (hasSides) {
+        stroke.base = first->base;
+        stroke.replaces = first->branch;
     } else if (!isSeedling()) {
-        const std::optional<Attachment> nearest = attachmentOf(line.front(), line.back());
+        const std::optional<Attachment> nearest = attachmentOf(drawn.line.front(), drawn.line.back());
         if (!nearest)
             return;
         stroke.base = nearest->place;
-        if (nearest->isReversed) {
-            std::ranges::reverse(line);
-            std::ranges::reverse(drawn);
-        }
+        if (nearest->isReversed)
+            std::ranges::reverse(drawn.line);
     }
     const Vec3 base = stroke.base ? positionOf(document.tree(), document.index(), *stroke.base)
                                   : document.tree().rootPosition(0);
     const Plane plane = planeThrough(base);
     stroke.stroke = {plane.origin, plane.right, plane.up, {}};
     float length = 0.0F;
-    for (const Eigen::Vector2d& pixel : line) {
+    for (const Eigen::Vector2d& pixel : drawn.line) {
         const Vec3 offset = onPlane(plane, pixel) - plane.origin;
         const Vec2 point(offset.dot(plane.right), offset.dot(plane.up));
         if (!stroke.stroke.points.empty())
             length += (point - stroke.stroke.points.back()).norm();
         stroke.stroke.points.push_back(point);
     }
-    if (!sides.empty()) {
+    if (hasSides) {
         const float scale = 1.0F / camera.pixelsPerMetre(std::max(camera.depth(base), Camera::kMinDistance));
         m_form.clear();
         for (std::size_t i = 0; i < kFormRadii; ++i) {
-            const std::size_t at = i * (sides.size() - 1) / (kFormRadii - 1);
-            stroke.radii.push_back(scale * static_cast<float>(sides[at]));
+            const std::size_t at = i * (drawn.radii.size() - 1) / (kFormRadii - 1);
+            stroke.radii.push_back(scale * static_cast<float>(drawn.radii[at]));
             m_form.push_back(length > 0.0F ? stroke.radii.back() / length : 0.0F);
         }
     } else {
         stroke.radii = usualRadii(stroke.base, length);
     }
-    const Result<InternodeId> first = sketchBranch(document, stroke);
-    if (!first) {
-        m_refused(first.error().message);
+    const Result<InternodeId> branch = sketchBranch(document, stroke);
+    if (!branch) {
+        m_refused(branch.error().message);
         return;
     }
-    if (sides.empty())
-        m_last = Side{.line = std::move(drawn),
-                      .branch = *first,
+    if (!hasSides)
+        m_last = Side{.line = std::move(drawn.line),
+                      .branch = *branch,
                       .base = stroke.base,
                       .camera = camera,
                       .revision = document.revision()};
@@ -382,6 +394,29 @@ void SketchTool::paintInk(Overlay& overlay) const
         overlay.addInk(image, kBrushColour, 1.6F, 5.0F);
 }
 
+/// What the stroke would become if it ended here, unless that is a branch.
+void SketchTool::paintReading(Overlay& overlay) const
+{
+    const Camera& camera = context().camera();
+    const Vec3 foot = context().document().tree().rootPosition(0);
+    const Reading read = reading();
+    std::vector<Vec3> line;
+    for (const Eigen::Vector2d& pixel : read.line)
+        line.push_back(camera.onPlane(downward(pixel), foot));
+    QString name;
+    switch (read.meaning) {
+        case Meaning::Nothing:
+        case Meaning::Branch: return;
+        case Meaning::SecondSide: name = tr("Two sides of one branch"); break;
+        case Meaning::Leaf: name = tr("A leaf"); break;
+        case Meaning::Crown: name = tr("A crown"); break;
+    }
+    if (read.meaning != Meaning::SecondSide)
+        line.push_back(line.front());
+    overlay.addInk(line, kPickedColour, 1.6F, 5.0F);
+    overlay.addLabel({camera.onPlane(m_path.back(), foot), QPointF(16.0, 0.0), name, kPickedColour});
+}
+
 void SketchTool::paint(Overlay& overlay) const
 {
     const Camera& camera = context().camera();
@@ -390,6 +425,7 @@ void SketchTool::paint(Overlay& overlay) const
         CutPreview::paintBlade(camera, m_path, overlay);
     } else if (m_isActive) {
         paintInk(overlay);
+        paintReading(overlay);
     } else if (m_place && m_placeRevision == context().document().revision()) {
         const Vec3 place = positionOf(context().document().tree(), context().document().index(), *m_place);
         const float radius =

@@ -66,18 +66,28 @@ private:
         std::uint64_t revision = 0; ///< Of the document
     };
 
+    /// What a stroke is taken for.
+    enum class Meaning { Nothing, Branch, SecondSide, Leaf, Crown };
+    struct Reading {
+        Meaning meaning = Meaning::Nothing;
+        SketchLine line;           ///< px, up; of two sides the middle
+        std::vector<double> radii; ///< Of two sides, px
+    };
+
     bool isSeedling() const;
+    Reading reading() const;
+    bool isLarge(const SketchLine& outline) const;
     std::optional<Attachment> attachmentOf(const Eigen::Vector2d& first, const Eigen::Vector2d& last) const;
     Plane planeThrough(const Vec3& base) const;
     Vec3 onPlane(const Plane& plane, const Eigen::Vector2d& pixel) const;
     void draw();
-    void drawLine(SketchLine line);
-    void drawLoop(SketchLine outline);
+    void drawBranch(Reading drawn, const std::optional<Side>& first);
     void drawLeaf(SketchLine outline);
     void drawCrown(const SketchLine& outline);
     void crossOut();
     std::vector<float> usualRadii(const std::optional<BranchPlace>& base, float length) const;
     void paintInk(Overlay& overlay) const;
+    void paintReading(Overlay& overlay) const;
 
     EnvelopeFilling& m_filling;
     std::function<void(const QString& why)> m_refused;

@@ -27,15 +27,15 @@ float radiusAt(const std::vector<double>& radii, double share)
 
 /// How the branches of a tree are divided into pieces.
 struct BranchPieces {
-    std::vector<std::vector<Eigen::Vector3d>> ends; ///< By branch, base first, m
-    std::vector<std::size_t> firsts;                ///< Indices of their first pieces among all
+    std::vector<CurvePieces> branches;
+    std::vector<std::size_t> firsts; ///< Indices of their first pieces among all
 
-    std::size_t count(std::size_t branch) const { return ends[branch].size() - 1; }
     /// The piece at a share of a branch's length.
     std::size_t pieceAt(std::size_t branch, double along) const
     {
-        const auto place = static_cast<std::size_t>(along * static_cast<double>(count(branch)));
-        return firsts[branch] + std::min(place, count(branch) - 1);
+        const std::vector<double>& shares = branches[branch].shares;
+        const auto next = std::upper_bound(shares.begin() + 1, shares.end() - 1, along);
+        return firsts[branch] + static_cast<std::size_t>(next - shares.begin()) - 1;
     }
 };
 
@@ -57,9 +57,9 @@ BranchPieces branchPiecesOf(const PlacedTree& tree, double internodeLength)
     BranchPieces pieces;
     std::size_t first = 0;
     for (const PlacedBranch& branch : tree.branches) {
-        pieces.ends.push_back(curvePieces(branch.line, pieceLength, tolerance));
+        pieces.branches.push_back(curvePieces(branch.line, pieceLength, tolerance));
         pieces.firsts.push_back(first);
-        first += pieces.ends.back().size() - 1;
+        first += pieces.branches.back().ends.size() - 1;
     }
     return pieces;
 }
@@ -72,16 +72,15 @@ Skeleton skeletonOf(const PlacedTree& tree, double internodeLength)
     Skeleton skeleton;
     for (std::size_t i = 0; i < tree.branches.size(); ++i) {
         const PlacedBranch& branch = tree.branches[i];
-        const std::size_t count = pieces.count(i);
+        const CurvePieces& division = pieces.branches[i];
         std::uint32_t carrier = kNoInternode;
         if (branch.parent)
             carrier = static_cast<std::uint32_t>(pieces.pieceAt(*branch.parent, branch.along));
-        for (std::size_t j = 0; j < count; ++j) {
-            const double share = static_cast<double>(j + 1) / static_cast<double>(count);
+        for (std::size_t j = 0; j + 1 < division.ends.size(); ++j) {
             skeleton.push_back({.parent = carrier,
-                                .base = pieces.ends[i][j].cast<float>(),
-                                .tip = pieces.ends[i][j + 1].cast<float>(),
-                                .radius = radiusAt(branch.radii, share)});
+                                .base = division.ends[j].cast<float>(),
+                                .tip = division.ends[j + 1].cast<float>(),
+                                .radius = radiusAt(branch.radii, division.shares[j + 1])});
             carrier = static_cast<std::uint32_t>(skeleton.size() - 1);
         }
     }
