@@ -23,6 +23,18 @@ LassoStroke mirrored(LassoStroke stroke, const Vec3& foot)
     return stroke;
 }
 
+/// The mirror image that was drawn with a branch, if it is the last that has grown: its first internode.
+std::optional<InternodeId> imageOf(const TreeDocument& document, InternodeId branch)
+{
+    const Tree& tree = document.tree();
+    const TreeIndex& index = document.index();
+    const InternodeId image = index.axis(tree.size() - 1);
+    if (image == branch || !tree.isAlive(image) || tree.birth(image) != tree.birth(branch) + 1 ||
+        index.axis(image - 1) != branch)
+        return std::nullopt;
+    return image;
+}
+
 /// Applies the births of one branch; its first internode.
 Result<InternodeId> growStroke(Edit& edit, const LassoStroke& stroke, std::optional<BranchPlace> base,
                                std::vector<float> radii)
@@ -72,6 +84,9 @@ Result<InternodeId> sketchBranch(TreeDocument& document, BranchStroke stroke)
             for (InternodeId child = document.index().firstChild(0); child != kNoInternode;
                  child = document.index().nextSibling(child))
                 gone.push_back(child);
+        } else if (stroke.isMirrored) {
+            if (const std::optional<InternodeId> image = imageOf(document, axis))
+                gone.push_back(*image);
         }
         edit.apply(prune(document.tree(), document.index(), gone));
     }

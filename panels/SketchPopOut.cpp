@@ -30,7 +30,8 @@ constexpr ViewField kSecondTree = viewSwitch<&ViewValues::secondTree>(
     "view.secondTree", QT_TRANSLATE_NOOP("Parameters", "Fill the sides"),
     QT_TRANSLATE_NOOP("Parameters",
                       "The drawing is placed twice, the second time turned by 90° around the trunk, so "
-                      "that the tree is as full from the side as from the front."));
+                      "that the tree is as full from the side as from the front. Without this, its "
+                      "branches themselves run toward you and away from you."));
 
 template <double ViewValues::*Member>
 constexpr ViewField magnification(const char* key, const char* label, const char* tip)

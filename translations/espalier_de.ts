@@ -2608,10 +2608,6 @@ geschrieben werden konnte.
         <translation>Seiten füllen</translation>
     </message>
     <message>
-        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front.</source>
-        <translation>Die Zeichnung wird zweimal eingesetzt, das zweite Mal um 90° um den Stamm gedreht, sodass der Baum von der Seite so voll ist wie von vorn.</translation>
-    </message>
-    <message>
         <source>Crown</source>
         <translation>Krone</translation>
     </message>
@@ -2682,6 +2678,18 @@ geschrieben werden konnte.
     <message>
         <source>Which variation it is: the same number makes the same tree of the same one.</source>
         <translation>Welche Abwandlung es ist: dieselbe Nummer macht aus demselben Baum denselben.</translation>
+    </message>
+    <message>
+        <source>Two sides</source>
+        <translation>Zwei Seiten</translation>
+    </message>
+    <message>
+        <source>Two strokes side by side, one after the other, are the two sides of one branch, which gets its width from them.</source>
+        <translation>Zwei Striche nebeneinander, einer nach dem anderen, sind die beiden Seiten eines Astes, der von ihnen seine Dicke hat.</translation>
+    </message>
+    <message>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
+        <translation>Die Zeichnung wird zweimal eingesetzt, das zweite Mal um 90° um den Stamm gedreht, sodass der Baum von der Seite so voll ist wie von vorn. Ohne dies laufen die Äste selbst auf Sie zu und von Ihnen weg.</translation>
     </message>
 </context>
 <context>
@@ -3415,6 +3423,18 @@ geschrieben werden konnte.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Zeichnen Sie einen Ast vom Holz aus; mit Umschalt quer über Äste gezeichnet, nimmt der Strich sie weg</translation>
+    </message>
+    <message>
+        <source>Two sides of one branch</source>
+        <translation>Zwei Seiten eines Astes</translation>
+    </message>
+    <message>
+        <source>A leaf</source>
+        <translation>Ein Blatt</translation>
+    </message>
+    <message>
+        <source>A crown</source>
+        <translation>Eine Krone</translation>
     </message>
 </context>
 <context>

@@ -2607,10 +2607,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Remplir les côtés</translation>
     </message>
     <message>
-        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front.</source>
-        <translation>Le dessin est placé deux fois, la seconde tourné de 90° autour du tronc, pour que l’arbre soit aussi fourni de côté que de face.</translation>
-    </message>
-    <message>
         <source>Crown</source>
         <translation>Couronne</translation>
     </message>
@@ -2681,6 +2677,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Which variation it is: the same number makes the same tree of the same one.</source>
         <translation>De quelle variation il s’agit&#xa0;: le même numéro fait du même arbre le même.</translation>
+    </message>
+    <message>
+        <source>Two sides</source>
+        <translation>Deux côtés</translation>
+    </message>
+    <message>
+        <source>Two strokes side by side, one after the other, are the two sides of one branch, which gets its width from them.</source>
+        <translation>Deux traits côte à côte, l’un après l’autre, sont les deux côtés d’une branche, qui en reçoit son épaisseur.</translation>
+    </message>
+    <message>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
+        <translation>Le dessin est placé deux fois, la seconde tourné de 90° autour du tronc, pour que l’arbre soit aussi fourni de côté que de face. Sans cela, les branches elles-mêmes viennent vers vous et s’éloignent.</translation>
     </message>
 </context>
 <context>
@@ -3414,6 +3422,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Dessinez une branche depuis le bois ; avec Maj, un trait en travers enlève les branches</translation>
+    </message>
+    <message>
+        <source>Two sides of one branch</source>
+        <translation>Deux côtés d’une branche</translation>
+    </message>
+    <message>
+        <source>A leaf</source>
+        <translation>Une feuille</translation>
+    </message>
+    <message>
+        <source>A crown</source>
+        <translation>Une couronne</translation>
     </message>
 </context>
 <context>

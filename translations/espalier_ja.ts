@@ -2603,10 +2603,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>側面を埋める</translation>
     </message>
     <message>
-        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front.</source>
-        <translation>絵を二度置き、二度目は幹のまわりに 90° 回します。横から見ても正面と同じくらい茂ります。</translation>
-    </message>
-    <message>
         <source>Crown</source>
         <translation>樹冠</translation>
     </message>
@@ -2677,6 +2673,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Which variation it is: the same number makes the same tree of the same one.</source>
         <translation>どの変化か。同じ木からは、同じ番号で同じ木ができます。</translation>
+    </message>
+    <message>
+        <source>Two sides</source>
+        <translation>両側</translation>
+    </message>
+    <message>
+        <source>Two strokes side by side, one after the other, are the two sides of one branch, which gets its width from them.</source>
+        <translation>続けて並べて描いた二本の線は一本の枝の両側になり、枝の太さを決めます。</translation>
+    </message>
+    <message>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
+        <translation>絵を二度置き、二度目は幹のまわりに 90° 回します。横から見ても正面と同じくらい茂ります。切ると、枝そのものが手前と奥へ伸びます。</translation>
     </message>
 </context>
 <context>
@@ -3410,6 +3418,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>木部から枝を描きます。Shift を押して枝を横切ると取り去ります</translation>
+    </message>
+    <message>
+        <source>Two sides of one branch</source>
+        <translation>一本の枝の両側</translation>
+    </message>
+    <message>
+        <source>A leaf</source>
+        <translation>葉</translation>
+    </message>
+    <message>
+        <source>A crown</source>
+        <translation>樹冠</translation>
     </message>
 </context>
 <context>

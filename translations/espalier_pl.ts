@@ -2606,10 +2606,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Wypełnij boki</translation>
     </message>
     <message>
-        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front.</source>
-        <translation>Rysunek jest umieszczany dwa razy, drugi raz obrócony o 90° wokół pnia, więc drzewo jest z boku tak samo pełne jak z przodu.</translation>
-    </message>
-    <message>
         <source>Crown</source>
         <translation>Korona</translation>
     </message>
@@ -2680,6 +2676,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Which variation it is: the same number makes the same tree of the same one.</source>
         <translation>Która to odmiana: ten sam numer robi z tego samego drzewa to samo.</translation>
+    </message>
+    <message>
+        <source>Two sides</source>
+        <translation>Dwie strony</translation>
+    </message>
+    <message>
+        <source>Two strokes side by side, one after the other, are the two sides of one branch, which gets its width from them.</source>
+        <translation>Dwie kreski obok siebie, jedna po drugiej, to dwie strony jednej gałęzi, która ma z nich swoją grubość.</translation>
+    </message>
+    <message>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
+        <translation>Rysunek jest umieszczany dwa razy, drugi raz obrócony o 90° wokół pnia, więc drzewo jest z boku tak samo pełne jak z przodu. Bez tego same gałęzie biegną ku tobie i od ciebie.</translation>
     </message>
 </context>
 <context>
@@ -3413,6 +3421,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
         <translation>Narysuj gałąź od drewna; z Shiftem kreska w poprzek zabiera gałęzie</translation>
+    </message>
+    <message>
+        <source>Two sides of one branch</source>
+        <translation>Dwie strony jednej gałęzi</translation>
+    </message>
+    <message>
+        <source>A leaf</source>
+        <translation>Liść</translation>
+    </message>
+    <message>
+        <source>A crown</source>
+        <translation>Korona</translation>
     </message>
 </context>
 <context>

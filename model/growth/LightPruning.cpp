@@ -33,7 +33,7 @@ std::vector<std::uint8_t> pruneShaded(GrowingTree& growing, const VigourFlux& fl
             continue;
         const InternodeId parent = tree.parent(id);
         if (isShed[parent] == 0) {
-            if (tree.step() + 1 < tree.birth(id) + kSparedMonths)
+            if (tree.step() + 1 < tree.birth(id) + kSparedMonths || index.isPlacedByHand(tree, id))
                 continue;
             const bool isOnTrunk = flux.order(parent) == 0;
             const bool isLow = isOnTrunk && index.nodePosition(parent).y() < bare;

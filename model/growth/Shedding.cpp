@@ -52,7 +52,8 @@ void shedBranches(GrowingTree& growing, const GrowthIndex& growth, VigourFlow& f
             marks.set(axis, kShed);
             continue;
         }
-        if (tree.step() + 1 < tree.birth(axis) + kSparedSteps || flow.perInternode(axis) >= threshold)
+        if (tree.step() + 1 < tree.birth(axis) + kSparedSteps || index.isPlacedByHand(tree, axis) ||
+            flow.perInternode(axis) >= threshold)
             continue;
         branch.assign(1, axis);
         while (!branch.empty()) {

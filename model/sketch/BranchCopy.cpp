@@ -101,7 +101,7 @@ std::uint8_t BranchCopies::takeSlot(Siblings& siblings, InternodeId branch) cons
     };
     int slot = m_tree.columns().slot[branch];
     if (!isFree(slot)) {
-        slot = 0;
+        slot = budKind(slot) == BudKind::Adventitious ? kFirstAdventitiousSlot : 0;
         while (slot < kCrowdedSlot && !isFree(slot))
             ++slot;
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/sketch/CurvePieces.h"
 
+#include <queue>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <queue>
 
 namespace espalier {
 

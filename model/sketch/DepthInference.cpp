@@ -304,8 +304,9 @@ private:
 
     bool isSidewaysRule(int order) const
     {
-        return m_options.sideways == DepthOptions::Sideways::All ||
-               (m_options.sideways == DepthOptions::Sideways::FirstOrder && order == 1);
+        return m_options.secondTree &&
+               (m_options.sideways == DepthOptions::Sideways::All ||
+                (m_options.sideways == DepthOptions::Sideways::FirstOrder && order == 1));
     }
 
     /// Depths for the tip: evenly through the hull and, under the sideways rule, through the range it leaves,
@@ -340,8 +341,8 @@ private:
         for (const double share : {0.25, 0.5, 0.75, 1.0})
             broken.hull = broken.hull || !m_measures.hull().contains(base.point + share * step);
         const double parentLength = parentStep.norm();
-        const double longest = m_measures.lengthLimit(chord.order, parentLength,
-                                                      m_drawing.branches()[row].along * parentLength);
+        const double longest =
+            m_measures.lengthLimit(chord.order, parentLength, m_drawing.branches()[row].along * parentLength);
         const double angle = angleOfSteps(parentStep, step);
         broken.length = step.norm() > longest + slack;
         broken.angle = angle > m_measures.angleLimit() + 1e-9;

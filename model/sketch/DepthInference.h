@@ -12,7 +12,8 @@ namespace espalier {
 
 /// How depths are chosen. The paper gives the factors; what it leaves open is marked as uncertain.
 struct DepthOptions {
-    /// Which branches must leave their parent sideways, within 45° of the drawing's plane as seen from above.
+    /// Which branches must leave their parent sideways, within 45° of the drawing's plane as seen from above,
+    /// so that the second tree fills what they leave free; without one, none must.
     enum class Sideways {
         None,
         FirstOrder,
@@ -85,9 +86,9 @@ struct PlacedTree {
 /// each branch gets one of the depths of its tip at which its straight segment has about the greatest
 /// clearance in GroundDistances, among depths that put it within the CrownHull, not longer and at no wider
 /// angle than the limits. If no depth satisfies all rules, the sideways rule is given up first, then hull,
-/// length and angle, and those of length and angle are exceeded by as little as possible. No branch is left out. Curves get the depths of constantCurvatureDepths() between base
-/// and tip; a trunk's are scaled so that it is at most three times as crooked in depth as it was drawn (the
-/// paper does not say).
+/// length and angle, and those of length and angle are exceeded by as little as possible. No branch is left
+/// out. Curves get the depths of constantCurvatureDepths() between base and tip; a trunk's are scaled so that
+/// it is at most three times as crooked in depth as it was drawn (the paper does not say).
 ///
 /// x and y of the first tree's points are the drawing's, exactly. The second tree is the same drawing, placed
 /// again and turned by 90° around the vertical at the base of each branch of first order; it shares the

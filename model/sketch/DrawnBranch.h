@@ -40,9 +40,9 @@ struct DrawnBranch {
 
 /// The edit that makes a drawn branch grow. Its first point moves onto the base, or a trunk's to the ground,
 /// its tip stays, and the displacement of the points between falls off linearly (Okabe 2005, 3.2). It is
-/// divided into internodes as curvePieces() says: about @p internodeLength, m, or less where chords would leave
-/// the line by more than kDrawingTolerance of the tree's size. A branch that begins at the tip of another one continues
-/// it. All nodes have active buds.
+/// divided into internodes as curvePieces() says: about @p internodeLength, m, or less where chords would
+/// leave the line by more than kDrawingTolerance of the tree's size. A branch that begins at the tip of
+/// another one continues it. All nodes have active buds.
 ///
 /// Fails (Kind::Input) if the line has no length, is longer than an internode or farther away than a node can
 /// be, or has no base although something has grown.

@@ -34,6 +34,12 @@ public:
     /// The first internode of the axis that @p id is on. It serves as the axis's id; a root is the id of its
     /// trunk.
     InternodeId axis(InternodeId id) const { return m_axis[id]; }
+    /// Whether the axis that @p id is on stands where a person put it: a drawn branch, or one from a bud that
+    /// was added. Growth makes no adventitious buds.
+    bool isPlacedByHand(const Tree& tree, InternodeId id) const
+    {
+        return budKind(tree.columns().slot[axis(id)]) == BudKind::Adventitious;
+    }
 
     /// World position of the node, which is at the upper end, m.
     const Vec3& nodePosition(InternodeId id) const { return m_position[id]; }

@@ -261,7 +261,7 @@ void LibraryPanelTest::doubleClick_growsASpecies()
     QVERIFY(m_window->recipeRunner().isRunning());
     QTRY_VERIFY2_WITH_TIMEOUT(!m_window->recipeRunner().isRunning(), "it goes on", 60000);
     QVERIFY(m_window->document().index().livingCount() > 100);
-    QVERIFY(m_window->isWindowModified());
+    QVERIFY(!m_window->isWindowModified());
     QVERIFY(!m_window->workspace().notice().isVisible());
     // The folder of the file dialogs does not become one of the program's resources.
     QVERIFY(!Settings().folder().startsWith(QLatin1Char(':')));

@@ -9,6 +9,7 @@
 #include "model/io/project/ProjectFile.h"
 #include "model/sketch/FlatTree.h"
 #include "tests/support/Documents.h"
+#include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 
 #include <QTest>
@@ -29,6 +30,7 @@ private Q_SLOTS:
     void replacedBranch_isGone();
     void replacedTrunk_standsOnItsOwnFoot();
     void mirrorImage_growsOnTheOtherSide();
+    void replacedMirrorImage_isGone();
     void strokesWithoutLength_areRefused();
     void depth_keepsTheFrontView();
     void depth_givesASecondTree();
@@ -39,6 +41,7 @@ private Q_SLOTS:
     void depthOfCopiedTwigs_canBeSaved();
     void depthBeyondTheLimits_isRefused();
     void drawnTree_growsOn();
+    void growth_keepsWhatWasDrawn();
 };
 
 namespace {
@@ -237,6 +240,33 @@ void SketchStrokeTest::mirrorImage_growsOnTheOtherSide()
     QCOMPARE(document.undoStack().count(), 2);
 }
 
+void SketchStrokeTest::replacedMirrorImage_isGone()
+{
+    TreeDocument document;
+    draw(document, {{0.0F, 0.0F}, {0.0F, 2.0F}});
+    draw(document, {{0.0F, 0.5F}, {0.4F, 0.7F}});
+    BranchStroke stroke{.stroke = strokeOf({{0.0F, 1.0F}, {1.0F, 1.5F}}), .base = {}};
+    stroke.isMirrored = true;
+    const Result<InternodeId> first = sketchBranch(document, stroke);
+    QVERIFY(first);
+    const InternodeId image = document.index().axis(document.tree().size() - 1);
+    stroke.stroke = strokeOf({{0.0F, 1.0F}, {1.0F, 1.4F}});
+    stroke.replaces = *first;
+    QVERIFY(sketchBranch(document, stroke));
+    QVERIFY(!document.tree().isAlive(*first) && !document.tree().isAlive(image));
+    int axes = 0;
+    for (InternodeId id = 0; id < document.tree().size(); ++id)
+        axes += document.tree().isAlive(id) && document.index().axis(id) == id ? 1 : 0;
+    QCOMPARE(axes, 4);
+    // Without an image, the branch that was drawn before it stays.
+    const InternodeId other = draw(document, {{0.0F, 1.6F}, {0.5F, 1.9F}});
+    const InternodeId last = draw(document, {{0.0F, 1.7F}, {0.5F, 2.0F}});
+    stroke.stroke = strokeOf({{0.0F, 1.65F}, {0.5F, 2.0F}});
+    stroke.replaces = last;
+    QVERIFY(sketchBranch(document, stroke));
+    QVERIFY(document.tree().isAlive(other) && !document.tree().isAlive(last));
+}
+
 void SketchStrokeTest::strokesWithoutLength_areRefused()
 {
     TreeDocument document;
@@ -400,6 +430,38 @@ void SketchStrokeTest::drawnTree_growsOn()
     for (InternodeId id = 0; id < document.tree().size(); ++id) {
         const bool isTip = document.index().mainChild(id) == kNoInternode;
         QCOMPARE((document.tree().buds(id) & kTerminalBud) != 0, isTip);
+    }
+}
+
+void SketchStrokeTest::growth_keepsWhatWasDrawn()
+{
+    // A limb with twigs so dense that growth would shed most of them, passed on to five more limbs.
+    for (const GrowthModelKind model : {GrowthModelKind::TreeSketch, GrowthModelKind::Vigour}) {
+        TreeDocument document;
+        TreeParameters parameters = document.parameters();
+        parameters.growth.model = model;
+        parameters.growth.shedding = 0.3;
+        parameters.vigour.lightPruning = 0.9;
+        document.reset(3, parameters);
+        draw(document, {{0.0F, 0.0F}, {0.0F, 2.0F}});
+        const InternodeId limb = draw(document, {{0.0F, 0.4F}, {1.0F, 0.9F}});
+        for (int i = 0; i < 12; ++i) {
+            const float x = 0.3F + 0.05F * static_cast<float>(i);
+            draw(document, {{x, 0.4F + 0.5F * x}, {x + 0.02F, 0.55F + 0.5F * x}});
+        }
+        for (int i = 0; i < 5; ++i) {
+            const float y = 0.5F + 0.1F * static_cast<float>(i);
+            draw(document, {{0.0F, y}, {i % 2 == 0 ? -1.0F : 1.0F, y + 0.5F}});
+        }
+        Propagation twigs;
+        twigs.reference = limb;
+        QVERIFY(propagateBranch(document, twigs));
+        QVERIFY(inferDepth(document, {}));
+        const InternodeId drawn = document.tree().size();
+        grow(document, 6);
+        for (InternodeId id = 0; id < drawn; ++id)
+            QVERIFY2(document.tree().isAlive(id), qPrintable(QString::number(id)));
+        QVERIFY(document.tree().size() > drawn);
     }
 }
 

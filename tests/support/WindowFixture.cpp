@@ -41,7 +41,8 @@ void WindowFixture::init()
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->viewSettings().setValues({.groundShown = false, .shadowsShown = false, .backdrop = Backdrop::Plain});
+    m_window->viewSettings().setValues(
+        {.groundShown = false, .shadowsShown = false, .backdrop = Backdrop::Plain});
     action(ActionId::Brush)->trigger();
     viewport().setFocus();
 }

@@ -211,11 +211,18 @@ void SketchTool::draw()
         return;
     const std::optional<Side> first = std::exchange(m_last, std::nullopt);
     switch (drawn.meaning) {
-        case Meaning::Nothing: break;
-        case Meaning::Crown: drawCrown(drawn.line); break;
-        case Meaning::Leaf: drawLeaf(std::move(drawn.line)); break;
-        case Meaning::Branch:
-        case Meaning::SecondSide: drawBranch(std::move(drawn), first); break;
+    case Meaning::Nothing:
+        break;
+    case Meaning::Crown:
+        drawCrown(drawn.line);
+        break;
+    case Meaning::Leaf:
+        drawLeaf(std::move(drawn.line));
+        break;
+    case Meaning::Branch:
+    case Meaning::SecondSide:
+        drawBranch(std::move(drawn), first);
+        break;
     }
 }
 
@@ -405,11 +412,18 @@ void SketchTool::paintReading(Overlay& overlay) const
         line.push_back(camera.onPlane(downward(pixel), foot));
     QString name;
     switch (read.meaning) {
-        case Meaning::Nothing:
-        case Meaning::Branch: return;
-        case Meaning::SecondSide: name = tr("Two sides of one branch"); break;
-        case Meaning::Leaf: name = tr("A leaf"); break;
-        case Meaning::Crown: name = tr("A crown"); break;
+    case Meaning::Nothing:
+    case Meaning::Branch:
+        return;
+    case Meaning::SecondSide:
+        name = tr("Two sides of one branch");
+        break;
+    case Meaning::Leaf:
+        name = tr("A leaf");
+        break;
+    case Meaning::Crown:
+        name = tr("A crown");
+        break;
     }
     if (read.meaning != Meaning::SecondSide)
         line.push_back(line.front());

@@ -144,9 +144,8 @@ Slots slotsOf(const std::vector<Piece>& pieces, const Skeleton& skeleton)
             continue;
         int slot = kTerminalSlot;
         if (continuing[parent] != i) {
-            slot = 0;
-            while (slot < kLastSlot &&
-                   (!isBudSlot(slot) || slot == kTerminalSlot || (slots.used[parent] & budBit(slot)) != 0))
+            slot = kFirstAdventitiousSlot; // See TreeIndex::isPlacedByHand()
+            while (slot < kLastSlot && (slots.used[parent] & budBit(slot)) != 0)
                 ++slot;
             if (slot == kLastSlot)
                 slots.repeats[i] = crowd[parent]++;

