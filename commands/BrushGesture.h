@@ -6,24 +6,31 @@
 #include "model/growth/BrushGrowth.h"
 #include "model/growth/BrushSample.h"
 
-#include <memory>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace espalier {
 
 /// A brush stroke while it is made: the tree grows as samples come in, at a fixed number of growth steps a
-/// second of the stroke's own time, so that the same samples give the same tree, live or replayed. finish()
-/// makes it one undo step, and another edit that begins finishes it; cancel() takes it back, and so does the
-/// destructor of an unfinished gesture.
+/// second of the stroke's own time, so that the same samples give the same tree, live or replayed. A stroke
+/// that arrives goes on growing when it has ended (StrokeEnd). finish() makes it one undo step, and another
+/// edit that begins finishes it; cancel() takes it back, and so does the destructor of an unfinished gesture.
 class BrushGesture {
 public:
-    BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors = {});
+    BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors = {},
+                 StrokeEnd end = StrokeEnd::AtRelease);
 
-    /// Grows up to the sample's time. While the pointer rests, growth continues only if samples of the
-    /// resting place are added (by a timer). A sample that is not later than the last one is ignored.
+    /// Grows up to the sample's time. A sample that is not later than the last one is ignored.
     void add(const BrushSample& sample);
     /// Grows up to @p time on the way to @p next, the sample to be added next: the same growth in smaller
     /// parts.
     void moveToward(const BrushSample& next, double time);
+
+    /// Grows one step after the last sample. Returns false, and does nothing, when there is nothing to grow.
+    bool settle();
+    /// Grows what is left to grow and ends the stroke.
     void finish();
     void cancel() { m_edit.cancel(); }
 
@@ -35,14 +42,18 @@ public:
 private:
     /// The stroke so far as an operation.
     BrushStrokeOperation operation() const;
+    void growTo(double time);
+    void growAlong(std::span<const BrushSample> way);
 
     Edit m_edit;
+    StrokeEnd m_end;
     BrushGrowth m_growth;
     BudReference m_only;
     std::vector<BrushSample> m_path;
     std::vector<BrushSample> m_samples; ///< Samples added so far
     BrushSample m_next;                 ///< The sample that moveToward() had last
     BrushSample m_last;                 ///< The brush at the last growth step
+    std::size_t m_met = 0;              ///< Index of the last sample before the last growth step
     std::uint64_t m_stepsDone = 0;
 };
 

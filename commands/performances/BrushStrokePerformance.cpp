@@ -18,9 +18,10 @@ public:
           m_samples(operation.samples),
           m_warning(std::move(only.warning)),
           m_historyBefore(document.journal().size()),
-          m_gesture(document, m_samples.front(), only.competitors),
+          m_gesture(document, m_samples.front(), only.competitors, operation.end),
           m_end(operation.until.value_or(std::numeric_limits<double>::infinity())),
-          m_time(m_samples.front().time)
+          m_time(m_samples.front().time),
+          m_isArriving(operation.end == StrokeEnd::Arrives)
     {
     }
 
@@ -34,6 +35,8 @@ public:
             if (m_time < m_end)
                 return false;
         }
+        if (isSettling(seconds))
+            return false;
         if (m_warning.isEmpty() && m_document.journal().size() == m_historyBefore)
             m_warning = RecipeText::tr("nothing grew");
         m_gesture.finish();
@@ -44,6 +47,15 @@ public:
     const BrushGesture* stroke() const override { return &m_gesture; }
 
 private:
+    /// Grows on after the stroke, as many steps a second as during it; whether there is more to grow.
+    bool isSettling(double seconds)
+    {
+        for (m_settling += seconds * kBrushStepsPerSecond; m_isArriving && m_settling >= 1.0;
+             m_settling -= 1.0)
+            m_isArriving = m_gesture.settle();
+        return m_isArriving;
+    }
+
     const TreeDocument& m_document;
     std::span<const BrushSample> m_samples;
     QString m_warning;
@@ -52,6 +64,8 @@ private:
     double m_end;  ///< s of the stroke's time; infinity if it ends at its last sample
     double m_time; ///< s of the stroke's time
     std::size_t m_next = 1;
+    double m_settling = 0.0; ///< Growth steps that are due after the stroke
+    bool m_isArriving;
 };
 
 } // namespace

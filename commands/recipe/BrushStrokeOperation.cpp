@@ -11,6 +11,7 @@ namespace {
 
 constexpr QLatin1StringView kSamplesKey("samples");
 constexpr QLatin1StringView kUntilKey("until");
+constexpr QLatin1StringView kArrivesKey("arrives");
 
 /// Reads @p value into @p sample; returns what is wrong with it, if anything.
 std::optional<QString> readSample(const QJsonValue& value, double previousTime, BrushSample& sample)
@@ -49,6 +50,8 @@ BrushStrokeOperation BrushStrokeOperation::read(JsonReader& reader, RecipeReadin
     stroke.only = BudReference::read(reader);
     if (reader.has(kUntilKey))
         stroke.until = reader.number(kUntilKey, 0.0, kGreatestTime);
+    if (reader.integer(kArrivesKey, 0, 1, 0) == 1)
+        stroke.end = StrokeEnd::Arrives;
     if (array.isEmpty())
         reader.fail(kSamplesKey, RecipeText::tr("a stroke has at least one sample"));
     if (!reading.admitSamples(reader, kSamplesKey, array.size()))
@@ -77,6 +80,8 @@ QJsonObject BrushStrokeOperation::write(RecipeWriting&) const
     only.write(json);
     if (until)
         json[kUntilKey] = *until;
+    if (end == StrokeEnd::Arrives)
+        json[kArrivesKey] = 1;
     return json;
 }
 

@@ -3,7 +3,7 @@
 
 #include "commands/recipe/BudReference.h"
 #include "commands/recipe/RecipeOperation.h"
-#include "model/growth/BrushSample.h"
+#include "model/growth/BrushGrowth.h"
 
 #include <optional>
 #include <vector>
@@ -20,6 +20,7 @@ struct BrushStrokeOperation {
     BudReference only{};              ///< Which buds grow
     /// The time at which the stroke ended on the way to the last sample, s; empty if it ended at that sample.
     std::optional<double> until{};
+    StrokeEnd end = StrokeEnd::AtRelease;
 
     static BrushStrokeOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;

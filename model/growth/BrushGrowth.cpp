@@ -3,7 +3,10 @@
 
 #include "model/base/Random.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace espalier {
 
@@ -17,6 +20,15 @@ constexpr double kThinBrush = 1.0;
 constexpr float kDirectionWindow = 0.25F;
 /// The greatest number of internodes that one step draws; the rest of a longer path follows in later steps.
 constexpr int kMostDrawn = 10'000;
+/// Markers for each internode's length of a thin line.
+constexpr double kMarkersAlong = 3.0;
+/// A line's point is reached by a node that is nearer than this, in internodes, or within the brush there.
+constexpr float kReached = 1.5F;
+/// A line that comes near itself is not reached farther ahead than this, in internodes of its length.
+constexpr float kReachedAhead = 8.0F;
+/// Growth has come to its end after so many steps without any.
+constexpr int kMostIdle = 3;
+constexpr int kMostSettlingSteps = 400;
 
 Vec3 aboveGround(const Vec3& point)
 {
@@ -118,26 +130,70 @@ BudRef nearestBud(const Tree& tree, const TreeIndex& index, const Vec3& point)
 } // namespace
 
 TreeDelta BrushGrowth::step(const Tree& tree, const TreeIndex& index, const GrowthModel& model,
-                            const BrushSample& previous, const BrushSample& brush)
+                            std::span<const BrushSample> way)
 {
     const GrowthParameters& p = tree.parameters().growth;
+    const BrushSample& brush = way.back();
     ++m_time;
-    const Vec3 moved = brush.position - previous.position;
+    const Vec3 moved = brush.position - way.front().position;
     const float fresh = std::min(1.0F, moved.norm() / kDirectionWindow);
     if (fresh > 0.0F)
         m_strokeDirection = (1.0F - fresh) * m_strokeDirection + fresh * moved.normalized();
 
+    if (m_end == StrokeEnd::Arrives) {
+        passNewNodes(tree, index);
+        m_line.insert(m_line.end(), m_line.empty() ? way.begin() : way.begin() + 1, way.end());
+        m_lineSizes.resize(m_time, m_line.size());
+    }
     if (draws(p, brush.radius)) {
         m_markers.clear();
-        return draw(tree, index, previous, brush);
+        return draw(tree, index, way);
     }
     m_drawnBud.reset();
     m_path.clear();
+    dropOldMarkers(tree);
+    layMarkers(tree, way);
+    return growTowardMarkers(tree, index, model, brush);
+}
 
+std::optional<TreeDelta> BrushGrowth::settle(const Tree& tree, const TreeIndex& index,
+                                             const GrowthModel& model, const BrushSample& brush)
+{
+    const GrowthParameters& p = tree.parameters().growth;
+    if (m_end != StrokeEnd::Arrives || m_hasSettled || draws(p, brush.radius))
+        return std::nullopt;
+    passNewNodes(tree, index);
+    if (!m_isReachingOut)
+        ++m_time;
+    dropOldMarkers(tree);
+    const bool isThin = drawnness(p, brush.radius) > 0.0;
+    const bool hasArrived = isThin && m_passed == m_line.size();
+    if (!hasArrived && !m_markers.positions.empty() && m_idle < kMostIdle &&
+        ++m_settlingSteps < kMostSettlingSteps)
+        return growTowardMarkers(tree, index, model, brush);
+    m_hasSettled = true;
+    m_markers.clear();
+    return isThin && !hasArrived ? drawRest(tree, index) : std::nullopt;
+}
+
+/// Markers live for a number of steps; where a thin line arrives, until the tree has passed them, too.
+void BrushGrowth::dropOldMarkers(const Tree& tree)
+{
+    const GrowthParameters& p = tree.parameters().growth;
     const Step age = static_cast<Step>(p.markerAge);
-    m_markers.filter([&](std::size_t i) { return m_time - m_markers.born[i] < age; });
-    layMarkers(tree, previous, brush);
+    m_markers.filter([&](std::size_t i) {
+        const Step born = m_markers.born[i]; // The first is 1
+        if (m_time - born < age)
+            return true;
+        return born <= m_lineSizes.size() && m_lineSizes[born - 1] > m_passed &&
+               drawnness(p, m_line[m_lineSizes[born - 1] - 1].radius) > 0.0;
+    });
+}
 
+TreeDelta BrushGrowth::growTowardMarkers(const Tree& tree, const TreeIndex& index, const GrowthModel& model,
+                                         const BrushSample& brush)
+{
+    const GrowthParameters& p = tree.parameters().growth;
     GrowthStepOptions options = optionsFor(p, brush.radius);
     options.competitors = m_competitors;
     if (p.tropismFromStroke && m_strokeDirection.norm() > 0.1F) {
@@ -145,18 +201,56 @@ TreeDelta BrushGrowth::step(const Tree& tree, const TreeIndex& index, const Grow
         options.setPointAngle = std::acos(cosine);
     }
     const float sight = brush.radius + 0.5F * options.perception.reach;
-    if (const std::optional<InternodeId> seedling = seedlingFor(tree, index, brush.position, sight)) {
-        return growLeader(tree, index, {trunkTip(index, *seedling), kTerminalSlot}, brush.position, sight,
-                          p.maxShootLength, m_workspace);
-    }
+    const Vec3& target = m_end == StrokeEnd::Arrives ? m_line.front().position : brush.position;
+    const std::optional<BudRef> leader = m_end == StrokeEnd::Arrives
+                                             ? budToReachOut(tree, index, sight)
+                                             : seedlingFor(tree, index, target, sight);
+    m_isReachingOut = leader.has_value();
+    if (leader)
+        return growLeader(tree, index, *leader, target, sight, p.maxShootLength, m_workspace);
     return model.growToward(tree, index, m_markers, options, m_workspace);
 }
 
-/// A seedling grows a bare trunk toward a brush that is too far away to be perceived. Returns the root of
-/// that seedling; nothing if the bud nearest to the brush is in sight, or belongs to a tree that has
+/// Notes how far along the line the nodes are that have grown since the last call, and whether there are any.
+void BrushGrowth::passNewNodes(const Tree& tree, const TreeIndex& index)
+{
+    const std::uint32_t met = m_metNodes.value_or(tree.size());
+    m_metNodes = tree.size();
+    if (m_line.empty())
+        return;
+    m_idle = tree.size() > met ? 0 : m_idle + 1;
+    const auto internode = static_cast<float>(tree.parameters().growth.internodeLength);
+    for (InternodeId id = met; id < tree.size(); ++id) {
+        const Vec3& node = index.nodePosition(id);
+        float ahead = 0.0F;
+        for (std::size_t i = m_passed; i < m_line.size() && ahead <= kReachedAhead * internode; ++i) {
+            if ((node - m_line[i].position).norm() <= std::max(kReached * internode, m_line[i].radius))
+                m_passed = i + 1;
+            if (i + 1 < m_line.size())
+                ahead += (m_line[i + 1].position - m_line[i].position).norm();
+        }
+    }
+}
+
+/// The bud that grows toward a line of which nothing is reached or perceived yet: that of a seedling's tip,
+/// or the nearest one.
+std::optional<BudRef> BrushGrowth::budToReachOut(const Tree& tree, const TreeIndex& index, float sight) const
+{
+    if (m_passed > 0 || m_competitors.node != kNoInternode)
+        return {};
+    const Vec3& target = m_line.front().position;
+    const BudRef nearest = nearestBud(tree, index, target);
+    if (tree.buds(nearest.node) == 0 || (target - index.nodePosition(nearest.node)).norm() <= sight)
+        return {};
+    const InternodeId root = index.rootOf(tree, nearest.node);
+    return index.tipCount(root) == 1 ? BudRef{trunkTip(index, root), kTerminalSlot} : nearest;
+}
+
+/// A seedling grows a bare trunk toward a brush that is too far away to be perceived. Returns the bud at its
+/// tip; nothing if the bud nearest to the brush is in sight, or belongs to a tree that has
 /// branches.
-std::optional<InternodeId> BrushGrowth::seedlingFor(const Tree& tree, const TreeIndex& index,
-                                                    const Vec3& brush, float sight) const
+std::optional<BudRef> BrushGrowth::seedlingFor(const Tree& tree, const TreeIndex& index, const Vec3& brush,
+                                               float sight) const
 {
     const auto isSeedling = [&index](InternodeId root) { return index.tipCount(root) == 1; };
     // To find the nearest bud is a pass over the tree.
@@ -166,22 +260,57 @@ std::optional<InternodeId> BrushGrowth::seedlingFor(const Tree& tree, const Tree
     const InternodeId root = index.rootOf(tree, nearest.node);
     if (!isSeedling(root) || (brush - index.nodePosition(nearest.node)).norm() <= sight)
         return {};
-    return root;
+    return BudRef{trunkTip(index, root), kTerminalSlot};
 }
 
-void BrushGrowth::layMarkers(const Tree& tree, const BrushSample& previous, const BrushSample& brush)
+/// How many markers a step lays: so many that as many are alive around a resting brush as the parameters say;
+/// where the stroke arrives, around a quick one as well.
+double BrushGrowth::newMarkerCount(const GrowthParameters& p, std::span<const BrushSample> way) const
 {
-    const GrowthParameters& p = tree.parameters().growth;
-    const double reach = std::max<double>(brush.radius, p.internodeLength);
-    const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(reach / p.internodeLength, 3);
+    const float radius = way.back().radius;
+    const double reach = std::max<double>(radius, p.internodeLength) / p.internodeLength;
+    const double volume = 4.0 / 3.0 * std::numbers::pi * std::pow(reach, 3);
     // At least three; otherwise it would depend on chance whether a thin brush grows anything.
-    const double wanted = std::clamp(p.markerDensity * volume / p.markerAge, 3.0, kMostNewMarkers);
+    double wanted = std::clamp(p.markerDensity * volume / p.markerAge, 3.0, kMostNewMarkers);
+    if (m_end == StrokeEnd::Arrives) {
+        double moved = 0.0; // In internodes
+        for (std::size_t i = 1; i < way.size(); ++i)
+            moved += double{(way[i].position - way[i - 1].position).norm()} / p.internodeLength;
+        if (drawnness(p, radius) > 0.0) {
+            wanted = std::max(wanted, kMarkersAlong * moved);
+        } else if (moved > 0.0) {
+            // The share of the steps that a place misses because the brush passes it in fewer.
+            const double missed = std::max(0.0, 1.0 - 2.0 * reach / (moved * p.markerAge));
+            wanted += missed * p.markerDensity * std::numbers::pi * reach * reach * moved;
+        }
+        wanted = std::min(wanted, kMostNewMarkers);
+    }
+    return wanted;
+}
+
+void BrushGrowth::layMarkers(const Tree& tree, std::span<const BrushSample> way)
+{
+    std::vector<float> lengths{0.0F};
+    for (std::size_t i = 1; i < way.size(); ++i)
+        lengths.push_back(lengths.back() + (way[i].position - way[i - 1].position).norm());
+    const auto on = [&](float share) {
+        if (way.size() == 2)
+            return std::pair(std::size_t{1}, share);
+        const float at = share * lengths.back();
+        const auto next = std::upper_bound(lengths.begin() + 1, lengths.end() - 1, at);
+        const auto i = static_cast<std::size_t>(next - lengths.begin());
+        const float length = lengths[i] - lengths[i - 1];
+        return std::pair(i, length > 0.0F ? (at - lengths[i - 1]) / length : 1.0F);
+    };
+    const auto count = static_cast<int>(newMarkerCount(tree.parameters().growth, way));
     Random random(tree.seed(), tree.step(), m_time, Purpose::BrushMarker);
-    for (int i = 0; i < static_cast<int>(wanted); ++i) {
+    for (int i = 0; i < count; ++i) {
         // Spread over the path since the last sample, so that a fast stroke leaves no gaps.
-        const auto t = static_cast<float>(random.uniform());
-        const Vec3 centre = previous.position + t * (brush.position - previous.position);
-        const float radius = previous.radius + t * (brush.radius - previous.radius);
+        const auto [next, t] = on(static_cast<float>(random.uniform()));
+        const BrushSample& from = way[next - 1];
+        const BrushSample& to = way[next];
+        const Vec3 centre = from.position + t * (to.position - from.position);
+        const float radius = from.radius + t * (to.radius - from.radius);
         const Vec3 marker = centre + radius * random.inBall();
         if (marker.y() < 0.0F) // there is no free space below the ground
             continue;
@@ -190,18 +319,37 @@ void BrushGrowth::layMarkers(const Tree& tree, const BrushSample& previous, cons
     }
 }
 
-TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, const BrushSample& previous,
-                            const BrushSample& brush)
+TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, std::span<const BrushSample> way)
+{
+    if (!m_drawnBud) {
+        m_drawnBud = m_competitors.node != kNoInternode ? BudRef{m_competitors.node, m_competitors.slot}
+                                                        : nearestBud(tree, index, way.front().position);
+        m_path.push_back(aboveGround(way.front().position));
+        m_hasDrawn = false;
+    }
+    for (const BrushSample& sample : way.subspan(1))
+        m_path.push_back(aboveGround(sample.position));
+    return drawPath(tree, index);
+}
+
+/// What a thin brush has not reached, as an axis from the nearest bud.
+std::optional<TreeDelta> BrushGrowth::drawRest(const Tree& tree, const TreeIndex& index)
+{
+    const std::size_t first = m_passed > 0 ? m_passed - 1 : 0;
+    m_drawnBud = m_competitors.node != kNoInternode && m_passed == 0
+                     ? BudRef{m_competitors.node, m_competitors.slot}
+                     : nearestBud(tree, index, m_line[first].position);
+    m_hasDrawn = false;
+    m_path.clear();
+    for (const BrushSample& sample : std::span(m_line).subspan(first))
+        m_path.push_back(aboveGround(sample.position));
+    return drawPath(tree, index);
+}
+
+TreeDelta BrushGrowth::drawPath(const Tree& tree, const TreeIndex& index)
 {
     const GrowthParameters& p = tree.parameters().growth;
     GrowingTree growing(tree, index, m_workspace);
-    if (!m_drawnBud) {
-        m_drawnBud = m_competitors.node != kNoInternode ? BudRef{m_competitors.node, m_competitors.slot}
-                                                        : nearestBud(tree, index, previous.position);
-        m_path.push_back(aboveGround(previous.position));
-        m_hasDrawn = false;
-    }
-    m_path.push_back(aboveGround(brush.position));
     // The competitors' node may have been shed, or may never have existed.
     if (m_drawnBud->node >= tree.size() || !tree.isAlive(m_drawnBud->node))
         return deltaStartingAt(tree);

@@ -9,6 +9,7 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <cmath>
 
 namespace {
@@ -30,7 +31,8 @@ public:
     {
         for (;;) {
             const BrushSample brush = sample(m_step);
-            m_delta = m_brush.step(m_tree, m_index, m_growth, sample(m_step > 0 ? m_step - 1 : 0), brush);
+            m_delta = m_brush.step(m_tree, m_index, m_growth,
+                                   std::array{sample(m_step > 0 ? m_step - 1 : 0), brush});
             ++m_step;
             if (m_delta.isEmpty())
                 continue;

@@ -64,7 +64,8 @@ public:
     void operator()(const BrushStrokeOperation& operation)
     {
         const std::vector<BrushSample>& samples = operation.samples;
-        BrushGesture gesture(m_document, samples.front(), operation.only.resolve(m_document).competitors);
+        BrushGesture gesture(m_document, samples.front(), operation.only.resolve(m_document).competitors,
+                             operation.end);
         for (std::size_t i = 1; i < samples.size(); ++i) {
             if (m_random.onceIn(8))
                 gesture.moveToward(samples[i], 0.5 * (samples[i - 1].time + samples[i].time));

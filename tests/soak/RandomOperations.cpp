@@ -139,6 +139,7 @@ BrushStrokeOperation RandomOperations::make(const TreeDocument& document, int)
 {
     const float l = internode(document);
     BrushStrokeOperation operation;
+    operation.end = onceIn(2) ? StrokeEnd::Arrives : StrokeEnd::AtRelease;
     operation.samples = randomStroke(m_random, document.parameters().growth, onceIn(6) ? 1.2 : 0.5);
     // A place near the living tree.
     const Vec3 there = document.index().nodePosition(living(document)) + 3.0F * l * m_random.inBall() -

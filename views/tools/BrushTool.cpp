@@ -96,7 +96,7 @@ void BrushTool::beginStroke(const PointerSample& sample)
     m_strokeTime = 0.0;
     const BrushSample first = sampleAt(0.0);
     m_trail = {first.position};
-    m_gesture = std::make_unique<BrushGesture>(document, first, document.competitors());
+    m_gesture = std::make_unique<BrushGesture>(document, first, document.competitors(), StrokeEnd::Arrives);
     context().requestRepaint();
 }
 

@@ -41,6 +41,7 @@ inline Recipe randomRecipe(std::uint64_t seed)
                 {time, 100.0F * random.inBall(), static_cast<float>(random.uniform() * random.uniform())});
         }
         result.operations.emplace_back(stroke);
+        stroke.end = i % 3 == 0 ? StrokeEnd::Arrives : StrokeEnd::AtRelease;
         stroke.until = i % 4 == 0 ? std::optional(stroke.samples.back().time - 0.001) : std::nullopt;
         result.operations.emplace_back(stroke);
         result.operations.emplace_back(SetParametersOperation{randomParameters()});
