@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/BrushGesture.h"
+#include "commands/DocumentProject.h"
+#include "commands/recipe/JournalRecipe.h"
+#include "commands/recipe/RecipePlayer.h"
+#include "tests/support/Documents.h"
+#include "tests/support/Growing.h"
+#include "tests/support/TestClasses.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace espalier::test {
+
+/// Strokes that arrive (StrokeEnd), quick and slow.
+class BrushArrivalTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void line_arrives_data();
+    void line_arrives();
+    void line_farFromTheTree_arrives();
+    void quickCrown_growsAsLongAsItsMarkersLive();
+    void arrivedStroke_isReplayedToTheBit();
+};
+
+namespace {
+
+/// A trunk of two metres and a half, drawn as one axis.
+void drawTrunk(TreeDocument& document)
+{
+    TreeParameters parameters;
+    parameters.growth.irregularity = 0.4;
+    document.reset(4, parameters);
+    brush(document, strokeAlong(std::vector{Vec3(0.0F, 0.0F, 0.0F), Vec3(0.0F, 2.5F, 0.0F)}, 0.0F, 2.0));
+    document.undoStack().clear();
+}
+
+/// A limb as a person draws it, from a trunk outward and up, in metres a second and events a second.
+std::vector<BrushSample> limbStroke(double speed, double rate, float radius)
+{
+    std::vector<BrushSample> samples;
+    constexpr double kLength = 2.2;
+    const double duration = kLength / speed;
+    const int count = std::max(1, static_cast<int>(duration * rate));
+    for (int i = 0; i <= count; ++i) {
+        const auto share = static_cast<float>(i) / static_cast<float>(count);
+        samples.push_back({duration * static_cast<double>(share),
+                           Vec3(2.0F * share, 1.2F + 0.3F * share + 0.6F * share * share, 0.0F), radius});
+    }
+    return samples;
+}
+
+float distanceToNodes(const TreeDocument& document, const Vec3& point)
+{
+    float nearest = std::numeric_limits<float>::infinity();
+    for (InternodeId id = 0; id < document.tree().size(); ++id) {
+        if (document.tree().isAlive(id))
+            nearest = std::min(nearest, (document.index().nodePosition(id) - point).norm());
+    }
+    return nearest;
+}
+
+void arrive(TreeDocument& document, std::span<const BrushSample> samples)
+{
+    BrushGesture gesture(document, samples.front(), {}, StrokeEnd::Arrives);
+    for (const BrushSample& sample : samples.subspan(1))
+        gesture.add(sample);
+    gesture.finish();
+}
+
+} // namespace
+
+void BrushArrivalTest::line_arrives_data()
+{
+    QTest::addColumn<double>("speed"); // m/s
+    QTest::addColumn<double>("rate");  // Events a second
+    QTest::addColumn<double>("radius");
+    for (const double radius : {0.0, 0.03, 0.057, 0.09}) {
+        for (const double speed : {0.5, 2.0, 5.0, 12.0, 50.0}) {
+            for (const double rate : {15.0, 60.0, 250.0})
+                QTest::addRow("%g m at %g m/s, %g Hz", radius, speed, rate) << speed << rate << radius;
+        }
+    }
+}
+
+void BrushArrivalTest::line_arrives()
+{
+    QFETCH(const double, speed);
+    QFETCH(const double, rate);
+    QFETCH(const double, radius);
+    TreeDocument document;
+    drawTrunk(document);
+    const std::vector<BrushSample> samples = limbStroke(speed, rate, static_cast<float>(radius));
+    arrive(document, samples);
+    QCOMPARE(document.undoStack().count(), 1);
+    const auto internode = static_cast<float>(document.parameters().growth.internodeLength);
+    QVERIFY(distanceToNodes(document, samples.back().position) <=
+            std::max(1.6F * internode, static_cast<float>(radius)));
+    for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+        for (const float share : {0.0F, 0.5F}) {
+            const Vec3 point = samples[i].position + share * (samples[i + 1].position - samples[i].position);
+            QVERIFY(distanceToNodes(document, point) < 2.5F * internode + static_cast<float>(radius));
+        }
+    }
+}
+
+void BrushArrivalTest::line_farFromTheTree_arrives()
+{
+    for (const float radius : {0.0F, 0.05F, 0.4F}) {
+        TreeDocument document;
+        drawTrunk(document);
+        const std::vector<BrushSample> samples =
+            strokeAlong(std::vector{Vec3(1.5F, 2.0F, 0.0F), Vec3(2.0F, 3.0F, 0.0F)}, radius, 0.3);
+        arrive(document, samples);
+        QVERIFY2(distanceToNodes(document, samples.back().position) < 0.1F + radius,
+                 qPrintable(QString::number(static_cast<double>(radius))));
+    }
+}
+
+void BrushArrivalTest::quickCrown_growsAsLongAsItsMarkersLive()
+{
+    const std::vector<BrushSample> samples =
+        strokeAlong(std::vector{Vec3(0.0F, 2.2F, 0.0F), Vec3(1.2F, 2.8F, 0.0F)}, 0.5F, 0.2);
+    TreeDocument stopped;
+    drawTrunk(stopped);
+    const std::uint32_t trunk = stopped.tree().size();
+    TreeDocument arrived;
+    drawTrunk(arrived);
+    brush(stopped, samples);
+    arrive(arrived, samples);
+    QVERIFY(2 * (arrived.tree().size() - trunk) > 3 * (stopped.tree().size() - trunk));
+    QVERIFY(distanceToNodes(arrived, samples.back().position) < 0.5F);
+}
+
+void BrushArrivalTest::arrivedStroke_isReplayedToTheBit()
+{
+    for (const double speed : {1.0, 9.0}) {
+        TreeDocument document;
+        drawTrunk(document);
+        arrive(document, limbStroke(speed, 60.0, 0.057F));
+        const Result<Recipe> recipe = recipeOf(projectOf(document, QStringLiteral("limb")));
+        QVERIFY(recipe);
+        TreeDocument replayed;
+        RecipePlayer(replayed, *recipe).playAll();
+        QVERIFY(replayed.tree() == document.tree());
+        // In the pace of a demonstration as well.
+        TreeDocument paced;
+        RecipePlayer player(paced, *recipe);
+        while (!player.isDone())
+            player.advance(0.013);
+        QVERIFY(paced.tree() == document.tree());
+    }
+}
+
+static const TestClass<BrushArrivalTest> brushArrivalTest;
+
+} // namespace espalier::test
+
+#include "BrushArrivalTest.moc"
