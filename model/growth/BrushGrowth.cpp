@@ -243,7 +243,10 @@ std::optional<BudRef> BrushGrowth::budToReachOut(const Tree& tree, const TreeInd
     if (tree.buds(nearest.node) == 0 || (target - index.nodePosition(nearest.node)).norm() <= sight)
         return {};
     const InternodeId root = index.rootOf(tree, nearest.node);
-    return index.tipCount(root) == 1 ? BudRef{trunkTip(index, root), kTerminalSlot} : nearest;
+    if (index.tipCount(root) == 1)
+        return BudRef{trunkTip(index, root), kTerminalSlot};
+    const double moved = double{(m_line.back().position - target).norm()};
+    return moved > tree.parameters().growth.internodeLength ? std::optional(nearest) : std::nullopt;
 }
 
 /// A seedling grows a bare trunk toward a brush that is too far away to be perceived. Returns the bud at its

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void line_arrives_data();
     void line_arrives();
     void line_farFromTheTree_arrives();
+    void tapFarFromATree_growsNothing();
     void quickCrown_growsAsLongAsItsMarkersLive();
     void arrivedStroke_isReplayedToTheBit();
 };
@@ -120,6 +121,23 @@ void BrushArrivalTest::line_farFromTheTree_arrives()
         QVERIFY2(distanceToNodes(document, samples.back().position) < 0.1F + radius,
                  qPrintable(QString::number(static_cast<double>(radius))));
     }
+}
+
+void BrushArrivalTest::tapFarFromATree_growsNothing()
+{
+    TreeDocument document;
+    drawTrunk(document);
+    arrive(document, limbStroke(2.0, 60.0, 0.0F));
+    const Tree before = document.tree();
+    const std::vector<BrushSample> tap{{0.0, Vec3(-2.0F, 3.0F, 0.0F), 0.3F},
+                                       {0.15, Vec3(-2.0F, 3.0F, 0.0F), 0.3F}};
+    arrive(document, tap);
+    QVERIFY(document.tree() == before);
+    // The same place is reached by a stroke.
+    std::vector<BrushSample> stroke = tap;
+    stroke.back().position.x() -= 0.3F;
+    arrive(document, stroke);
+    QVERIFY(distanceToNodes(document, tap.front().position) < 0.4F);
 }
 
 void BrushArrivalTest::quickCrown_growsAsLongAsItsMarkersLive()
