@@ -6,12 +6,16 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 namespace espalier {
 
 namespace {
+
+/// The times of a hand's samples ascend by this at least, s.
+constexpr double kLeastPause = 1e-3;
 
 /// The sample as a recipe has it.
 BrushSample recordable(BrushSample sample)
@@ -31,7 +35,8 @@ BrushGesture::BrushGesture(TreeDocument& document, const BrushSample& first, Com
       m_path{recordable(first)},
       m_samples(m_path),
       m_next(m_path.front()),
-      m_last(m_path.front())
+      m_last(m_path.front()),
+      m_due(first.time)
 {
 }
 
@@ -49,29 +54,67 @@ void BrushGesture::moveToward(const BrushSample& sample, double time)
         return;
     m_next = recordable(sample);
     m_path.push_back(time < m_next.time ? between(m_samples.back(), m_next, time) : m_next);
-    growTo(time);
+    m_due = time;
+    while (growNext()) {
+    }
 }
 
-void BrushGesture::growTo(double time)
+void BrushGesture::follow(const BrushSample& sample)
 {
-    for (;;) {
-        const double stepTime =
-            m_path.front().time + static_cast<double>(m_stepsDone + 1) / kBrushStepsPerSecond;
-        if (stepTime > time)
-            return;
-        const std::size_t last = m_met;
-        while (m_met + 1 < m_samples.size() && m_samples[m_met + 1].time < stepTime)
-            ++m_met;
-        const BrushSample& to = m_met + 1 < m_samples.size() ? m_samples[m_met + 1] : m_next;
-        const BrushSample brush = between(m_samples[m_met], to, stepTime);
-        std::vector<BrushSample> way{m_last};
-        if (m_end == StrokeEnd::Arrives)
-            way.insert(way.end(), m_samples.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                       m_samples.begin() + static_cast<std::ptrdiff_t>(m_met) + 1);
-        way.push_back(brush);
-        growAlong(way);
-        ++m_stepsDone;
+    const BrushSample last = m_samples.back();
+    if (!m_edit.isActive() || sample.time <= last.time)
+        return;
+    m_next = recordable(sample);
+    // It has rested at least as long as growth took it to rest.
+    if (const double until = std::max(sample.time - kBrushRest, m_last.time); until > last.time) {
+        holdUntil(until);
+        m_next.time = std::max(m_next.time, until + kLeastPause);
     }
+    m_samples.push_back(m_next);
+    m_path.push_back(m_next);
+    m_due = std::max(m_due, m_next.time);
+}
+
+void BrushGesture::holdUntil(double time)
+{
+    m_samples.push_back(m_samples.back());
+    m_samples.back().time = time;
+    m_path.push_back(m_samples.back());
+}
+
+void BrushGesture::rest(double time)
+{
+    m_due = std::max(m_due, time - kBrushRest);
+}
+
+void BrushGesture::catchUp(std::chrono::nanoseconds longest)
+{
+    const auto begun = std::chrono::steady_clock::now();
+    while (m_edit.isActive() && growNext() && std::chrono::steady_clock::now() - begun < longest) {
+    }
+}
+
+/// Makes the next growth step if it is due; returns whether it was.
+bool BrushGesture::growNext()
+{
+    const double stepTime = m_path.front().time + static_cast<double>(m_stepsDone + 1) / kBrushStepsPerSecond;
+    if (stepTime > m_due)
+        return false;
+    const std::size_t last = m_met;
+    while (m_met + 1 < m_samples.size() && m_samples[m_met + 1].time < stepTime)
+        ++m_met;
+    const BrushSample& from = m_samples[m_met];
+    const BrushSample& to = m_met + 1 < m_samples.size() ? m_samples[m_met + 1] : m_next;
+    BrushSample brush = to.time > from.time ? between(from, to, stepTime) : from;
+    brush.time = stepTime; // At rest after the last sample
+    std::vector<BrushSample> way{m_last};
+    if (m_end == StrokeEnd::Arrives)
+        way.insert(way.end(), m_samples.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                   m_samples.begin() + static_cast<std::ptrdiff_t>(m_met) + 1);
+    way.push_back(brush);
+    growAlong(way);
+    ++m_stepsDone;
+    return true;
 }
 
 void BrushGesture::growAlong(std::span<const BrushSample> way)
@@ -116,6 +159,10 @@ BrushStrokeOperation BrushGesture::operation() const
 
 void BrushGesture::finish()
 {
+    while (m_edit.isActive() && growNext()) {
+    }
+    if (m_last.time > m_path.back().time)
+        holdUntil(m_last.time);
     while (settle()) {
     }
     commitRecorded(m_edit, QCoreApplication::translate("Commands", "Brush Stroke"),

@@ -301,7 +301,7 @@ void Viewport::tick()
     if (m_keys.isAnyHeld())
         moveByKeys(seconds);
     if (m_hand->wantsTicks())
-        m_hand->tick(now);
+        m_hand->tick(m_pointers.rest());
     if (areRingsExpanding())
         update();
     if (m_pacer.advance(seconds)) {

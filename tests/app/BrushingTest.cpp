@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/SketchStroke.h"
 #include "panels/Bar.h"
 #include "panels/RadiusSlider.h"
 #include "tests/support/TestClasses.h"
@@ -6,14 +7,22 @@
 #include "views/Viewport.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QInputDevice>
+#include <QMouseEvent>
 #include <QPoint>
 #include <QPointF>
 #include <QPointingDevice>
 #include <QSlider>
 #include <QTabletEvent>
 #include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
 
 using namespace espalier;
 
@@ -29,7 +38,53 @@ private Q_SLOTS:
     void undoDuringAStroke_takesBackThatAlone();
     void keys_changeTheBrushAndWhatIsShown();
     void bendAndWidth_areAtHand();
+    void line_arrivesAtAnySpeed_data();
+    void line_arrivesAtAnySpeed();
+    void flick_isUndoneAndRedone();
+
+private:
+    void drawTrunk();
+    void drawLimb(const QPointF& from, const QPointF& to, double speed, double rate, bool isBusy);
+    QPointF limbBegin() { return viewport().camera().project(Vec3(0.0F, 1.2F, 0.0F)).value_or(QPointF()); }
 };
+
+/// A document with nothing but a trunk of two metres.
+void BrushingTest::drawTrunk()
+{
+    m_window->document().reset(4, TreeParameters());
+    const LassoStroke trunk{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {Vec2(0.0F, 0.0F), Vec2(0.0F, 2.0F)}};
+    QVERIFY(sketchBranch(m_window->document(), {.stroke = trunk, .base = {}}));
+    m_window->viewSettings().set(&ViewValues::brushRadius, 0.057);
+    QTRY_VERIFY(viewport().isAtRest()); // The camera has come to the new tree.
+}
+
+/// Sends the events of a mouse, in px/s and events a second, with the timestamps of its clock. A busy program
+/// gets them late and in heaps.
+void BrushingTest::drawLimb(const QPointF& from, const QPointF& to, double speed, double rate, bool isBusy)
+{
+    const double seconds = std::hypot(to.x() - from.x(), to.y() - from.y()) / speed;
+    const int last = std::max(2, static_cast<int>(std::lround(seconds * rate)));
+    const auto stampOf = [&](int i) { return std::llround(1000.0 * seconds * i / last); };
+    const auto send = [&](int i) {
+        const auto type = i == 0      ? QEvent::MouseButtonPress
+                          : i == last ? QEvent::MouseButtonRelease
+                                      : QEvent::MouseMove;
+        const QPointF place = from + static_cast<double>(i) / last * (to - from);
+        QMouseEvent event(type, place, viewport().mapToGlobal(place),
+                          type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+        event.setTimestamp(50'000 + static_cast<quint64>(stampOf(i)));
+        QCoreApplication::sendEvent(&viewport(), &event);
+    };
+    QElapsedTimer clock;
+    clock.start();
+    for (int next = 0; next <= last;) {
+        while (next <= last && stampOf(next) <= clock.elapsed())
+            send(next++);
+        QTest::qSleep(isBusy ? 120 : 1);
+        QCoreApplication::processEvents();
+    }
+}
 
 void BrushingTest::mouse_brushesATreeAsOneUndoStep()
 {
@@ -45,6 +100,54 @@ void BrushingTest::mouse_brushesATreeAsOneUndoStep()
     QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
     QTRY_COMPARE(document.index().livingCount(), 1U);
     QVERIFY(!m_window->isWindowModified());
+}
+
+void BrushingTest::line_arrivesAtAnySpeed_data()
+{
+    QTest::addColumn<double>("speed"); // px/s
+    QTest::addColumn<double>("rate");  // Events a second
+    QTest::newRow("slow") << 200.0 << 60.0;
+    QTest::newRow("quick, few events") << 700.0 << 15.0;
+    QTest::newRow("quick, many events") << 700.0 << 250.0;
+    QTest::newRow("a flick") << 5000.0 << 60.0;
+    QTest::newRow("a flick, many events") << 5000.0 << 250.0;
+}
+
+void BrushingTest::line_arrivesAtAnySpeed()
+{
+    QFETCH(const double, speed);
+    QFETCH(const double, rate);
+    const TreeDocument& document = m_window->document();
+    std::optional<Tree> first;
+    for (const bool isBusy : {false, true, true}) {
+        drawTrunk();
+        const QPointF from = limbBegin();
+        const QPointF to = from + QPointF(220.0, -90.0);
+        drawLimb(from, to, speed, rate, isBusy);
+        QCOMPARE(document.undoStack().count(), 2);
+        const Vec3 end = viewport().camera().onPlane(to, Vec3(0.0F, 1.2F, 0.0F));
+        float nearest = std::numeric_limits<float>::infinity();
+        for (InternodeId id = 0; id < document.tree().size(); ++id)
+            nearest = std::min(nearest, (document.index().nodePosition(id) - end).norm());
+        QVERIFY2(nearest < 0.17F, qPrintable(QString::number(static_cast<double>(nearest))));
+        if (!first)
+            first = document.tree();
+        QVERIFY(document.tree() == *first);
+    }
+}
+
+void BrushingTest::flick_isUndoneAndRedone()
+{
+    drawTrunk();
+    const TreeDocument& document = m_window->document();
+    const std::uint32_t trunk = document.tree().size();
+    drawLimb(limbBegin(), limbBegin() + QPointF(220.0, -90.0), 5000.0, 60.0, true);
+    const Tree whole = document.tree();
+    QVERIFY(whole.size() > trunk);
+    action(ActionId::Undo)->trigger();
+    QCOMPARE(document.index().livingCount(), trunk);
+    action(ActionId::Redo)->trigger();
+    QVERIFY(document.tree() == whole);
 }
 
 void BrushingTest::finger_brushesATree()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BrushGesture.h"
 #include "commands/DocumentProject.h"
+#include "commands/SetParameters.h"
 #include "commands/recipe/JournalRecipe.h"
 #include "commands/recipe/RecipePlayer.h"
 #include "tests/support/Documents.h"
@@ -10,7 +11,9 @@
 #include <QTest>
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +30,8 @@ private Q_SLOTS:
     void tapFarFromATree_growsNothing();
     void quickCrown_growsAsLongAsItsMarkersLive();
     void arrivedStroke_isReplayedToTheBit();
+    void lateGrowth_isTheSame();
+    void restAtTheEnd_isReplayedToTheBit();
 };
 
 namespace {
@@ -72,6 +77,16 @@ void arrive(TreeDocument& document, std::span<const BrushSample> samples)
     for (const BrushSample& sample : samples.subspan(1))
         gesture.add(sample);
     gesture.finish();
+}
+
+/// Plays the document's recipe and compares the trees.
+void verifyReplay(const TreeDocument& document)
+{
+    const Result<Recipe> recipe = recipeOf(projectOf(document, QStringLiteral("limb")));
+    QVERIFY(recipe);
+    TreeDocument replayed;
+    RecipePlayer(replayed, *recipe).playAll();
+    QVERIFY(replayed.tree() == document.tree());
 }
 
 } // namespace
@@ -163,9 +178,7 @@ void BrushArrivalTest::arrivedStroke_isReplayedToTheBit()
         arrive(document, limbStroke(speed, 60.0, 0.057F));
         const Result<Recipe> recipe = recipeOf(projectOf(document, QStringLiteral("limb")));
         QVERIFY(recipe);
-        TreeDocument replayed;
-        RecipePlayer(replayed, *recipe).playAll();
-        QVERIFY(replayed.tree() == document.tree());
+        verifyReplay(document);
         // In the pace of a demonstration as well.
         TreeDocument paced;
         RecipePlayer player(paced, *recipe);
@@ -173,6 +186,60 @@ void BrushArrivalTest::arrivedStroke_isReplayedToTheBit()
             player.advance(0.013);
         QVERIFY(paced.tree() == document.tree());
     }
+}
+
+void BrushArrivalTest::lateGrowth_isTheSame()
+{
+    // A hand's samples, with a rest, on machines that grow at once, late, or only after the stroke.
+    std::vector<BrushSample> samples = limbStroke(4.0, 60.0, 0.057F);
+    BrushSample rested = samples.back();
+    rested.time += 0.7;
+    rested.position.y() += 0.2F;
+    samples.push_back(rested);
+    std::optional<Tree> first;
+    for (const int load : {0, 1, 2, 3}) {
+        TreeDocument document;
+        drawTrunk(document);
+        BrushGesture gesture(document, samples.front(), {}, StrokeEnd::Arrives);
+        for (std::size_t i = 1; i < samples.size(); ++i) {
+            const double pause = samples[i].time - samples[i - 1].time;
+            for (double tick = 0.017 + 0.003 * load; load < 2 && tick < pause; tick += 0.02) {
+                gesture.rest(samples[i - 1].time + tick);
+                gesture.catchUp(std::chrono::seconds(1));
+            }
+            gesture.follow(samples[i]);
+            if (load == 0)
+                gesture.catchUp(std::chrono::seconds(1));
+            else if (load == 2 && i % 5 == 0)
+                gesture.catchUp(std::chrono::nanoseconds(1));
+        }
+        gesture.finish();
+        QVERIFY(document.tree().size() > 45);
+        if (!first)
+            first = document.tree();
+        QVERIFY(document.tree() == *first);
+        verifyReplay(document);
+    }
+}
+
+void BrushArrivalTest::restAtTheEnd_isReplayedToTheBit()
+{
+    TreeDocument document;
+    drawTrunk(document);
+    const std::vector<BrushSample> samples = limbStroke(2.0, 60.0, 0.3F);
+    BrushGesture gesture(document, samples.front(), {}, StrokeEnd::Arrives);
+    for (const BrushSample& sample : std::span(samples).subspan(1))
+        gesture.follow(sample);
+    gesture.catchUp(std::chrono::seconds(1));
+    const std::uint32_t before = document.tree().size();
+    gesture.rest(samples.back().time + 0.8);
+    gesture.catchUp(std::chrono::seconds(1));
+    QVERIFY(document.tree().size() > before);
+    // Another edit ends it, without a sample of the hand.
+    TreeParameters others = document.parameters();
+    others.growth.irregularity = 0.3;
+    setParameters(document, others);
+    verifyReplay(document);
 }
 
 static const TestClass<BrushArrivalTest> brushArrivalTest;

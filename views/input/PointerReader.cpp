@@ -17,6 +17,12 @@ namespace {
 
 /// The longest time that an event is assumed to have waited in the queue, s.
 constexpr double kLongestDelay = 0.25;
+/// During a stroke its pace counts: the same, where its first event waited longer than those that follow.
+constexpr double kLongestLead = 3.0;
+/// Events that were made longer than this, s, before a rest arrive before it.
+constexpr double kMostLateness = 0.1;
+/// A rest is noted in parts no longer than this, s: events that wait arrive in between.
+constexpr double kLongestRest = 0.05;
 
 PointerPhase phaseOf(QEventPoint::State state)
 {
@@ -42,15 +48,24 @@ double PointerReader::now() const
     return static_cast<double>(m_timer.nsecsElapsed()) * 1e-9;
 }
 
-/// The timestamps of events that waited in the queue are right, so that a stroke keeps its pace; but their
-/// clock can have any origin, and synthetic events can have any time.
+double PointerReader::rest()
+{
+    m_rested = std::max(m_rested, std::min(now(), std::max(m_rested, m_last) + kLongestRest));
+    return m_rested;
+}
+
+/// The timestamps of events that waited in the queue are right, so that a stroke keeps its pace, however busy
+/// the program is; but their clock can have any origin, and synthetic events can have any time.
 double PointerReader::timeOf(quint64 timestamp)
 {
     const double arrived = now();
     const double stamped = static_cast<double>(timestamp) * 1e-3;
-    if (stamped + m_offset > arrived || stamped + m_offset < arrived - kLongestDelay)
-        m_offset = arrived - stamped;
-    m_last = std::max(m_last, stamped + m_offset);
+    const double earliest = std::max(m_last, m_isDown ? m_rested - kMostLateness : arrived - kLongestDelay);
+    const double latest = m_isDown ? arrived + kLongestLead : arrived;
+    const double assumed = stamped + m_offset;
+    if (assumed > latest || (!m_isDown && assumed < earliest))
+        m_offset = std::max(arrived, earliest) - stamped;
+    m_last = std::max(earliest, stamped + m_offset);
     return m_last;
 }
 
@@ -98,6 +113,7 @@ void PointerReader::readMouse(const QMouseEvent& event)
     sample.buttons = event.buttons();
     sample.modifiers = event.modifiers();
     m_samples.push_back(sample);
+    m_isDown = event.buttons() != Qt::NoButton;
 }
 
 void PointerReader::readTouch(const QTouchEvent& event)
@@ -106,6 +122,7 @@ void PointerReader::readTouch(const QTouchEvent& event)
     const bool hasPressure =
         event.device() != nullptr && event.device()->hasCapability(QInputDevice::Capability::Pressure);
     const double time = timeOf(event.timestamp());
+    m_isDown = event.type() != QEvent::TouchEnd && !cancelled;
     for (const QEventPoint& point : event.points()) {
         if (point.state() == QEventPoint::State::Stationary && !cancelled)
             continue;
@@ -150,6 +167,7 @@ void PointerReader::readTablet(const QTabletEvent& event)
     sample.modifiers = event.modifiers();
     sample.isEraser = event.pointerType() == QPointingDevice::PointerType::Eraser;
     m_samples.push_back(sample);
+    m_isDown = event.buttons() != Qt::NoButton;
 }
 
 } // namespace espalier

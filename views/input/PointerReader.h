@@ -31,6 +31,10 @@ public:
 
     /// Time since the reader was made, s: the clock of all samples.
     double now() const;
+    /// To be called between events, about 60 times a second while a pointer is down. Returns the time up to
+    /// which pointers are known to be at rest, s, of the samples' clock: behind now() where events can still
+    /// be waiting, because the program was busy.
+    double rest();
 
 private:
     void readMouse(const QMouseEvent& event);
@@ -40,7 +44,9 @@ private:
 
     QElapsedTimer m_timer;
     double m_offset = 0.0; ///< From the events' own clock to ours, s
-    double m_last = 0.0;
+    double m_last = 0.0;   ///< Time of the last sample, s
+    double m_rested = 0.0; ///< Time of the last rest(), s
+    bool m_isDown = false; ///< A button, a finger or the pen was down after the last event
     double m_pressureExponent = 1.0;
     std::vector<PointerSample> m_samples;
 };

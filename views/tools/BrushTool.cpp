@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -14,12 +15,10 @@ namespace espalier {
 
 namespace {
 
-/// The longest step of a stroke's clock, s: where growth cannot keep up, the stroke slows down and the
-/// program does not.
-constexpr double kLongestStep = 0.1;
-/// The shortest step of a stroke's clock, s: the times of samples ascend.
-constexpr double kShortestStep = 1e-4;
-
+/// Growth under the brush takes so much of the time between two pictures.
+constexpr auto kGrowthTime = std::chrono::milliseconds(12);
+/// The times of a stroke's samples are multiples of this, s.
+constexpr double kClockStep = 1e-4;
 /// Below this sine of the angle between them, the drawing plane and the ground meet too far away to be shown.
 constexpr float kGrazing = 0.1F;
 
@@ -92,8 +91,7 @@ void BrushTool::beginStroke(const PointerSample& sample)
     TreeDocument& document = context().document();
     m_picked = context().pick(m_pointer, sample.device);
     m_anchor = m_picked ? m_picked->position : Vec3(Vec3::Zero());
-    m_lastTime = sample.time;
-    m_strokeTime = 0.0;
+    m_begun = sample.time;
     const BrushSample first = sampleAt(0.0);
     m_trail = {first.position};
     m_gesture = std::make_unique<BrushGesture>(document, first, document.competitors(), StrokeEnd::Arrives);
@@ -180,7 +178,7 @@ void BrushTool::tick(double now)
 {
     m_now = now;
     if (m_gesture)
-        continueTo(now);
+        rest(now);
     if (!m_held || m_held->isChosen)
         return;
     context().requestRepaint();
@@ -210,15 +208,32 @@ BrushSample BrushTool::sampleAt(double time) const
             static_cast<float>(view.brushRadius * share)};
 }
 
+/// s since the stroke began, in steps that are finer than any device's clock: it does not depend on when the
+/// program was started.
+double BrushTool::strokeTime(double time) const
+{
+    return std::round((time - m_begun) / kClockStep) * kClockStep;
+}
+
 void BrushTool::continueTo(double time)
 {
-    m_strokeTime += std::clamp(time - m_lastTime, kShortestStep, kLongestStep);
-    m_lastTime = std::max(time, m_lastTime);
-    const BrushSample sample = sampleAt(m_strokeTime);
+    const BrushSample sample = sampleAt(strokeTime(time));
     const float stride = 6.0F / context().camera().pixelsPerMetre(context().camera().distance());
     if ((sample.position - m_trail.back()).norm() > stride)
         m_trail.push_back(sample.position);
-    m_gesture->add(sample);
+    m_gesture->follow(sample);
+    context().requestRepaint();
+}
+
+/// The pointer gives no samples; the camera may carry the brush on, and the wheel change its radius.
+void BrushTool::rest(double now)
+{
+    const BrushSample sample = sampleAt(strokeTime(now));
+    const BrushSample& last = m_gesture->path().back();
+    if (sample.position != last.position || sample.radius != last.radius)
+        continueTo(now);
+    m_gesture->rest(sample.time);
+    m_gesture->catchUp(kGrowthTime);
     context().requestRepaint();
 }
 

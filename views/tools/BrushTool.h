@@ -58,7 +58,9 @@ private:
     bool pruneOnSecondTap(const PointerSample& sample);
     void beginStroke(const PointerSample& sample);
     BrushSample sampleAt(double time) const;
+    double strokeTime(double time) const;
     void continueTo(double time);
+    void rest(double now);
     void stop();
 
     std::unique_ptr<BrushGesture> m_gesture;
@@ -68,8 +70,7 @@ private:
     bool m_isPen = false;
     bool m_hovers = false;
     std::optional<PickedBranch> m_picked; ///< The branch under the hovering pointer
-    double m_lastTime = 0.0;              ///< s, of the samples' clock
-    double m_strokeTime = 0.0;            ///< s since the stroke began
+    double m_begun = 0.0;                 ///< Beginning of the stroke, s, of the samples' clock
     std::vector<Vec3> m_trail;
     std::optional<Hold> m_held;
     PointerSample m_press; ///< First sample of the gesture under way

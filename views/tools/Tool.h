@@ -33,8 +33,8 @@ public:
     virtual void hover(const PointerSample& sample) { Q_UNUSED(sample) }
     /// The pointer is not over the view any more.
     virtual void leave() {}
-    /// Called about 60 times a second while wantsTicks(), also when no sample arrives. @p now: s, of the
-    /// samples' clock.
+    /// Called about 60 times a second while wantsTicks(), also when no sample arrives. @p now: time up to
+    /// which the pointer is known to be at rest, s, of the samples' clock.
     virtual void tick(double now) { Q_UNUSED(now) }
     /// The wheel was turned with Ctrl held, by @p notches; a gesture can be under way.
     virtual void wheel(double notches) { Q_UNUSED(notches) }
