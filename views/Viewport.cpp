@@ -85,7 +85,7 @@ void Viewport::moveCamera(const Camera& camera)
     if (sized == m_camera)
         return;
     m_camera = sized;
-    m_pacer.disturb(false);
+    m_pacer.disturb();
     redrawTree();
     Q_EMIT cameraChanged();
 }
@@ -161,7 +161,7 @@ void Viewport::followDocument(const TreeChange& change)
     m_scene.follow(change);
     if (change.kind == TreeChange::Kind::Reset)
         showAnew();
-    m_pacer.disturb(true);
+    m_pacer.disturb();
     redrawTree();
 }
 
@@ -205,7 +205,7 @@ void Viewport::followSettings()
         return;
     m_shown = values;
     m_scene.setFibresShown(values.fibresShown);
-    m_pacer.disturb(false);
+    m_pacer.disturb();
     redrawTree();
 }
 
@@ -249,7 +249,7 @@ void Viewport::cancelGesture()
 bool Viewport::needsTicks() const
 {
     return m_hand->wantsTicks() || areRingsExpanding() || m_flight.isFlying() || m_keys.isAnyHeld() ||
-           m_pacer.isPhasingIn() || isRefining() || (m_scene.isBehind() && !m_pictureIsOld);
+           isRefining() || (m_scene.isBehind() && !m_pictureIsOld);
 }
 
 bool Viewport::areRingsExpanding() const
@@ -304,10 +304,6 @@ void Viewport::tick()
         m_hand->tick(m_pointers.rest());
     if (areRingsExpanding())
         update();
-    if (m_pacer.advance(seconds)) {
-        m_pictureIsOld = true;
-        update();
-    }
     if (isRefining()) {
         m_passIsDue = true;
         update();

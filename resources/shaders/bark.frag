@@ -9,7 +9,8 @@ uniform sampler2D barkSurface; // normal in tangent space, roughness
 
 in vec2 barkUv;
 #ifdef PLAIN
-in vec3 received;
+in vec3 received; // multiplied by the texture's colour
+in vec3 shine;
 #else
 in vec3 worldPosition;
 in vec3 worldNormal;
@@ -23,7 +24,7 @@ void main()
 {
     vec3 albedo = texture(barkColour, barkUv, frame.pass.z).rgb;
 #ifdef PLAIN
-    colour = vec4(developed(albedo * received), 1.0);
+    colour = vec4(developed(albedo * received + shine), 1.0);
 #else
     vec3 surface = normalize(worldNormal);
     vec3 bitangent = worldTangent.w * cross(surface, worldTangent.xyz);
@@ -32,20 +33,12 @@ void main()
     vec3 normal = normalize(relief.x * worldTangent.xyz + relief.y * bitangent + relief.z * surface);
     vec3 toEye = normalize(frame.eye.xyz - worldPosition);
 
-    float facing = dot(surface, frame.sunDirection.xyz);
-    // A step along the normal keeps the surface out of its own shadow.
-    float texel = frame.lightOrigin.w;
-    vec3 probe = worldPosition + surface * texel * (1.5 + 2.0 * (1.0 - max(facing, 0.0)));
-    float sun = sunSeen(probe) * max(dot(normal, frame.sunDirection.xyz), 0.0) * smoothstep(-0.2, 0.1, facing);
-
+    float sun = sunOnBark(worldPosition, surface, normal);
     vec3 ambient = barkAmbient(worldPosition, normal, max(relief.z, 0.0), share);
-    // The foot of the trunk has the colour of splashed soil.
-    albedo *= mix(vec3(0.62, 0.58, 0.5), vec3(1.0), smoothstep(-0.5, 4.0, worldPosition.y / frame.foot.x));
-    vec3 light = albedo * (ambient + frame.sunColour.rgb * sun);
-    light += frame.sunColour.rgb * gloss(normal, toEye, skin.a) * sun;
-    float rim = 1.0 - max(dot(normal, toEye), 0.0);
-    rim *= rim * rim;
-    light += frame.rimColour.rgb * rim * ambient * (0.4 + albedo);
+    albedo *= soiled(worldPosition);
+    vec3 light = albedo * (ambient + frame.sunColour.rgb * sun)
+               + frame.sunColour.rgb * gloss(normal, toEye, skin.a) * sun
+               + rimLight(normal, toEye) * ambient * (0.4 + albedo);
     colour = vec4(developed(light), 1.0);
 #endif
 }

@@ -13,8 +13,10 @@ uniform float widening;
 
 out vec2 barkUv;
 #ifdef PLAIN
-out vec3 received;
+#include "lighting.glsl"
 #include "barklight.glsl"
+out vec3 received; // multiplied by the texture's colour
+out vec3 shine;
 #else
 out vec3 worldPosition;
 out vec3 worldNormal;
@@ -30,9 +32,12 @@ void main()
     barkUv = uv;
     gl_Position = frame.viewProjection * vec4(place, 1.0);
 #ifdef PLAIN
-    // The mean of the relief.
-    received = barkAmbient(place, normal, 0.8, ambient)
-             + frame.sunColour.rgb * max(dot(normal, frame.sunDirection.xyz), 0.0) * plainSun(ambient);
+    // With the means of the textures' relief and roughness.
+    vec3 toEye = normalize(frame.eye.xyz - place);
+    float sun = 0.88 * sunOnBark(place, normal, normal);
+    vec3 sky = barkAmbient(place, normal, 0.7, ambient);
+    received = soiled(place) * (sky + frame.sunColour.rgb * sun + rimLight(normal, toEye) * sky);
+    shine = frame.sunColour.rgb * gloss(normal, toEye, 0.7) * sun + 0.4 * rimLight(normal, toEye) * sky;
 #else
     share = ambient;
     worldPosition = place;

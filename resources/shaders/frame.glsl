@@ -5,7 +5,7 @@ layout(std140) uniform Frame {
     mat4 inverseViewProjection;
     mat4 shadowFromWorld;   // to texture coordinates and depth of the shadow map
     vec4 eye;               // xyz; w: size of a pixel at distance 1, m
-    vec4 sunDirection;      // toward the sun; w: strength of its shadows, 0...1
+    vec4 sunDirection;      // toward the sun; w: 1 shows its shadows
     vec4 sunColour;
     vec4 skyColour;         // ambient light from above
     vec4 groundColour;      // ambient light from below

@@ -10,7 +10,8 @@ uniform sampler2D leafSurface; // normal in tangent space, roughness
 in vec2 leafUv;
 flat in float leafLot;
 #ifdef PLAIN
-in vec3 received;
+in vec3 received; // multiplied by the texture's colour
+in vec3 shine;
 #else
 in vec3 worldPosition;
 in vec3 worldNormal;
@@ -30,7 +31,7 @@ void main()
     if (isGap(leafUv, texel.a, lot))
         discard;
 #ifdef PLAIN
-    colour = vec4(developed(texel.rgb * received), 1.0);
+    colour = vec4(developed(texel.rgb * received + shine), 1.0);
 #else
     float side = gl_FrontFacing ? 1.0 : -1.0;
     vec4 surface = texture(leafSurface, leafUv, frame.pass.z);
@@ -38,21 +39,12 @@ void main()
     vec3 bitangent = worldTangent.w * cross(worldNormal, worldTangent.xyz);
     vec3 normal = side * normalize(relief.x * worldTangent.xyz + relief.y * bitangent + relief.z * worldNormal);
     vec3 toEye = normalize(frame.eye.xyz - worldPosition);
-    vec3 sun = frame.sunDirection.xyz;
-    float seen = sunSeenRoughly(worldPosition + sun * frame.lightOrigin.w * 2.5);
+    float seen = sunSeenOnLeaf(worldPosition);
     LeafLight received = leafLight(worldPosition, normal, outward, side, share, seen);
-
     vec3 albedo = texel.rgb * leafTint;
-    vec3 light = albedo * kThrough * received.through;
-    // The lower face is paler and rougher.
-    albedo = side > 0.0 ? albedo : mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.22) * 1.2;
-    light += albedo * received.reflected;
-    light += frame.sunColour.rgb * (seen * gloss(normal, toEye, surface.a) * (side > 0.0 ? 0.8 : 0.15) * step(0.0, dot(normal, sun)));
-    // The reflection of the sky on waxy faces, strongest at grazing angles.
-    float glance = 1.0 - abs(dot(normal, toEye));
-    glance *= glance;
-    float up = 0.5 + 0.5 * reflect(-toEye, normal).y;
-    light += frame.skyColour.rgb * ((0.02 + 0.35 * glance * glance) * share * share * (side > 0.0 ? 0.5 : 0.15) * up);
+    vec3 light = albedo * kThrough * received.through
+               + (side > 0.0 ? albedo : lowerFace(albedo)) * received.reflected
+               + leafShine(normal, toEye, surface.a, side, share, seen);
     colour = vec4(developed(light), 1.0);
 #endif
 }

@@ -3,7 +3,10 @@
 #include "frame.glsl"
 #include "leaf.glsl"
 #include "ambient.glsl"
+#ifdef PLAIN
+#include "lighting.glsl"
 #include "leaflight.glsl"
+#endif
 
 uniform float saturation; // of the texture, 0...1: what is grey has no hue to turn
 uniform vec3 filmCast;    // of all leaves' colours
@@ -11,7 +14,8 @@ uniform vec3 filmCast;    // of all leaves' colours
 out vec2 leafUv;
 flat out float leafLot;
 #ifdef PLAIN
-out vec3 received;
+out vec3 received; // multiplied by the texture's colour
+out vec3 shine;
 #else
 out vec3 worldPosition;
 out vec3 worldNormal;
@@ -19,6 +23,10 @@ out vec4 worldTangent;
 out vec3 outward; // from the crown's middle
 out float share;  // of ambient light
 flat out vec3 leafTint;
+#endif
+
+#ifdef PLAIN
+const float kMeanRoughness = 0.5; // of the textures
 #endif
 
 // The factors for the texture's colour that turn its hue by an angle, rad. Hue means the hue on the wheel of
@@ -53,9 +61,13 @@ void main()
     leafLot = lotOfLeaf();
     gl_Position = frame.viewProjection * vec4(place, 1.0);
 #ifdef PLAIN
-    float side = dot(normal, frame.eye.xyz - place) < 0.0 ? -1.0 : 1.0;
-    LeafLight light = leafLight(place, side * normal, fromMiddle, side, ambient, smoothstep(0.1, 0.75, ambient));
-    received = tint * (light.reflected + light.through * kThrough);
+    vec3 toEye = normalize(frame.eye.xyz - place);
+    float side = dot(normal, toEye) < 0.0 ? -1.0 : 1.0;
+    normal *= side;
+    float seen = sunSeenOnLeaf(place);
+    LeafLight light = leafLight(place, normal, fromMiddle, side, ambient, seen);
+    received = (side > 0.0 ? tint : lowerFace(tint)) * light.reflected + tint * kThrough * light.through;
+    shine = leafShine(normal, toEye, kMeanRoughness, side, ambient, seen);
 #else
     worldPosition = place;
     worldNormal = normal;

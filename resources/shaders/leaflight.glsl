@@ -31,3 +31,27 @@ LeafLight leafLight(vec3 position, vec3 normal, vec3 outward, float side, float 
                   + frame.sunColour.rgb * (0.11 * share + 0.018);
     return light;
 }
+
+// Whether the sun is visible from a leaf. A step toward it keeps the leaf out of its own shadow.
+float sunSeenOnLeaf(vec3 position)
+{
+    return sunSeenRoughly(position + frame.sunDirection.xyz * frame.lightOrigin.w * 2.5);
+}
+
+// The light of sun and sky that a leaf's waxy face mirrors; as for leafLight.
+vec3 leafShine(vec3 normal, vec3 toEye, float roughness, float side, float share, float seen)
+{
+    vec3 sun = frame.sunDirection.xyz;
+    vec3 shine = frame.sunColour.rgb * (seen * gloss(normal, toEye, roughness) * (side > 0.0 ? 0.8 : 0.15) * step(0.0, dot(normal, sun)));
+    // The reflection of the sky, strongest at grazing angles.
+    float glance = 1.0 - abs(dot(normal, toEye));
+    glance *= glance;
+    float up = 0.5 + 0.5 * reflect(-toEye, normal).y;
+    return shine + frame.skyColour.rgb * ((0.02 + 0.35 * glance * glance) * share * share * (side > 0.0 ? 0.5 : 0.15) * up);
+}
+
+// The lower face is paler and rougher.
+vec3 lowerFace(vec3 albedo)
+{
+    return mix(albedo, vec3(dot(albedo, vec3(0.3, 0.6, 0.1))), 0.22) * 1.2;
+}

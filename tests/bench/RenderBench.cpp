@@ -180,7 +180,7 @@ int run(const QStringList& arguments)
         Camera camera = pictureCamera(NamedView::ThreeQuarter, scene, kSize);
         const RenderOptions best;
         FramePacer pacer;
-        pacer.disturb(false);
+        pacer.disturb();
         const auto drawMoving = [&] {
             RenderOptions options;
             pacer.apply(options);

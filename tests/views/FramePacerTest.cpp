@@ -36,8 +36,7 @@ private Q_SLOTS:
     void moving_savesOnlyTheSamplesWhereFramesAreFast();
     void slowFrames_saveStepByStep();
     void oneSlowFrame_isForgiven();
-    void shadows_arePhasedInAtRest();
-    void shadows_comeAtOnceWhereFramesAreSlow();
+    void earlierShadows_areMadeAnewNowAndThen();
     void nextMovement_startsBetter();
 };
 
@@ -46,33 +45,32 @@ void FramePacerTest::atRest_isAtItsBest()
     const FramePacer pacer;
     QVERIFY(pacer.isAtRest());
     QCOMPARE(applied(pacer).samples, RenderOptions::kBestSamples);
-    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+    QVERIFY(!applied(pacer).keepsShadows);
     QCOMPARE(pacer.scale(), 1.0);
 }
 
 void FramePacerTest::moving_savesOnlyTheSamplesWhereFramesAreFast()
 {
     FramePacer pacer;
-    pacer.disturb(true);
+    pacer.disturb();
     for (int i = 0; i < 100; ++i)
         pacer.frameTook(0.1 * FramePacer::kFrameBudget);
     QVERIFY(!pacer.isAtRest());
     QCOMPARE(applied(pacer).samples, 1);
-    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+    QVERIFY(!applied(pacer).keepsShadows && !applied(pacer).isPlain);
     QCOMPARE(pacer.scale(), 1.0);
 }
 
 void FramePacerTest::slowFrames_saveStepByStep()
 {
     FramePacer pacer;
-    pacer.disturb(false);
+    pacer.disturb();
     drag(pacer);
-    QCOMPARE(pacer.saving(), FramePacer::Saving::ShadowsOfGrowth);
-    QCOMPARE(applied(pacer).shadowStrength, 1.0);
-    pacer.disturb(true);
-    QCOMPARE(applied(pacer).shadowStrength, 0.0);
+    QCOMPARE(pacer.saving(), FramePacer::Saving::EarlierShadows);
+    QVERIFY(!applied(pacer).isPlain);
     drag(pacer);
-    QCOMPARE(pacer.saving(), FramePacer::Saving::Shadows);
+    QCOMPARE(pacer.saving(), FramePacer::Saving::PlainLight);
+    QVERIFY(applied(pacer).isPlain);
     QCOMPARE(pacer.scale(), 1.0);
     drag(pacer);
     QVERIFY(pacer.scale() < 1.0);
@@ -85,7 +83,7 @@ void FramePacerTest::slowFrames_saveStepByStep()
 void FramePacerTest::oneSlowFrame_isForgiven()
 {
     FramePacer pacer;
-    pacer.disturb(true);
+    pacer.disturb();
     for (int i = 0; i < 20; ++i) {
         pacer.frameTook(kSlow);
         pacer.frameTook(0.0);
@@ -93,43 +91,32 @@ void FramePacerTest::oneSlowFrame_isForgiven()
     QCOMPARE(pacer.saving(), FramePacer::Saving::Nothing);
 }
 
-void FramePacerTest::shadows_arePhasedInAtRest()
+void FramePacerTest::earlierShadows_areMadeAnewNowAndThen()
 {
     FramePacer pacer;
-    pacer.disturb(true);
+    pacer.disturb();
     drag(pacer);
-    pacer.rest();
-    QVERIFY(!pacer.isAtRest());
-    QVERIFY(pacer.isPhasingIn());
-    QCOMPARE(applied(pacer).samples, 1);
-    QVERIFY(pacer.advance(0.5 * FramePacer::kPhaseIn));
-    QCOMPARE(applied(pacer).shadowStrength, 0.5);
-    QVERIFY(pacer.advance(FramePacer::kPhaseIn));
-    QVERIFY(pacer.isAtRest());
-    QVERIFY(!pacer.advance(FramePacer::kPhaseIn));
-}
-
-void FramePacerTest::shadows_comeAtOnceWhereFramesAreSlow()
-{
-    FramePacer pacer;
-    pacer.disturb(true);
-    drag(pacer);
-    drag(pacer);
+    int anew = 0;
+    for (int i = 0; i < 5 * FramePacer::kShadowFrames; ++i) {
+        anew += applied(pacer).keepsShadows ? 0 : 1;
+        pacer.frameTook(0.0);
+    }
+    QCOMPARE(anew, 5);
     pacer.rest();
     QVERIFY(pacer.isAtRest());
-    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+    QVERIFY(!applied(pacer).keepsShadows);
 }
 
 void FramePacerTest::nextMovement_startsBetter()
 {
     FramePacer pacer;
-    pacer.disturb(true);
+    pacer.disturb();
     drag(pacer);
     drag(pacer);
     pacer.rest();
-    pacer.disturb(false);
-    QCOMPARE(pacer.saving(), FramePacer::Saving::ShadowsOfGrowth);
-    QCOMPARE(applied(pacer).shadowStrength, 1.0);
+    pacer.disturb();
+    QCOMPARE(pacer.saving(), FramePacer::Saving::EarlierShadows);
+    QVERIFY(!applied(pacer).isPlain);
 }
 
 static const test::TestClass<FramePacerTest> framePacerTest;

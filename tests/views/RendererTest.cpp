@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/BrushGesture.h"
 #include "tests/support/Documents.h"
+#include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
+#include "views/render/FramePacer.h"
 #include "views/render/OffscreenRenderer.h"
 
 #include <QTest>
 
+#include <array>
 #include <memory>
+#include <span>
 
 using namespace espalier;
 
@@ -50,6 +55,65 @@ double brightness(const QImage& image)
     return sum / (image.width() * image.height());
 }
 
+/// Mean colour of what a picture with a transparent background shows, each 0...1.
+std::array<double, 3> meanColour(const QImage& image)
+{
+    std::array<double, 3> sum{};
+    double covered = 0.0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor colour = image.pixelColor(x, y);
+            sum[0] += colour.alphaF() * colour.redF();
+            sum[1] += colour.alphaF() * colour.greenF();
+            sum[2] += colour.alphaF() * colour.blueF();
+            covered += colour.alphaF();
+        }
+    }
+    for (double& channel : sum)
+        channel /= covered;
+    return sum;
+}
+
+/// The options of a picture of the tree alone, at rest or with what a movement saves.
+RenderOptions treeAlone(FramePacer::Saving saving = FramePacer::Saving::Nothing, bool isMoving = false)
+{
+    FramePacer pacer;
+    if (isMoving)
+        pacer.disturb();
+    while (pacer.saving() != saving)
+        pacer.frameTook(1.0);
+    RenderOptions options;
+    pacer.apply(options);
+    options.background = Qt::transparent;
+    options.view.groundShown = false;
+    return options;
+}
+
+/// A tree with a round crown of three metres.
+std::vector<BrushSample> crownStroke()
+{
+    return test::strokeAlong(
+        std::vector{Vec3(0.0F, 0.0F, 0.0F), Vec3(0.0F, 1.6F, 0.0F), Vec3(0.4F, 2.2F, 0.2F)}, 0.7F, 3.0);
+}
+
+/// The greatest difference of two colours' channels, as a share of the first.
+double change(const std::array<double, 3>& from, const std::array<double, 3>& to)
+{
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        greatest = std::max(greatest, std::abs(to[i] / from[i] - 1.0));
+    return greatest;
+}
+
+QByteArray toText(const std::array<double, 3>& colour)
+{
+    return QStringLiteral("%1, %2, %3")
+        .arg(255.0 * colour[0])
+        .arg(255.0 * colour[1])
+        .arg(255.0 * colour[2])
+        .toUtf8();
+}
+
 } // namespace
 
 class RendererTest : public QObject {
@@ -67,6 +131,9 @@ private Q_SLOTS:
     void leavesAndGround_canBeHidden();
     void shadows_darken();
     void ambientLight_isLessInsideTheCrown();
+    void motion_changesNoColours_data();
+    void motion_changesNoColours();
+    void growth_changesNoColours();
     void samples_smoothEdges();
     void picture_isTheSameAtAnySize();
     void foliage_coversAsMuchFromAfar_data();
@@ -80,7 +147,8 @@ private Q_SLOTS:
     void renderImage_drawsADocument();
 
 private:
-    QImage draw(TreeScene& scene, const RenderOptions& options = {}, NamedView view = NamedView::Front);
+    QImage draw(TreeScene& scene, const RenderOptions& options = {}, NamedView view = NamedView::Front,
+                const QSize& size = kSize);
 
     std::unique_ptr<OffscreenRenderer> m_renderer;
     std::unique_ptr<TreeDocument> m_document;
@@ -96,9 +164,9 @@ void RendererTest::initTestCase()
     m_scene = std::make_unique<TreeScene>(*m_document);
 }
 
-QImage RendererTest::draw(TreeScene& scene, const RenderOptions& options, NamedView view)
+QImage RendererTest::draw(TreeScene& scene, const RenderOptions& options, NamedView view, const QSize& size)
 {
-    const auto image = m_renderer->render(scene, pictureCamera(view, scene, kSize), options);
+    const auto image = m_renderer->render(scene, pictureCamera(view, scene, size), options);
     return image ? *image : QImage();
 }
 
@@ -232,10 +300,6 @@ void RendererTest::shadows_darken()
     const double lit = brightness(draw(*m_scene, plain));
     const double shaded = brightness(draw(*m_scene));
     QVERIFY(shaded < lit);
-    RenderOptions half;
-    half.shadowStrength = 0.5;
-    const double between = brightness(draw(*m_scene, half));
-    QVERIFY(shaded < between && between < lit);
 }
 
 void RendererTest::ambientLight_isLessInsideTheCrown()
@@ -260,6 +324,58 @@ void RendererTest::ambientLight_isLessInsideTheCrown()
         }
     }
     QVERIFY(darkest < 250);
+}
+
+void RendererTest::motion_changesNoColours_data()
+{
+    QTest::addColumn<bool>("leaves");
+    QTest::addColumn<FramePacer::Saving>("saving");
+    using enum FramePacer::Saving;
+    for (const bool leaves : {true, false}) {
+        for (const FramePacer::Saving saving : {Nothing, EarlierShadows, PlainLight, MostPixels})
+            QTest::addRow("%s, saving %d", leaves ? "leaves" : "bare", static_cast<int>(saving))
+                << leaves << saving;
+    }
+}
+
+void RendererTest::motion_changesNoColours()
+{
+    QFETCH(const bool, leaves);
+    QFETCH(const FramePacer::Saving, saving);
+    RenderOptions resting = treeAlone();
+    RenderOptions moving = treeAlone(saving, true);
+    resting.view.leavesShown = leaves;
+    moving.view.leavesShown = leaves;
+    TreeDocument document;
+    document.reset(3);
+    test::brush(document, crownStroke());
+    TreeScene scene(document);
+    const auto rest = meanColour(draw(scene, resting, NamedView::Front, 2 * kSize));
+    const auto motion = meanColour(draw(scene, moving, NamedView::Front, 2 * kSize));
+    QVERIFY2(change(rest, motion) < 0.04, toText(rest) + " at rest, moving " + toText(motion));
+}
+
+void RendererTest::growth_changesNoColours()
+{
+    TreeDocument document;
+    document.reset(3);
+    TreeScene scene(document);
+    connect(&document, &TreeDocument::changed, this, [&](const TreeChange& change) { scene.follow(change); });
+    const std::vector<BrushSample> stroke = crownStroke();
+    BrushGesture gesture(document, stroke.front());
+    RenderOptions moving = treeAlone(FramePacer::Saving::PlainLight, true);
+    for (std::size_t i = 1; i < stroke.size(); ++i) {
+        gesture.add(stroke[i]);
+        if (i % 3 != 0)
+            continue;
+        moving.keepsShadows = (i / 3 + 2) % FramePacer::kShadowFrames != 0;
+        draw(scene, moving, NamedView::Front, 2 * kSize);
+    }
+    gesture.finish();
+    moving.keepsShadows = true;
+    const auto motion = meanColour(draw(scene, moving, NamedView::Front, 2 * kSize));
+    const auto rest = meanColour(draw(scene, treeAlone(), NamedView::Front, 2 * kSize));
+    QVERIFY2(change(rest, motion) < 0.04, toText(rest) + " at rest, moving " + toText(motion));
 }
 
 void RendererTest::samples_smoothEdges()

@@ -6,20 +6,20 @@
 namespace espalier {
 
 /// Chooses the quality of frames (TreeSketch §3.5, speed considerations): lower while something moves,
-/// depending on how long such frames take on this machine, and the highest at rest, where shadows that were
-/// off fade in.
+/// depending on how long such frames take on this machine, and the highest at rest. What is saved changes
+/// neither brightness nor colour, so that the tree can be judged while it moves.
 class FramePacer {
 public:
     /// A frame while moving should take less, s.
     static constexpr double kFrameBudget = 0.030;
-    /// Shadows take this long to appear, s.
-    static constexpr double kPhaseIn = 0.25;
+    /// Of so many frames with earlier shadows, one makes them anew.
+    static constexpr int kShadowFrames = 4;
 
     /// Steps of saving; each step includes those before it.
     enum class Saving {
         Nothing,
-        ShadowsOfGrowth, ///< No shadows while the tree itself changes
-        Shadows,         ///< No shadows while anything moves, and plain light
+        EarlierShadows, ///< Shadows follow now and then
+        PlainLight,     ///< Light is computed per vertex
         HalfThePixels,
         MostPixels, ///< Only a quarter of the pixels is drawn
     };
@@ -28,14 +28,11 @@ public:
     int bestSamples() const { return m_bestSamples; }
     void setBestSamples(int samples) { m_bestSamples = samples; }
 
-    /// Something begins to move; @p treeChanges: the tree itself changes.
-    void disturb(bool treeChanges);
+    /// Something moves.
+    void disturb();
     /// All motion has ended.
-    void rest();
-    bool isAtRest() const { return m_isAtRest && m_shadowStrength >= 1.0; }
-    bool isPhasingIn() const { return m_isAtRest && m_shadowStrength < 1.0; }
-    /// Continues to fade shadows in; returns whether that changes the picture.
-    bool advance(double seconds);
+    void rest() { m_isAtRest = true; }
+    bool isAtRest() const { return m_isAtRest; }
 
     /// Reports how long the last frame took to draw, s.
     void frameTook(double seconds);
@@ -47,14 +44,11 @@ public:
     Saving saving() const { return m_saving; }
 
 private:
-    bool showsShadows() const;
-
     int m_bestSamples = RenderOptions::kBestSamples;
     Saving m_saving = Saving::Nothing;
     bool m_isAtRest = true;
-    bool m_treeChanges = false;
-    double m_shadowStrength = 1.0;
     int m_slowFrames = 0;
+    int m_frames = 0; ///< Since the movement began
 };
 
 } // namespace espalier

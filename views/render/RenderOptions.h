@@ -20,10 +20,11 @@ struct RenderOptions {
     /// Number of passes that a picture is the mean of, each from another place within the pixel: with more
     /// than 1, edges are smooth.
     int samples = kBestSamples;
-    double shadowStrength = 1.0; ///< 0...1, so that shadows can fade in
     /// Large trees that take too long to update may be shown in a slightly older state.
     bool mayLag = false;
-    bool isPlain = false; ///< Light is computed per vertex, without shadows: a fast approximation
+    /// Shadows may be those of an earlier state, or of an earlier sun.
+    bool keepsShadows = false;
+    bool isPlain = false; ///< Light is computed per vertex: a fast approximation
 };
 
 } // namespace espalier

@@ -128,8 +128,10 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
         scene.prepareSome();
     else
         scene.prepare();
+    m_hasShadows = m_hasShadows && m_sceneNumber == scene.number();
+    m_sceneNumber = scene.number();
     m_shadowsAreOld = m_tree.follow(scene) || m_shadowsAreOld;
-    if (options.view.shadowsShown && options.shadowStrength > 0.0 && !options.isPlain)
+    if (options.view.shadowsShown && !(options.keepsShadows && m_hasShadows))
         updateShadows(scene, camera, options);
     fillFrame(scene, camera, options, size, pass);
 
@@ -190,6 +192,7 @@ void Renderer::updateShadows(const TreeScene& scene, const Camera& camera, const
     m_shadows.render(scene.bounds(), state.sun, state.groundRadius, draw, drawRoughly);
     m_shadowState = state;
     m_shadowsAreOld = false;
+    m_hasShadows = true;
 }
 
 void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const RenderOptions& options,
@@ -207,7 +210,6 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
     const float farthest = nearest + eye.norm() + 1.5F * radius + bounds.diagonal().norm();
     const Matrix4 viewProjection = camera.projectionMatrix(nearest, farthest) * camera.viewMatrix();
 
-    const bool shadows = options.view.shadowsShown && !m_shadowsAreOld && !options.isPlain;
     FrameUniforms& frame = m_frame;
     frame.centredViewProjection = toMatrix(viewProjection);
     const Vec2 offset = placeInPixel(pass);
@@ -218,8 +220,7 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
     frame.inverseViewProjection = toMatrix(viewProjection.inverse());
     frame.shadowFromWorld = toMatrix(m_shadows.shadowFromWorld());
     frame.eye = toVector(eye, 1.0F / camera.pixelsPerMetre(1.0F));
-    frame.sunDirection = toVector(towardSun(options.view, camera),
-                                  shadows ? static_cast<float>(options.shadowStrength) : 0.0F);
+    frame.sunDirection = toVector(towardSun(options.view, camera), options.view.shadowsShown ? 1.0F : 0.0F);
     frame.sunColour = lighting.sun;
     frame.skyColour = lighting.sky;
     frame.groundColour = lighting.ground;
@@ -331,7 +332,7 @@ void Renderer::drawTree(const RenderOptions& options, float saturation)
     bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.barkColour());
     bindTexture(kSurfaceUnit, GL_TEXTURE_2D, m_tree.barkSurface());
     bark.bind();
-    bark.setUniformValue("widening", options.samples > 1 ? 0.04F : 0.4F);
+    bark.setUniformValue("widening", options.samples > 1 ? 0.04F : 0.15F);
     m_tree.drawBark();
 }
 

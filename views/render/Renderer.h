@@ -72,6 +72,8 @@ private:
     };
     ShadowState m_shadowState;
     bool m_shadowsAreOld = true;
+    bool m_hasShadows = false;       ///< Shadows of the scene were made, be they old
+    std::uint64_t m_sceneNumber = 0; ///< Of the last scene drawn
 };
 
 } // namespace espalier
