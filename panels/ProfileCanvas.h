@@ -12,6 +12,7 @@
 #include <vector>
 
 class QPointerEvent;
+class QTouchEvent;
 
 namespace espalier {
 

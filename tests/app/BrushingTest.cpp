@@ -41,6 +41,7 @@ private Q_SLOTS:
     void line_arrivesAtAnySpeed_data();
     void line_arrivesAtAnySpeed();
     void flick_isUndoneAndRedone();
+    void strokeThatGrowsNothing_saysWhy();
 
 private:
     void drawTrunk();
@@ -148,6 +149,30 @@ void BrushingTest::flick_isUndoneAndRedone()
     QCOMPARE(document.index().livingCount(), trunk);
     action(ActionId::Redo)->trigger();
     QVERIFY(document.tree() == whole);
+}
+
+void BrushingTest::strokeThatGrowsNothing_saysWhy()
+{
+    makeTree();
+    QTRY_VERIFY(viewport().isAtRest());
+    const auto reasons = [this] {
+        Overlay overlay;
+        viewport().tool().paint(overlay);
+        return overlay.labels().size();
+    };
+    m_window->viewSettings().set(&ViewValues::brushRadius, 0.1);
+    const std::uint32_t before = m_window->document().tree().size();
+    const QPoint air = at(1.9F, 0.6F);
+    QTest::mousePress(handle(), Qt::LeftButton, Qt::NoModifier, air);
+    QVERIFY(reasons() == 0);
+    QTRY_VERIFY(reasons() == 1);
+    QCOMPARE(m_window->document().tree().size(), before);
+    // A stroke from there is reached, and says so by growing.
+    for (int i = 1; i <= 10; ++i)
+        QTest::mouseMove(handle(), air - QPoint(0, 4 * i), 20);
+    QTRY_VERIFY(m_window->document().tree().size() > before);
+    QVERIFY(reasons() == 0);
+    QTest::mouseRelease(handle(), Qt::LeftButton, Qt::NoModifier, air - QPoint(0, 40));
 }
 
 void BrushingTest::finger_brushesATree()

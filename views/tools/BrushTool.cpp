@@ -34,6 +34,8 @@ constexpr double kTap = 0.3;
 /// The longest time between two taps of a double tap, s.
 constexpr double kDoubleTap = 0.45;
 constexpr double kLongPress = 0.6; ///< s
+/// A stroke that has grown nothing for so long says why, s.
+constexpr double kReasonAfter = 0.4;
 /// A long press must be nearer to its bud than a press to a branch, by this factor.
 constexpr double kBudReach = 0.6;
 
@@ -92,6 +94,8 @@ void BrushTool::beginStroke(const PointerSample& sample)
     m_picked = context().pick(m_pointer, sample.device);
     m_anchor = m_picked ? m_picked->position : Vec3(Vec3::Zero());
     m_begun = sample.time;
+    m_now = sample.time;
+    m_sizeBefore = document.tree().size();
     const BrushSample first = sampleAt(0.0);
     m_trail = {first.position};
     m_gesture = std::make_unique<BrushGesture>(document, first, document.competitors(), StrokeEnd::Arrives);
@@ -292,10 +296,23 @@ void BrushTool::paint(Overlay& overlay) const
     if (brush.radius > 0.0F)
         overlay.addSphere({centre, brush.radius, kBrushColour, m_gesture ? 0.16F : 0.09F});
     overlay.addDots(std::array{centre}, kPickedColour, 5.0F);
+    paintReason(overlay);
     if (m_picked && !m_gesture) {
         const float radius = kRing / camera.pixelsPerMetre(camera.depth(m_picked->position));
         overlay.addCircle(m_picked->position, camera.right(), camera.up(), radius, kPickedColour, 2.0F);
     }
+}
+
+/// Says why nothing grows, before the pointer is lifted.
+void BrushTool::paintReason(Overlay& overlay) const
+{
+    const TreeDocument& document = context().document();
+    if (!m_gesture || m_now - m_begun < kReasonAfter || document.tree().size() > m_sizeBefore)
+        return;
+    const QString reason = document.competitors().areAll()
+                               ? tr("No bud sees this place: draw on, or begin at a branch")
+                               : tr("Only the chosen bud grows, and it does not see this place");
+    overlay.addLabel({sampleAt(0.0).position, QPointF(16.0, 0.0), reason, kPickedColour});
 }
 
 QString BrushTool::tip() const

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -61,6 +62,7 @@ private:
     double strokeTime(double time) const;
     void continueTo(double time);
     void rest(double now);
+    void paintReason(Overlay& overlay) const;
     void stop();
 
     std::unique_ptr<BrushGesture> m_gesture;
@@ -73,9 +75,10 @@ private:
     double m_begun = 0.0;                 ///< Beginning of the stroke, s, of the samples' clock
     std::vector<Vec3> m_trail;
     std::optional<Hold> m_held;
-    PointerSample m_press; ///< First sample of the gesture under way
-    int m_undoIndex = 0;   ///< Index of the undo stack at that sample
-    double m_now = 0.0;    ///< Time of the last tick, s
+    PointerSample m_press;          ///< First sample of the gesture under way
+    int m_undoIndex = 0;            ///< Index of the undo stack at that sample
+    std::uint32_t m_sizeBefore = 0; ///< Of the tree at that sample
+    double m_now = 0.0;             ///< Time of the last tick, s
     Tap m_lastTap;
 };
 
