@@ -231,6 +231,7 @@ void MainWindow::suitHand()
     m_workspace->setToolsRight(m_preferences.areToolsRight);
     m_workspace->viewport().setMouseScheme(m_preferences.mouse);
     m_workspace->viewport().setPressureExponent(m_preferences.pressureExponent);
+    m_workspace->viewport().setStabilising(m_preferences.stabilising);
     m_workspace->brushSheet().setPressureExponent(m_preferences.pressureExponent);
 }
 

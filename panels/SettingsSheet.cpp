@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
@@ -27,6 +28,7 @@ constexpr int kSheetSteps = 100; ///< Of the slider, to either side
 constexpr int kColumn = 300;
 constexpr int kLabel = 148;
 constexpr int kControl = theme::kTarget;
+constexpr double kHundredths = 100.0; ///< Of a second
 
 /// The slider is logarithmic: its middle is a straight line.
 int sliderOf(double exponent)
@@ -67,6 +69,10 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
       m_units(new QComboBox(this)),
       m_curve(new PressureCurve(Preferences::kSoftest, Preferences::kFirmest, this)),
       m_softness(new QSlider(Qt::Horizontal, this)),
+      m_distance(new QSlider(Qt::Horizontal, this)),
+      m_delay(new QSlider(Qt::Horizontal, this)),
+      m_distanceText(new QLabel(this)),
+      m_delayText(new QLabel(this)),
       m_mouse(new QComboBox(this)),
       m_mouseNote(makeNote()),
       m_autosave(new QSpinBox(this)),
@@ -116,6 +122,8 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
         edit();
     });
     connect(m_curve, &PressureCurve::exponentEdited, this, [this] { edit(); });
+    for (QSlider* slider : {m_distance, m_delay})
+        connect(slider, &QSlider::valueChanged, this, &SettingsSheet::edit);
     connect(m_defaults, &QPushButton::clicked, this, [this] { take({}); });
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     setPreferences(preferences);
@@ -187,11 +195,38 @@ QLayout* SettingsSheet::makeHand()
     column->addWidget(m_curve);
     column->addLayout(scale);
     column->addSpacing(14);
+    column->addWidget(barHeading(tr("Stroke stabiliser"), this));
+    column->addLayout(makeStabiliser());
+    column->addSpacing(14);
     column->addWidget(barHeading(tr("Mouse"), this));
     column->addWidget(m_mouse);
     column->addWidget(m_mouseNote);
     column->addStretch(1);
     return column;
+}
+
+QLayout* SettingsSheet::makeStabiliser()
+{
+    m_distance->setRange(0, qRound(Stabilising::kGreatestDistance));
+    m_distance->setObjectName(QStringLiteral("stabiliserDistance"));
+    m_distance->setToolTip(
+        tr("A stroke follows the pointer at this distance, like a stone on a string: it does not tremble."));
+    m_delay->setRange(0, qRound(kHundredths * Stabilising::kLongestDelay));
+    m_delay->setObjectName(QStringLiteral("stabiliserDelay"));
+    m_delay->setToolTip(tr("A stroke comes this much later than the pointer, and more smoothly."));
+    m_distance->setAccessibleName(tr("Distance"));
+    m_delay->setAccessibleName(tr("Delay"));
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(18);
+    grid->addWidget(makeLabel(tr("Distance"), m_distance), 0, 0);
+    grid->addWidget(m_distance, 0, 1);
+    grid->addWidget(m_distanceText, 0, 2);
+    grid->addWidget(makeLabel(tr("Delay"), m_delay), 1, 0);
+    grid->addWidget(m_delay, 1, 1);
+    grid->addWidget(m_delayText, 1, 2);
+    for (QLabel* text : {m_distanceText, m_delayText})
+        text->setMinimumWidth(text->fontMetrics().horizontalAdvance(tr("%1 s").arg(0.25)));
+    return grid;
 }
 
 QLayout* SettingsSheet::makeWork()
@@ -232,6 +267,12 @@ void SettingsSheet::display(const Preferences& preferences)
     m_units->setCurrentIndex(static_cast<int>(preferences.units));
     m_curve->setExponent(preferences.pressureExponent);
     m_softness->setValue(sliderOf(preferences.pressureExponent));
+    const Stabilising& stabilising = preferences.stabilising;
+    m_distance->setValue(qRound(stabilising.distance));
+    m_distanceText->setText(stabilising.distance > 0.0 ? tr("%1 px").arg(m_distance->value()) : tr("off"));
+    m_delay->setValue(qRound(kHundredths * stabilising.delay));
+    m_delayText->setText(
+        stabilising.delay > 0.0 ? tr("%1 s").arg(locale().toString(stabilising.delay, 'f', 2)) : tr("off"));
     m_mouse->setCurrentIndex(static_cast<int>(preferences.mouse));
     m_mouseNote->setText(mouseNote(preferences.mouse));
     m_autosave->setValue(preferences.autosaveInterval);
@@ -254,6 +295,8 @@ void SettingsSheet::edit()
     edited.language = m_language->currentData().toString();
     edited.units = static_cast<Units>(m_units->currentIndex());
     edited.pressureExponent = m_curve->exponent();
+    edited.stabilising = {.distance = static_cast<double>(m_distance->value()),
+                          .delay = m_delay->value() / kHundredths};
     edited.mouse = static_cast<MouseScheme>(m_mouse->currentIndex());
     edited.autosaveInterval = m_autosave->value();
     edited.undoSteps = m_undo->value();

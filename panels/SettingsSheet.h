@@ -36,6 +36,7 @@ private:
     QLayout* makeWork();
     QLabel* makeLabel(const QString& text, QWidget* buddy);
     QLabel* makeNote(const QString& text = {});
+    QLayout* makeStabiliser();
     void display(const Preferences& preferences);
     /// Reads the preferences from the controls.
     void edit();
@@ -51,6 +52,10 @@ private:
     QComboBox* m_units;
     PressureCurve* m_curve;
     QSlider* m_softness;
+    QSlider* m_distance; ///< Of the stabiliser, px
+    QSlider* m_delay;    ///< Of the stabiliser, hundredths of a second
+    QLabel* m_distanceText;
+    QLabel* m_delayText;
     QComboBox* m_mouse;
     QLabel* m_mouseNote;
     QSpinBox* m_autosave;

@@ -300,8 +300,14 @@ void Viewport::tick()
     }
     if (m_keys.isAnyHeld())
         moveByKeys(seconds);
-    if (m_hand->wantsTicks())
-        m_hand->tick(m_pointers.rest());
+    if (m_hand->wantsTicks()) {
+        const double rested = m_pointers.rest();
+        if (m_hand->isActive() && m_hand->isFreehand()) {
+            if (const std::optional<PointerSample> sample = m_stabiliser.rest(rested))
+                m_hand->move(*sample);
+        }
+        m_hand->tick(rested);
+    }
     if (areRingsExpanding())
         update();
     if (isRefining()) {

@@ -5,6 +5,7 @@
 #include "views/input/GestureReader.h"
 #include "views/input/HeldKeys.h"
 #include "views/input/PointerReader.h"
+#include "views/input/StrokeStabiliser.h"
 #include "views/render/FramePacer.h"
 #include "views/render/RenderOptions.h"
 #include "views/render/TreeScene.h"
@@ -57,6 +58,7 @@ public:
     void setMouseScheme(MouseScheme scheme) { m_gestures.setScheme(scheme); }
     /// See PointerReader::setPressureExponent.
     void setPressureExponent(double exponent) { m_pointers.setPressureExponent(exponent); }
+    void setStabilising(const Stabilising& stabilising) { m_stabiliser.set(stabilising); }
     /// Sets the margins that bars over the viewport cover, px: whole trees are framed in the rest of it.
     void setFrameMargins(const QMargins& margins) { m_frameMargins = margins; }
     /// The part of the viewport that bars leave free, px.
@@ -187,6 +189,7 @@ private:
     CameraFlight m_flight;
     PointerReader m_pointers;
     GestureReader m_gestures;
+    StrokeStabiliser m_stabiliser;
     HeldKeys m_keys;
     TreeScene m_scene;
     std::unique_ptr<Tool> m_tool;

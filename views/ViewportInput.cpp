@@ -212,6 +212,8 @@ void Viewport::toolBegins(const PointerSample& sample)
 {
     Q_EMIT toolAboutToBegin();
     takeInHand(sample);
+    if (m_hand->isFreehand())
+        m_stabiliser.begin(sample);
     m_hand->begin(sample);
     startTicking();
     Q_EMIT gestureActiveChanged(true);
@@ -219,9 +221,10 @@ void Viewport::toolBegins(const PointerSample& sample)
 
 void Viewport::toolMoves(const PointerSample& sample)
 {
-    m_hand->move(sample);
+    m_hand->move(m_hand->isFreehand() ? m_stabiliser.move(sample) : sample);
 }
 
+/// A calmed stroke ends where the pointer is.
 void Viewport::toolEnds(const PointerSample& sample)
 {
     m_hand->end(sample);

@@ -21,6 +21,8 @@ const QString kExportSuffix = QStringLiteral("files/exportSuffix");
 const QString kLook = QStringLiteral("window/theme");
 const QString kToolsRight = QStringLiteral("window/toolsRight");
 const QString kPressureExponent = QStringLiteral("hand/pressureExponent");
+const QString kStabiliserDistance = QStringLiteral("hand/stabiliserDistance");
+const QString kStabiliserDelay = QStringLiteral("hand/stabiliserDelay");
 const QString kMouse = QStringLiteral("hand/mouse");
 const QString kUndoSteps = QStringLiteral("hand/undoSteps");
 const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
@@ -114,6 +116,13 @@ Preferences Settings::preferences() const
     const double exponent = store.value(kPressureExponent, values.pressureExponent).toDouble(&isNumber);
     if (isNumber && std::isfinite(exponent))
         values.pressureExponent = std::clamp(exponent, Preferences::kSoftest, Preferences::kFirmest);
+    const auto readUpTo = [&](const QString& key, double& field, double greatest) {
+        const double stored = store.value(key, field).toDouble(&isNumber);
+        if (isNumber && std::isfinite(stored))
+            field = std::clamp(stored, 0.0, greatest);
+    };
+    readUpTo(kStabiliserDistance, values.stabilising.distance, Stabilising::kGreatestDistance);
+    readUpTo(kStabiliserDelay, values.stabilising.delay, Stabilising::kLongestDelay);
     values.autosaveInterval = std::clamp(store.value(kAutosaveInterval, values.autosaveInterval).toInt(), 1,
                                          Preferences::kLongestInterval);
     values.undoSteps =
@@ -131,6 +140,8 @@ void Settings::setPreferences(const Preferences& preferences)
     store.setValue(kLook, static_cast<int>(preferences.look));
     store.setValue(kToolsRight, preferences.areToolsRight);
     store.setValue(kPressureExponent, preferences.pressureExponent);
+    store.setValue(kStabiliserDistance, preferences.stabilising.distance);
+    store.setValue(kStabiliserDelay, preferences.stabilising.delay);
     store.setValue(kMouse, static_cast<int>(preferences.mouse));
     store.setValue(kAutosaveInterval, preferences.autosaveInterval);
     store.setValue(kUndoSteps, preferences.undoSteps);

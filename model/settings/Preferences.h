@@ -12,6 +12,17 @@ namespace espalier {
 /// Colours of the window: dark, light, or as the system has them.
 enum class Look : int { Dark, Light, System };
 
+/// How strokes are calmed; see StrokeStabiliser.
+struct Stabilising {
+    static constexpr double kGreatestDistance = 60.0;
+    static constexpr double kLongestDelay = 0.5;
+
+    double distance = 0.0; ///< Of the stroke from the pointer, px, 0...kGreatestDistance
+    double delay = 0.0;    ///< s, 0...kLongestDelay
+
+    bool operator==(const Stabilising&) const = default;
+};
+
 /// The user's choices in the sheet of settings.
 struct Preferences {
     static constexpr double kSoftest = 0.25;
@@ -28,6 +39,7 @@ struct Preferences {
     QString libraryFolder{};   ///< Folder of the library's trees; empty for a folder among the program's data
     Units units = Units::Metric;
     QString language{}; ///< One of Preferences::languages(); empty for the system's language
+    Stabilising stabilising{};
 
     /// Codes of the languages that the program has texts in, such as "de"; English first.
     static QStringList languages();

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void curve_isDrawnToThePointer();
     void curve_showsWhatAPenPresses();
     void pressureExponent_reachesTheBrush();
+    void stabiliser_calmsTheBrush();
     void mouseScheme_reachesTheCamera();
     void undoSteps_countFromTheNextTreeOn();
     void recipes_areNotHeldToTheUndoSteps();
@@ -312,6 +313,38 @@ void SettingsTest::pressureExponent_reachesTheBrush()
     const float soft = widthWith(0.25);
     viewport().setPressureExponent(1.0);
     QVERIFY2(firm < 0.7F * soft, qPrintable(QStringLiteral("%1 m, %2 m").arg(firm).arg(soft)));
+}
+
+void SettingsTest::stabiliser_calmsTheBrush()
+{
+    m_window->viewSettings().set(&ViewValues::brushRadius, 0.0);
+    const auto widthDrawn = [this] {
+        const Camera& camera = viewport().camera();
+        const QPoint foot = camera.project(Vec3(Vec3::Zero())).value_or(QPointF()).toPoint();
+        QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, foot);
+        for (int i = 1; i <= 30; ++i)
+            QTest::mouseMove(&viewport(), foot + QPoint(i % 2 == 0 ? 14 : -14, -8 * i), 10);
+        QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, foot - QPoint(0, 250));
+        const TreeDocument& document = m_window->document();
+        Box3 bounds{Vec3(Vec3::Zero())};
+        for (InternodeId id = 0; id < document.tree().size(); ++id) {
+            if (document.tree().isAlive(id))
+                bounds.extend(document.index().nodePosition(id));
+        }
+        m_window->document().undoStack().undo();
+        return bounds.sizes().x();
+    };
+    const float trembling = widthDrawn();
+    SettingsSheet& sheet = open();
+    auto* distance = sheet.findChild<QSlider*>(QStringLiteral("stabiliserDistance"));
+    distance->setFocus();
+    for (int i = 0; i < 30; ++i)
+        QTest::keyClick(distance, Qt::Key_Right);
+    QCOMPARE(Settings().preferences().stabilising.distance, 30.0);
+    sheet.close();
+    viewport().setFocus();
+    const float calm = widthDrawn();
+    QVERIFY2(calm < 0.5F * trembling, qPrintable(QStringLiteral("%1 m, %2 m").arg(trembling).arg(calm)));
 }
 
 void SettingsTest::mouseScheme_reachesTheCamera()

@@ -34,6 +34,7 @@ public:
     void tick(double now) override;
     void wheel(double notches) override;
 
+    bool isFreehand() const override { return true; }
     bool isActive() const override { return m_gesture != nullptr || m_held.has_value(); }
     bool wantsTicks() const override { return isActive(); }
     void paint(Overlay& overlay) const override;

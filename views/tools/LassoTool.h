@@ -28,6 +28,7 @@ public:
     void cancel() override;
     void tick(double now) override;
 
+    bool isFreehand() const override { return true; }
     bool isActive() const override { return m_isActive; }
     bool wantsTicks() const override { return m_isActive; }
     void paint(Overlay& overlay) const override;

@@ -46,6 +46,7 @@ public:
     bool canTakeBack() const override { return m_first.has_value(); }
     void takeBack() override;
 
+    bool isFreehand() const override { return true; }
     bool isActive() const override { return m_isActive; }
     void paint(Overlay& overlay) const override;
     QString tip() const override;

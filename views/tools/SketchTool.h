@@ -41,6 +41,7 @@ public:
     void leave() override;
 
     bool takesEraser() const override { return true; }
+    bool isFreehand() const override { return true; }
     bool isActive() const override { return m_isActive; }
     void paint(Overlay& overlay) const override;
     QString tip() const override;

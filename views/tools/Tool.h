@@ -46,6 +46,8 @@ public:
         Q_UNUSED(sample)
         return false;
     }
+    /// Whether a gesture of the tool draws a line freehand, which StrokeStabiliser may calm.
+    virtual bool isFreehand() const { return false; }
     /// Whether the tool has a use of its own for a pen's eraser end, which prunes otherwise.
     virtual bool takesEraser() const { return false; }
     /// Handles a key (Qt::Key) that no shortcut uses, between gestures; Escape removes the tool's pins or
