@@ -88,6 +88,7 @@ void MainWindow::takeTool()
         break;
     case ActionId::Prune:
         viewport.setTool(std::make_unique<PruneTool>(context));
+        popOut = Workspace::PopOut::Prune;
         break;
     case ActionId::Invigorate:
         viewport.setTool(std::make_unique<InvigorateTool>(context));

@@ -153,6 +153,7 @@ void apply(QApplication& application, Look look)
         QPushButton { background: @button; color: @text; border: 1px solid transparent; border-radius: 8px; padding: 6px 16px; }
         QPushButton:hover { background: @buttonHover; color: @bright; }
         QPushButton:pressed { background: @accentFill; }
+        QPushButton:checked { background: @accentFill; color: @bright; }
         QPushButton:default { background: #4c7a3e; color: white; }
         QPushButton:default:hover { background: #588a49; color: white; }
         QPushButton:disabled { background: @buttonDisabled; color: @faint; }

@@ -192,6 +192,12 @@ void Viewport::followSettings()
     values.brushRadius = m_shown.brushRadius;
     values.pressureScales = m_shown.pressureScales;
     values.markersShown = m_shown.markersShown;
+    values.brushPlane = m_shown.brushPlane;
+    values.brushSymmetry = m_shown.brushSymmetry;
+    values.pruneMode = m_shown.pruneMode;
+    values.prunesThrough = m_shown.prunesThrough;
+    values.eraserThickest = m_shown.eraserThickest;
+    values.thinShare = m_shown.thinShare;
     values.bendingWeight = m_shown.bendingWeight;
     values.stretchingWeight = m_shown.stretchingWeight;
     values.twistsSubtree = m_shown.twistsSubtree;

@@ -29,8 +29,9 @@ public:
         std::size_t count = 0;
         QColor colour;
         float width = 1.5F;
-        float dash = 0.0F;  ///< Length of a dash and of a gap, px; 0 = solid
-        bool isInk = false; ///< As on paper: the tree in front of it does not make it fainter
+        float dash = 0.0F;     ///< Length of a dash and of a gap, px; 0 = solid
+        bool isInk = false;    ///< As on paper: the tree in front of it does not make it fainter
+        bool isBroken = false; ///< Each two points are a line of their own
     };
     struct Dots {
         std::size_t first = 0; ///< Index of the first point in points()
@@ -69,6 +70,8 @@ public:
     void addLine(std::span<const Vec3> points, const QColor& colour, float width, float dash = 0.0F);
     /// The same, with Line::isInk.
     void addInk(std::span<const Vec3> points, const QColor& colour, float width, float dash = 0.0F);
+    /// Lines from the first point to the second, from the third to the fourth, and so on.
+    void addSegments(std::span<const Vec3> points, const QColor& colour, float width);
     void addDots(std::span<const Vec3> points, const QColor& colour, float size, float glow = 0.0F);
     void addLabel(const Label& label) { m_labels.push_back(label); }
     void addSurface(const Surface& surface) { m_surfaces.push_back(surface); }
