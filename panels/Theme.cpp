@@ -165,6 +165,7 @@ void apply(QApplication& application, Look look)
         QComboBox::drop-down { border: none; width: 20px; }
         QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 12px; height: 12px; }
         QComboBox QAbstractItemView { background: @raised; color: @text; border: 1px solid @edge; selection-background-color: @accentFill; selection-color: @bright; }
+        espalier--LabelEditor { background: @raised; color: @bright; border: 1px solid @accent; border-radius: 5px; padding: 0 5px; }
         espalier--HelpPanel QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 8px; padding: 4px 8px; }
         espalier--HelpPanel QLineEdit:focus { border-color: @accent; }
         espalier--HelpPanel QTextBrowser { background: transparent; }

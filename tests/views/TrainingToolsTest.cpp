@@ -581,7 +581,9 @@ void TrainingToolsTest::altClickOnABud_letsItAloneGrow()
 void TrainingToolsTest::budTap_letsItAloneGrow()
 {
     plantBranch();
-    m_view->setTool(std::make_unique<SelectBudTool>(m_view->toolContext()));
+    QString said;
+    m_view->setTool(
+        std::make_unique<SelectBudTool>(m_view->toolContext(), [&said](const QString& why) { said = why; }));
     const BudRef bud{8, kTerminalSlot};
     const QPoint place = at(budPosition(m_document->tree(), m_document->index(), bud, 0.0F));
     QTest::touchEvent(m_view.get(), m_touch.get()).press(0, place);
@@ -591,6 +593,17 @@ void TrainingToolsTest::budTap_letsItAloneGrow()
     sendPen(QEvent::TabletRelease, {30.0, 30.0}, 0.0);
     QVERIFY(m_document->competitors().areAll());
     QCOMPARE(m_document->undoStack().count(), 0);
+    // That let all buds grow again. A tap that does nothing says why.
+    QCOMPARE(said, QString());
+    sendPen(QEvent::TabletPress, {30.0, 30.0}, 0.5);
+    sendPen(QEvent::TabletRelease, {30.0, 30.0}, 0.0);
+    QVERIFY(said.startsWith(QStringLiteral("There is no bud here.")));
+    const QPoint beside = place + QPoint(0, -30);
+    QTest::touchEvent(m_view.get(), m_touch.get()).press(0, beside + QPoint(0, -20));
+    QTest::touchEvent(m_view.get(), m_touch.get()).release(0, beside + QPoint(0, -20));
+    QVERIFY(m_document->competitors().areAll());
+    QVERIFY(said.startsWith(QStringLiteral("No bud is that near.")));
+    m_view->setTool(std::make_unique<BrushTool>(m_view->toolContext()));
 }
 
 void TrainingToolsTest::stripFinger_windsTheTrunk()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/Ids.h"
 #include "model/envelope/EnvelopeMesh.h"
 
 #include <QColor>
@@ -8,6 +9,7 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,12 +52,13 @@ public:
         Vec3 origin = Vec3::Zero(); ///< A point of the plane where two lines of the grid cross
         QColor colour;
     };
-    /// Words beside a point; always in front.
+    /// Words beside a point; always in front, and never over each other.
     struct Label {
         Vec3 place = Vec3::Zero();
         QPointF offset; ///< From the point to the left end of the words, px
         QString text;
         QColor colour;
+        std::optional<InternodeId> subject{}; ///< The internode whose property a tap on the label edits
     };
 
     /// A translucent surface, transparent where it faces the camera.

@@ -90,7 +90,7 @@ void BrushTool::beginStroke(const PointerSample& sample)
     m_isPen = sample.device == PointerDevice::Pen;
     m_hovers = false;
     TreeDocument& document = context().document();
-    m_picked = context().pick(m_pointer, sample.device);
+    m_picked = context().pickThick(m_pointer, sample.device);
     m_plane = StrokePlane::of(context(), m_picked);
     m_lastTime = sample.time;
     m_strokeTime = 0.0;
@@ -165,7 +165,7 @@ void BrushTool::hover(const PointerSample& sample)
     m_pointer = sample.position;
     m_pressure = 1.0;
     m_hovers = true;
-    m_picked = context().pick(m_pointer, sample.device);
+    m_picked = context().pickThick(m_pointer, sample.device);
     m_plane = StrokePlane::of(context(), m_picked);
     context().requestRepaint();
 }
