@@ -88,6 +88,7 @@ void MainWindow::takeTool()
         break;
     case ActionId::Prune:
         viewport.setTool(std::make_unique<PruneTool>(context));
+        popOut = Workspace::PopOut::Prune;
         break;
     case ActionId::Invigorate:
         viewport.setTool(std::make_unique<InvigorateTool>(context));
@@ -96,7 +97,8 @@ void MainWindow::takeTool()
         viewport.setTool(std::make_unique<ReduceTool>(context));
         break;
     case ActionId::SelectBud:
-        viewport.setTool(std::make_unique<SelectBudTool>(context));
+        viewport.setTool(std::make_unique<SelectBudTool>(
+            context, [this](const QString& why) { m_workspace->notice().showInformation(why); }));
         break;
     case ActionId::Bend:
         viewport.setTool(std::make_unique<BendTool>(context));

@@ -18,6 +18,7 @@
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/ProfilePanel.h"
+#include "panels/PrunePopOut.h"
 #include "panels/ReproducePopOut.h"
 #include "panels/RotationStrip.h"
 #include "panels/SketchPopOut.h"
@@ -72,6 +73,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_sketchPopOut(new SketchPopOut(settings, this)),
       m_multiplyPopOut(new MultiplyPopOut(settings, this)),
       m_reproducePopOut(new ReproducePopOut(settings, this)),
+      m_prunePopOut(new PrunePopOut(settings, this)),
       m_profilePanel(new ProfilePanel(this)),
       m_architecture(new ArchitecturePanel(document, this)),
       m_brushSheet(new BrushPanel(document, settings, Preferences::kSoftest, Preferences::kFirmest, this)),
@@ -89,6 +91,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     m_sheets = {m_architecture, m_brushSheet, new ParameterPanel(document, ParameterSheet::Leaves, this),
                 new ParameterPanel(document, ParameterSheet::Branches, this), m_background};
     connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
+    connect(m_prunePopOut, &PrunePopOut::sizeWanted, this, &Workspace::arrange);
     for (QLabel* label : {m_counts, m_tip})
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_tip->setObjectName(QStringLiteral("tip"));
@@ -287,7 +290,8 @@ void Workspace::arrange()
         {m_bendPopOut, PopOut::Bend},         {m_lassoPopOut, PopOut::Lasso},
         {m_twistPopOut, PopOut::Twist},       {m_addBudsPopOut, PopOut::AddBuds},
         {m_profilePanel, PopOut::Profile},    {m_sketchPopOut, PopOut::Sketch},
-        {m_multiplyPopOut, PopOut::Multiply}, {m_reproducePopOut, PopOut::Reproduce}};
+        {m_multiplyPopOut, PopOut::Multiply}, {m_reproducePopOut, PopOut::Reproduce},
+        {m_prunePopOut, PopOut::Prune}};
     const int lowestPopOut = height() - Viewport::kStripHeight - 4;
     QRect popOutPlace;
     for (const auto& [popOut, kind] : popOuts) {

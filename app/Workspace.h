@@ -33,6 +33,7 @@ class LibraryPanel;
 class MultiplyPopOut;
 class Notice;
 class ProfilePanel;
+class PrunePopOut;
 class ReproducePopOut;
 class RotationStrip;
 class SketchPopOut;
@@ -56,7 +57,8 @@ public:
         Profile,
         Sketch,
         Multiply,
-        Reproduce
+        Reproduce,
+        Prune
     };
     static constexpr int kSheetCount = 5;
 
@@ -123,6 +125,7 @@ private:
     SketchPopOut* m_sketchPopOut;
     MultiplyPopOut* m_multiplyPopOut;
     ReproducePopOut* m_reproducePopOut;
+    PrunePopOut* m_prunePopOut;
     ProfilePanel* m_profilePanel;
     ArchitecturePanel* m_architecture;
     BrushPanel* m_brushSheet;

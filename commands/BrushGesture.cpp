@@ -24,13 +24,23 @@ BrushSample recordable(BrushSample sample)
     return sample;
 }
 
+/// The placement as a recipe has it.
+StrokePlacement recordable(StrokePlacement placement)
+{
+    if (placement.isUsual())
+        return {};
+    placement.around = withoutNegativeZeros(placement.around);
+    placement.copies = std::clamp(placement.copies, 1, StrokePlacement::kMostCopies);
+    return placement;
+}
+
 } // namespace
 
 BrushGesture::BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors,
-                           StrokeEnd end)
+                           StrokeEnd end, const StrokePlacement& placement)
     : m_edit(document, [this] { finish(); }),
       m_end(end),
-      m_growth(competitors, end),
+      m_growth(document, competitors, end, recordable(placement)),
       m_only(BudReference::to(document, competitors)),
       m_path{recordable(first)},
       m_samples(m_path),
@@ -119,8 +129,7 @@ bool BrushGesture::growNext()
 
 void BrushGesture::growAlong(std::span<const BrushSample> way)
 {
-    const TreeDocument& document = m_edit.document();
-    m_edit.apply(m_growth.step(document.tree(), document.index(), document.growthModel(), way));
+    m_growth.step(m_edit, way);
     m_last = way.back();
 }
 
@@ -137,18 +146,14 @@ bool BrushGesture::settle()
         growAlong(way);
         return true;
     }
-    const TreeDocument& document = m_edit.document();
-    std::optional<TreeDelta> delta =
-        m_growth.settle(document.tree(), document.index(), document.growthModel(), end);
-    if (delta)
-        m_edit.apply(std::move(*delta));
-    return delta.has_value();
+    return m_growth.settle(m_edit, end);
 }
 
 BrushStrokeOperation BrushGesture::operation() const
 {
     BrushStrokeOperation stroke{m_samples, m_only};
     stroke.end = m_end;
+    stroke.placement = m_growth.placement();
     const double end = m_path.back().time;
     if (end > m_samples.back().time) {
         stroke.samples.push_back(m_next);

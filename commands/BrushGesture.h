@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/RepeatedGrowth.h"
 #include "commands/recipe/BrushStrokeOperation.h"
 #include "model/document/Edit.h"
 #include "model/growth/BrushGrowth.h"
@@ -25,7 +26,7 @@ constexpr double kBrushRest = 0.1;
 class BrushGesture {
 public:
     BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors = {},
-                 StrokeEnd end = StrokeEnd::AtRelease);
+                 StrokeEnd end = StrokeEnd::AtRelease, const StrokePlacement& placement = {});
 
     /// Grows up to the sample's time. A sample that is not later than the last one is ignored.
     void add(const BrushSample& sample);
@@ -49,6 +50,9 @@ public:
 
     /// The living markers of free space, m, for display.
     std::span<const Vec3> markers() const { return m_growth.markers(); }
+    /// Where the brush is when it is drawn at @p point: there, or where the stroke's placement has its
+    /// copies, m.
+    std::vector<Vec3> placed(const Vec3& point) const { return m_growth.placed(point); }
     /// The path of the brush, for display: the samples, and the ends of the parts between them.
     const std::vector<BrushSample>& path() const { return m_path; }
 
@@ -61,7 +65,7 @@ private:
 
     Edit m_edit;
     StrokeEnd m_end;
-    BrushGrowth m_growth;
+    RepeatedGrowth m_growth;
     BudReference m_only;
     std::vector<BrushSample> m_path;
     std::vector<BrushSample> m_samples; ///< Samples added so far

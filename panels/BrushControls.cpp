@@ -31,6 +31,33 @@ constexpr std::array kSwitches{
         QT_TRANSLATE_NOOP("Parameters", "Show how deep in the tree the brush draws: a faint grid about it.")),
 };
 
+constexpr ViewField kBrushPlane{
+    {"view.brushPlane", Quantity::Choice, 0, kBrushPlaneCount - 1, "screen trunk spread"},
+    {"view.brushPlane", QT_TRANSLATE_NOOP("Parameters", "Plane"), "",
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "Where strokes go in depth. Screen: as deep as the branch that they begin at. Trunk: in the "
+         "plane through the trunk and the branch that they begin at. Spread: each limb that begins at the "
+         "trunk is turned into the widest gap, as long and as steep as you draw it.")},
+    [](const ViewValues& values) { return static_cast<double>(values.brushPlane); },
+    [](ViewValues& values, double value) {
+        values.brushPlane = static_cast<BrushPlane>(static_cast<int>(value));
+    }};
+
+constexpr ViewField kBrushSymmetry{
+    {"view.brushSymmetry", Quantity::Count, 1, kMostSymmetry},
+    {"view.brushSymmetry", QT_TRANSLATE_NOOP("Parameters", "Around"), "",
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How many strokes are made around the trunk for each one that you draw."),
+     ParameterText::Scale::Linear, 0},
+    [](const ViewValues& values) { return values.brushSymmetry; },
+    [](ViewValues& values, double value) { values.brushSymmetry = value; }};
+
+// The names for choiceNames()
+[[maybe_unused]] constexpr const char* kPlaneNames[] = {QT_TRANSLATE_NOOP("Parameters", "screen"),
+                                                        QT_TRANSLATE_NOOP("Parameters", "trunk"),
+                                                        QT_TRANSLATE_NOOP("Parameters", "spread")};
+
 } // namespace
 
 BrushRadius::BrushRadius(const TreeDocument& document, ViewSettings& settings, QWidget* parent)
@@ -75,6 +102,16 @@ void BrushRadius::showValues()
     const bool draws = radius < m_document.parameters().growth.internodeLength;
     m_meaning->setText(draws ? tr("draws a branch") : tr("grows a crown"));
     m_slider->setRadius(radius);
+}
+
+ViewRow* makeBrushPlaneRow(ViewSettings& settings, QWidget* parent)
+{
+    return makeViewRow(kBrushPlane, settings, parent);
+}
+
+ViewRow* makeSymmetryRow(ViewSettings& settings, QWidget* parent)
+{
+    return makeViewRow(kBrushSymmetry, settings, parent);
 }
 
 ViewRow* makeBrushSwitch(BrushSwitch which, ViewSettings& settings, QWidget* parent)

@@ -38,6 +38,10 @@ enum class BrushSwitch {
     Plane,    ///< Hints of the drawing plane are shown
 };
 
+/// The choice of the plane that the brush moves in, and the number of strokes around the trunk.
+ViewRow* makeBrushPlaneRow(ViewSettings& settings, QWidget* parent);
+ViewRow* makeSymmetryRow(ViewSettings& settings, QWidget* parent);
+
 ViewRow* makeBrushSwitch(BrushSwitch which, ViewSettings& settings, QWidget* parent);
 
 } // namespace espalier

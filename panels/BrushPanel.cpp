@@ -66,6 +66,11 @@ BrushPanel::BrushPanel(TreeDocument& document, ViewSettings& settings, double so
         column->addStretch();
     }
 
+    QVBoxLayout* depth = addBarColumn(*m_content, tr("Depth"), kShownWidth);
+    depth->addWidget(makeBrushPlaneRow(settings, m_content));
+    depth->addWidget(makeSymmetryRow(settings, m_content));
+    depth->addStretch();
+
     QVBoxLayout* shown = addBarColumn(*m_content, tr("Shown"), kShownWidth);
     for (const BrushSwitch which : {BrushSwitch::Markers, BrushSwitch::Plane})
         shown->addWidget(makeBrushSwitch(which, settings, m_content));

@@ -153,6 +153,7 @@ void apply(QApplication& application, Look look)
         QPushButton { background: @button; color: @text; border: 1px solid transparent; border-radius: 8px; padding: 6px 16px; }
         QPushButton:hover { background: @buttonHover; color: @bright; }
         QPushButton:pressed { background: @accentFill; }
+        QPushButton:checked { background: @accentFill; color: @bright; }
         QPushButton:default { background: #4c7a3e; color: white; }
         QPushButton:default:hover { background: #588a49; color: white; }
         QPushButton:disabled { background: @buttonDisabled; color: @faint; }
@@ -164,6 +165,7 @@ void apply(QApplication& application, Look look)
         QComboBox::drop-down { border: none; width: 20px; }
         QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 12px; height: 12px; }
         QComboBox QAbstractItemView { background: @raised; color: @text; border: 1px solid @edge; selection-background-color: @accentFill; selection-color: @bright; }
+        espalier--LabelEditor { background: @raised; color: @bright; border: 1px solid @accent; border-radius: 5px; padding: 0 5px; }
         espalier--HelpPanel QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 8px; padding: 4px 8px; }
         espalier--HelpPanel QLineEdit:focus { border-color: @accent; }
         espalier--HelpPanel QTextBrowser { background: transparent; }

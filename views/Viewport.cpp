@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/Viewport.h"
 
+#include "views/LabelEditor.h"
+#include "views/render/LabelLayout.h"
 #include "views/render/OverlayRenderer.h"
 #include "views/render/RenderTarget.h"
 #include "views/render/Renderer.h"
@@ -14,6 +16,7 @@
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QPainter>
+#include <QTimer>
 #include <QTimerEvent>
 
 #include <algorithm>
@@ -192,6 +195,12 @@ void Viewport::followSettings()
     values.brushRadius = m_shown.brushRadius;
     values.pressureScales = m_shown.pressureScales;
     values.markersShown = m_shown.markersShown;
+    values.brushPlane = m_shown.brushPlane;
+    values.brushSymmetry = m_shown.brushSymmetry;
+    values.pruneMode = m_shown.pruneMode;
+    values.prunesThrough = m_shown.prunesThrough;
+    values.eraserThickest = m_shown.eraserThickest;
+    values.thinShare = m_shown.thinShare;
     values.bendingWeight = m_shown.bendingWeight;
     values.stretchingWeight = m_shown.stretchingWeight;
     values.twistsSubtree = m_shown.twistsSubtree;
@@ -212,6 +221,7 @@ void Viewport::followSettings()
 void Viewport::setTool(std::unique_ptr<Tool> tool)
 {
     finishGesture();
+    delete m_labelEditor;
     m_tool->leave();
     m_tool = std::move(tool);
     m_hand = m_tool.get();
@@ -422,23 +432,43 @@ void Viewport::paintLabels()
 {
     if (m_overlay.labels().empty())
         return;
-    constexpr double kPadding = 6.0;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QFontMetricsF metrics(font());
-    for (const Overlay::Label& label : m_overlay.labels()) {
-        const auto place = m_camera.project(label.place);
-        if (!place)
+    const std::vector<QRectF> boxes = labelBoxes(m_overlay, m_camera, QFontMetricsF(font()));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].isNull())
             continue;
-        const QPointF left = *place + label.offset;
-        const QRectF box(left.x(), left.y() - metrics.height() / 2.0 - 2.0,
-                         metrics.horizontalAdvance(label.text) + 2.0 * kPadding, metrics.height() + 4.0);
+        const Overlay::Label& label = m_overlay.labels()[i];
         painter.setPen(Qt::NoPen);
         painter.setBrush(QColor(24, 27, 32, 200));
-        painter.drawRoundedRect(box, 5.0, 5.0);
+        painter.drawRoundedRect(boxes[i], 5.0, 5.0);
         painter.setPen(label.colour);
-        painter.drawText(box, Qt::AlignCenter, label.text);
+        painter.drawText(boxes[i], Qt::AlignCenter, label.text);
     }
+}
+
+std::optional<InternodeId> Viewport::labelAt(const QPointF& screen) const
+{
+    const std::vector<QRectF> boxes = labelBoxes(m_overlay, m_camera, QFontMetricsF(font()));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].contains(screen) && m_overlay.labels()[i].subject)
+            return m_overlay.labels()[i].subject;
+    }
+    return std::nullopt;
+}
+
+void Viewport::editLabel(InternodeId subject, const QString& text, std::function<bool(const QString&)> take)
+{
+    const std::vector<QRectF> boxes = labelBoxes(m_overlay, m_camera, QFontMetricsF(font()));
+    const auto label = std::ranges::find(m_overlay.labels(), subject, &Overlay::Label::subject);
+    if (label == m_overlay.labels().end())
+        return;
+    const QRectF box = boxes[static_cast<std::size_t>(label - m_overlay.labels().begin())];
+    // The field takes the focus, which would end the gesture that asks for it.
+    QTimer::singleShot(0, this, [this, box, text, take = std::move(take)] {
+        delete m_labelEditor;
+        m_labelEditor = new LabelEditor(box, text, take, this);
+    });
 }
 
 } // namespace espalier

@@ -14,11 +14,13 @@
 #include <QBasicTimer>
 #include <QMargins>
 #include <QOpenGLWidget>
+#include <QPointer>
 
 #include <memory>
 
 namespace espalier {
 
+class LabelEditor;
 class OverlayRenderer;
 class Renderer;
 class RenderTarget;
@@ -140,6 +142,9 @@ private:
     std::vector<PickedBud> pickBuds(const QPointF& screen, PointerDevice device,
                                     double factor) const override;
     float branchRadius(InternodeId id) const override { return m_scene.mesh().tracker().meshedRadius(id); }
+    std::optional<InternodeId> labelAt(const QPointF& screen) const override;
+    void editLabel(InternodeId subject, const QString& text,
+                   std::function<bool(const QString&)> take) override;
     void requestRepaint() override { update(); }
 
     // GestureTarget
@@ -197,6 +202,7 @@ private:
     std::unique_ptr<SunTool> m_sun; ///< Gets the samples while the pointer is on the sun
     Tool* m_hand;                   ///< The one of the three that gets the samples now
     Overlay m_overlay;
+    QPointer<LabelEditor> m_labelEditor;
 
     FramePacer m_pacer;
     bool m_isGrowing = false;

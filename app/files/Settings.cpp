@@ -69,6 +69,9 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/markersShown"), values.markersShown);
     visit(QStringLiteral("view/envelopeShown"), values.envelopeShown);
     visit(QStringLiteral("view/planeShown"), values.planeShown);
+    visit(QStringLiteral("view/prunesThrough"), values.prunesThrough);
+    visit(QStringLiteral("view/eraserThickest"), values.eraserThickest);
+    visit(QStringLiteral("view/thinShare"), values.thinShare);
     visit(QStringLiteral("view/bendingWeight"), values.bendingWeight);
     visit(QStringLiteral("view/stretchingWeight"), values.stretchingWeight);
     visit(QStringLiteral("view/twistsSubtree"), values.twistsSubtree);

@@ -18,7 +18,7 @@ public:
           m_samples(operation.samples),
           m_warning(std::move(only.warning)),
           m_historyBefore(document.journal().size()),
-          m_gesture(document, m_samples.front(), only.competitors, operation.end),
+          m_gesture(document, m_samples.front(), only.competitors, operation.end, operation.placement),
           m_end(operation.until.value_or(std::numeric_limits<double>::infinity())),
           m_time(m_samples.front().time),
           m_isArriving(operation.end == StrokeEnd::Arrives)

@@ -5,6 +5,9 @@
 #include "commands/recipe/RecipeLimits.h"
 #include "commands/recipe/RecipeText.h"
 
+#include <array>
+#include <cmath>
+
 namespace espalier {
 
 namespace {
@@ -12,6 +15,9 @@ namespace {
 constexpr QLatin1StringView kSamplesKey("samples");
 constexpr QLatin1StringView kUntilKey("until");
 constexpr QLatin1StringView kArrivesKey("arrives");
+constexpr QLatin1StringView kAroundKey("around");
+constexpr QLatin1StringView kCopiesKey("copies");
+constexpr QLatin1StringView kSpreadKey("spread");
 
 /// Reads @p value into @p sample; returns what is wrong with it, if anything.
 std::optional<QString> readSample(const QJsonValue& value, double previousTime, BrushSample& sample)
@@ -41,6 +47,21 @@ std::optional<QString> readSample(const QJsonValue& value, double previousTime, 
     return {};
 }
 
+StrokePlacement readPlacement(JsonReader& reader)
+{
+    StrokePlacement placement;
+    placement.copies = static_cast<int>(reader.integer(kCopiesKey, 1, StrokePlacement::kMostCopies, 1));
+    placement.isSpread = reader.integer(kSpreadKey, 0, 1, 0) == 1;
+    if (reader.has(kAroundKey)) {
+        if (const auto around = vectorFromJson<3>(reader.array(kAroundKey), recipeLimits::kCoordinate))
+            placement.around = *around;
+        else
+            reader.fail(kAroundKey, RecipeText::tr("three numbers within ±%1 are expected: x, y, z, in m")
+                                        .arg(recipeLimits::kCoordinate));
+    }
+    return placement;
+}
+
 } // namespace
 
 BrushStrokeOperation BrushStrokeOperation::read(JsonReader& reader, RecipeReading& reading)
@@ -52,6 +73,7 @@ BrushStrokeOperation BrushStrokeOperation::read(JsonReader& reader, RecipeReadin
         stroke.until = reader.number(kUntilKey, 0.0, kGreatestTime);
     if (reader.integer(kArrivesKey, 0, 1, 0) == 1)
         stroke.end = StrokeEnd::Arrives;
+    stroke.placement = readPlacement(reader);
     if (array.isEmpty())
         reader.fail(kSamplesKey, RecipeText::tr("a stroke has at least one sample"));
     if (!reading.admitSamples(reader, kSamplesKey, array.size()))
@@ -82,6 +104,13 @@ QJsonObject BrushStrokeOperation::write(RecipeWriting&) const
         json[kUntilKey] = *until;
     if (end == StrokeEnd::Arrives)
         json[kArrivesKey] = 1;
+    if (placement.isUsual())
+        return json;
+    json[kAroundKey] = toJson(placement.around);
+    if (placement.copies > 1)
+        json[kCopiesKey] = placement.copies;
+    if (placement.isSpread)
+        json[kSpreadKey] = 1;
     return json;
 }
 
@@ -91,6 +120,12 @@ Box3 BrushStrokeOperation::reach() const
     for (const BrushSample& sample : samples) {
         const Vec3 radius = Vec3::Constant(sample.radius);
         box.extend(Box3(sample.position - radius, sample.position + radius));
+        if (placement.isUsual())
+            continue;
+        const Vec3 way = sample.position - placement.around;
+        const float level = std::hypot(way.x(), way.z()) + sample.radius;
+        for (const float side : {-level, level})
+            box.extend(Vec3(placement.around + Vec3(side, way.y(), side)));
     }
     return box;
 }

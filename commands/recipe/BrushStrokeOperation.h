@@ -4,6 +4,7 @@
 #include "commands/recipe/BudReference.h"
 #include "commands/recipe/RecipeOperation.h"
 #include "model/growth/BrushGrowth.h"
+#include "model/growth/StrokePlacement.h"
 
 #include <optional>
 #include <vector>
@@ -21,6 +22,7 @@ struct BrushStrokeOperation {
     /// The time at which the stroke ended on the way to the last sample, s; empty if it ended at that sample.
     std::optional<double> until{};
     StrokeEnd end = StrokeEnd::AtRelease;
+    StrokePlacement placement{}; ///< Its point within recipeLimits::kCoordinate
 
     static BrushStrokeOperation read(JsonReader& reader, RecipeReading& reading);
     QJsonObject write(RecipeWriting& writing) const;

@@ -3,11 +3,13 @@
 #include "commands/recipe/ArrangeOperation.h"
 #include "commands/recipe/BendOperation.h"
 #include "commands/recipe/BrushStrokeOperation.h"
+#include "commands/recipe/EraseOperation.h"
 #include "commands/recipe/FillEnvelopesOperation.h"
 #include "commands/recipe/GrowOperation.h"
 #include "commands/recipe/ImportOperation.h"
 #include "commands/recipe/InferOperation.h"
 #include "commands/recipe/InvigorateOperation.h"
+#include "commands/recipe/KeepClearOperation.h"
 #include "commands/recipe/LassoOperation.h"
 #include "commands/recipe/MoveBranchOperation.h"
 #include "commands/recipe/MultiplyOperation.h"
@@ -26,6 +28,7 @@
 #include "commands/recipe/SetWidthOperation.h"
 #include "commands/recipe/SketchOperation.h"
 #include "commands/recipe/SketchStrokeOperation.h"
+#include "commands/recipe/ThinOperation.h"
 #include "commands/recipe/TravelOperation.h"
 #include "commands/recipe/TwistOperation.h"
 #include "commands/recipe/UndoOperation.h"
@@ -63,7 +66,8 @@ constexpr OperationKind kKinds[] = {
     kindOf<SetProfileOperation>(),    kindOf<SketchOperation>(),      kindOf<SketchStrokeOperation>(),
     kindOf<InferOperation>(),         kindOf<PlaceLeafOperation>(),   kindOf<ArrangeOperation>(),
     kindOf<MultiplyOperation>(),      kindOf<PropagateOperation>(),   kindOf<ReproduceOperation>(),
-    kindOf<VaryOperation>(),          kindOf<MoveBranchOperation>(),
+    kindOf<VaryOperation>(),          kindOf<MoveBranchOperation>(),  kindOf<KeepClearOperation>(),
+    kindOf<EraseOperation>(),         kindOf<ThinOperation>(),
 };
 
 } // namespace

@@ -26,6 +26,7 @@ enum class Purpose : std::uint32_t {
     Texture,
     LassoMarker,
     LeafPlane,
+    Thinning,
 };
 
 /// SplitMix64's finaliser: each bit of the value changes about half of the result's.

@@ -26,6 +26,24 @@ GrowingTree::GrowingTree(const Tree& tree, const TreeIndex& index, GrowthWorkspa
     }
 }
 
+BudStates GrowingTree::budsOfNew(InternodeId parent, int slot, double length) const
+{
+    BudStates states = BudStates::active(newBuds(m_tree.parameters()));
+    if (slot != kTerminalSlot || m_tree.content().sparse.clearLength.cells().empty())
+        return states;
+    const InternodeId first = axis(parent);
+    const auto clear = static_cast<double>(m_tree.clearLength(first));
+    for (InternodeId id = parent; length < clear; id = this->parent(id)) {
+        length += static_cast<double>(this->length(id));
+        if (id == first) {
+            if (length < clear)
+                states.other = static_cast<BudMask>(states.living & ~kTerminalBud);
+            break;
+        }
+    }
+    return states;
+}
+
 InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& direction, double roll, double length,
                               double vigour)
 {
@@ -51,7 +69,7 @@ InternodeId GrowingTree::grow(InternodeId parent, int slot, const Vec3& directio
                    .length = static_cast<float>(length),
                    .vigour = static_cast<float>(vigour),
                    .slot = static_cast<std::uint8_t>(slot),
-                   .buds = BudStates::active(newBuds(m_tree.parameters())),
+                   .buds = budsOfNew(parent, slot, length),
                    .birth = m_tree.step() + 1,
                    .parameterSet = static_cast<std::uint16_t>(m_tree.currentParameterSet()),
                    .key = childKey(key(parent), slot, m_tree.step() + 1)});

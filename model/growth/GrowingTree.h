@@ -109,6 +109,9 @@ public:
     TreeDelta takeDelta();
 
 private:
+    /// The buds of a new internode of @p length, m: all are active, but the laterals rest where the axis is
+    /// kept clear.
+    BudStates budsOfNew(InternodeId parent, int slot, double length) const;
     const InternodeColumns& rows() const { return m_rows->internodes; }
     InternodeColumns& rows() { return m_rows->internodes; }
 

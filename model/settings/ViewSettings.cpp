@@ -46,6 +46,9 @@ void ViewSettings::setValues(const ViewValues& values)
     wanted.brushRadius = std::clamp(wanted.brushRadius, 0.0, kMaxBrushRadius);
     for (double* weight : {&wanted.bendingWeight, &wanted.stretchingWeight})
         *weight = std::clamp(*weight, kLeastBendWeight, kMostBendWeight);
+    wanted.brushSymmetry = std::round(std::clamp(wanted.brushSymmetry, 1.0, kMostSymmetry));
+    wanted.eraserThickest = std::clamp(wanted.eraserThickest, kLeastThickest, 1.0);
+    wanted.thinShare = std::clamp(wanted.thinShare, kLeastThinShare, 1.0);
     wanted.newBuds = std::round(std::clamp(wanted.newBuds, kLeastNewBuds, kMostNewBuds));
     for (double* factor : {&wanted.depthHull, &wanted.depthLength, &wanted.depthAngle})
         *factor = std::clamp(*factor, kLeastDepthFactor, kMostDepthFactor);

@@ -31,6 +31,31 @@ inline constexpr double kMostDepthFactor = 3.0;
 inline constexpr double kLeastVariation = 0.05;
 inline constexpr double kMostVariations = 100;
 
+/// Limits of the wood that the eraser and the thinning brush take, as a share of the trunk's diameter, and of
+/// the share of the twigs that thinning takes.
+inline constexpr double kLeastThickest = 0.01;
+inline constexpr double kLeastThinShare = 0.05;
+
+/// Most copies of a stroke around the trunk, with the stroke itself.
+inline constexpr double kMostSymmetry = 12;
+
+/// What the tool for pruning does.
+enum class PruneMode : int {
+    Cut,       ///< Takes off the branches that are tapped or crossed
+    KeepClear, ///< Keeps the lower part of a trunk or a branch clear of shoots
+    Erase,     ///< Takes twigs and leaves under a brush
+    Thin,      ///< Takes a share of the twigs under a brush
+};
+inline constexpr int kPruneModeCount = 4;
+
+/// The plane that the brush moves in.
+enum class BrushPlane : int {
+    Screen, ///< Parallel to the screen, through the place where the stroke begins
+    Trunk,  ///< Through the axis of the trunk and that place
+    Spread, ///< Parallel to the screen; a limb that begins at the trunk is then turned to the widest gap
+};
+inline constexpr int kBrushPlaneCount = 3;
+
 /// The next larger (@p notches > 0) or smaller radius, for the wheel and the keys [ and ]: a notch changes it
 /// by a tenth, down to the radius 0 of a single axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
@@ -73,6 +98,13 @@ struct ViewValues {
     bool markersShown = true;   ///< Markers of free space show while brushing
     bool envelopeShown = true;  ///< The envelopes of lassos show while the lasso is the current tool
     bool planeShown = true;     ///< Hints of the drawing plane show
+    BrushPlane brushPlane = BrushPlane::Screen;
+    double brushSymmetry = 1; ///< Strokes around the trunk for each one drawn, whole, 1...kMostSymmetry
+    PruneMode pruneMode = PruneMode::Cut;
+    bool prunesThrough = true; ///< Strokes of pruning reach the far side of the trunk as well
+    /// Thickest wood that the eraser and thinning take, a share of the trunk's diameter, kLeastThickest...1.
+    double eraserThickest = 0.15;
+    double thinShare = 0.3; ///< Of the twigs, kLeastThinShare...1
     double bendingWeight =
         1.0; ///< Resistance of branches against bending, kLeastBendWeight...kMostBendWeight
     /// Resistance of branches against stretching, kLeastBendWeight...kMostBendWeight.

@@ -188,6 +188,9 @@ void BranchCopies::copySparse(InternodeId source, InternodeId id, double scale)
         m_delta.sparse.profile.push_back({id, std::nullopt, profile});
     if (const std::optional<float> twist = sparse.twist.at(source))
         m_delta.sparse.twist.push_back({id, std::nullopt, twist});
+    if (const float* const clear = sparse.clearLength.find(source))
+        m_delta.sparse.clearLength.push_back(
+            {id, std::nullopt, scaledLength(*clear, scale, kGreatestClearLength)});
 }
 
 void BranchCopies::addLeaf(LeafId leaf, InternodeId internode, float along, const Rotation& rotation,

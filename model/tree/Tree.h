@@ -70,6 +70,9 @@ public:
     /// The diameter that the user has set at @p id, m; 0 if there is none.
     float widthConstraint(InternodeId id) const { return m_content.sparse.width.at(id).value_or(0.0F); }
 
+    /// How far from its base on the axis that begins with @p axis bears no shoots, m; 0 if it may anywhere.
+    float clearLength(InternodeId axis) const { return m_content.sparse.clearLength.at(axis).value_or(0.0F); }
+
     const QList<TreeParameters>& parameterSets() const { return m_content.kept.parameters; }
     std::uint32_t currentParameterSet() const { return m_content.currentParameters; }
     /// The parameters in force.

@@ -20,6 +20,8 @@ inline constexpr float kGreatestLeaf = 100.0F;     ///< Of a placed leaf
 inline constexpr float kGreatestTwist = 1000.0F;
 /// The greatest vigour that is added at a node, years of growth.
 inline constexpr float kMostAddedVigour = 10'000.0F;
+/// The greatest length over which an axis is kept clear, m.
+inline constexpr float kGreatestClearLength = 1'000.0F;
 /// The greatest number of different parameter sets of one tree; columns refer to them with 16 bits.
 inline constexpr qsizetype kMostParameterSets = 65'535;
 
@@ -40,6 +42,7 @@ const char* ofDiameter(const float& value);
 const char* ofRootPosition(const Vec3& value);
 const char* ofTwist(const float& value);
 const char* ofAddedVigour(const float& value);
+const char* ofClearLength(const float& value);
 } // namespace faults
 
 // The columns of internodes:
@@ -89,12 +92,15 @@ const char* ofAddedVigour(const float& value);
 //   profile       index of the profile that the strands at the node are packed into (Strands 2024 §5.3)
 //   twist         rad, by which the section of strands at the node is turned against the one below it (§5.4)
 //   addedVigour   years of growth that the subtree has been given and not used yet (§4, invigoration)
+//   clearLength   m along the axis that begins with the internode, from its base on: there, buds rest; no
+//                 effect on an internode that begins no axis
 #define ESPALIER_SPARSE_COLUMNS(COLUMN)                                                                      \
     COLUMN(float, width, std::nullopt, faults::ofDiameter, Edits::Allowed)                                   \
     COLUMN(Vec3, rootPosition, std::nullopt, faults::ofRootPosition, Edits::Allowed)                         \
     COLUMN(std::uint32_t, profile, std::nullopt, noFault, Edits::Allowed)                                    \
     COLUMN(float, twist, std::nullopt, faults::ofTwist, Edits::Allowed)                                      \
-    COLUMN(float, addedVigour, std::nullopt, faults::ofAddedVigour, Edits::Allowed)
+    COLUMN(float, addedVigour, std::nullopt, faults::ofAddedVigour, Edits::Allowed)                          \
+    COLUMN(float, clearLength, std::nullopt, faults::ofClearLength, Edits::Allowed)
 
 // Values that are stored once and referred to by index; see KeptEntries (model/io/project) for how files hold
 // them:

@@ -2,6 +2,8 @@
 #include "commands/AddBuds.h"
 #include "commands/BendGesture.h"
 #include "commands/DocumentProject.h"
+#include "commands/EraseTwigs.h"
+#include "commands/KeepClear.h"
 #include "commands/LassoGesture.h"
 #include "commands/MultiplyBranch.h"
 #include "commands/ParameterGesture.h"
@@ -202,6 +204,8 @@ private:
         case 7: {
             if (below(2) == 0)
                 return copying();
+            if (below(2) == 0)
+                return clearing();
             const BudSpiral spiral{.internode = living(),
                                    .along = m_random.uniform(),
                                    .count = 1 + below(4),
@@ -226,6 +230,21 @@ private:
         default:
             return [steps = 1 + below(2)](TreeDocument& document) { grow(document, steps); };
         }
+    }
+
+    Action clearing()
+    {
+        if (below(2) == 0) {
+            return [id = living(), length = 0.05F * static_cast<float>(below(8))](TreeDocument& document) {
+                keepClear(document, id, length);
+            };
+        }
+        const Vec3 place = m_document.index().nodePosition(living());
+        const SweptTwigs twigs{.sweeps = {{Vec3(0.0F, 0.5F, 5.0F), {{place, 0.05F}}}},
+                               .thickest = 0.3 * below(4)};
+        if (below(2) == 0)
+            return [twigs](TreeDocument& document) { eraseTwigs(document, {twigs}); };
+        return [twigs](TreeDocument& document) { thinTwigs(document, {twigs, 0.5}); };
     }
 
     Action copying()

@@ -5,10 +5,12 @@
 #include "commands/BendGesture.h"
 #include "commands/BrushGesture.h"
 #include "commands/DrawSketch.h"
+#include "commands/EraseTwigs.h"
 #include "commands/GrowGesture.h"
 #include "commands/ImportSkeleton.h"
 #include "commands/InferDepth.h"
 #include "commands/InvigorateGesture.h"
+#include "commands/KeepClear.h"
 #include "commands/LassoGesture.h"
 #include "commands/MoveBranch.h"
 #include "commands/MultiplyBranch.h"
@@ -65,7 +67,7 @@ public:
     {
         const std::vector<BrushSample>& samples = operation.samples;
         BrushGesture gesture(m_document, samples.front(), operation.only.resolve(m_document).competitors,
-                             operation.end);
+                             operation.end, operation.placement);
         for (std::size_t i = 1; i < samples.size(); ++i) {
             if (m_random.onceIn(8))
                 gesture.moveToward(samples[i], 0.5 * (samples[i - 1].time + samples[i].time));
@@ -257,6 +259,15 @@ public:
         gesture.finish();
     }
 
+    void operator()(const KeepClearOperation& operation)
+    {
+        keepClear(m_document, operation.internode.number(), operation.length);
+    }
+
+    void operator()(const EraseOperation& operation) { eraseTwigs(m_document, operation); }
+
+    void operator()(const ThinOperation& operation) { thinTwigs(m_document, operation); }
+
     void operator()(const MultiplyOperation& operation)
     {
         (void)multiplyBranch(m_document, operation.internode.number(), operation.seed, operation.count);
@@ -330,8 +341,8 @@ void doByHand(TreeDocument& document, const RecipeOperation& operation, RandomOp
                 SetProfileOperation, RegrowOperation, RemoveLassoOperation, FillEnvelopesOperation,
                 ImportOperation, InvigorateOperation, ReduceOperation, TwistOperation, AddBudsOperation,
                 SketchOperation, SketchStrokeOperation, InferOperation, PlaceLeafOperation, ArrangeOperation,
-                MultiplyOperation, PropagateOperation, ReproduceOperation, VaryOperation,
-                MoveBranchOperation>(Hand(document, random), operation);
+                MultiplyOperation, PropagateOperation, ReproduceOperation, VaryOperation, MoveBranchOperation,
+                KeepClearOperation, EraseOperation, ThinOperation>(Hand(document, random), operation);
     if (!isDone)
         qFatal("the soak test does not know how to do “%s” by hand", operation.name().data());
 }

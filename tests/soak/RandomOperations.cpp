@@ -157,6 +157,12 @@ BrushStrokeOperation RandomOperations::make(const TreeDocument& document, int)
     }
     operation.samples = std::move(kept);
     operation.only = only(document);
+    if (onceIn(8)) {
+        const Vec3 around = document.index().nodePosition(living(document));
+        operation.placement = {.around = around.cwiseMax(-1000.0F).cwiseMin(1000.0F),
+                               .copies = 1 + below(3),
+                               .isSpread = onceIn(2)};
+    }
     return operation;
 }
 
@@ -510,6 +516,45 @@ MoveBranchOperation RandomOperations::make(const TreeDocument& document, int)
 }
 
 template <>
+KeepClearOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    const double length = internode(document) * m_random.uniform(0.0, onceIn(5) ? 60.0 : 12.0);
+    return {any(document), onceIn(4) ? 0.0F : static_cast<float>(length)};
+}
+
+/// A short stroke before the tree.
+SweptTwigs RandomOperations::sweptTwigs(const TreeDocument& document)
+{
+    SweptTwigs twigs{.sweeps = {}, .thickest = onceIn(4) ? below(2) : m_random.uniform()};
+    twigs.depth = onceIn(3) ? SweepDepth::NearSide : SweepDepth::All;
+    const float l = internode(document);
+    for (int i = onceIn(4) ? 2 : 1; i > 0; --i) {
+        Sweep sweep{30.0F * l * m_random.direction(), {}};
+        SweepPoint point{document.index().nodePosition(living(document)),
+                         l * static_cast<float>(m_random.uniform(0.0, 2.0))};
+        for (int j = below(6); j >= 0; --j) {
+            point.position = point.position.cwiseMax(-1000.0F).cwiseMin(1000.0F);
+            sweep.path.push_back(point);
+            point.position += l * m_random.inBall();
+        }
+        twigs.sweeps.push_back(std::move(sweep));
+    }
+    return twigs;
+}
+
+template <>
+EraseOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    return {sweptTwigs(document)};
+}
+
+template <>
+ThinOperation RandomOperations::make(const TreeDocument& document, int)
+{
+    return {sweptTwigs(document), m_random.uniform()};
+}
+
+template <>
 MultiplyOperation RandomOperations::make(const TreeDocument& document, int)
 {
     return {.internode = any(document), .count = 1 + below(3), .seed = static_cast<std::uint64_t>(below(9))};
@@ -571,7 +616,8 @@ std::span<const RandomOperations::Kind> RandomOperations::kinds()
         kindOf<PlaceLeafOperation>(8, 2),      kindOf<ArrangeOperation>(5, 1),
         kindOf<MultiplyOperation>(6, 0),       kindOf<PropagateOperation>(3, 0),
         kindOf<ReproduceOperation>(2, 1),      kindOf<VaryOperation>(3, 1),
-        kindOf<MoveBranchOperation>(6, 2),
+        kindOf<MoveBranchOperation>(6, 2),     kindOf<KeepClearOperation>(6, 4),
+        kindOf<EraseOperation>(4, 4),          kindOf<ThinOperation>(4, 6),
     };
     return kKinds;
 }

@@ -54,6 +54,7 @@ private:
     InternodeId large(const TreeDocument& document);
     BudReference only(const TreeDocument& document);
     std::vector<Vec2> loop(float radius);
+    SweptTwigs sweptTwigs(const TreeDocument& document);
     float internode(const TreeDocument& document) const;
 
     Random m_random;

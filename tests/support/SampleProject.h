@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/io/project/ProjectFile.h"
+#include "model/shape/ClearWood.h"
 #include "tests/support/TreeBuilder.h"
 
 #include <array>
@@ -32,6 +33,7 @@ inline Project sampleProject(std::uint32_t count, std::uint64_t seed = 1)
     builder.apply(widthChange(builder.tree, 1, 0.05F));
     builder.apply(widthChange(builder.tree, 2, 0.03F));
     builder.apply(widthChange(builder.tree, 1, 0.0F));
+    builder.apply(keepClear(builder.tree, builder.index, 0, 0.01F));
     LassoStroke stroke;
     stroke.origin = Vec3(0.5F, 1.0F, -0.25F);
     stroke.points = {{-1.0F, 0.0F}, {1.0F, 0.125F}, {0.3F, 2.0F}};

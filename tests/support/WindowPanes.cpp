@@ -15,6 +15,7 @@
 #include "panels/MultiplyPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterRow.h"
+#include "panels/PrunePopOut.h"
 #include "panels/ReproducePopOut.h"
 #include "panels/RotationStrip.h"
 #include "panels/SettingsSheet.h"
@@ -37,6 +38,13 @@ std::vector<WindowPanes::Pane> WindowPanes::all()
         return [this, id, &pane] {
             have(id);
             return &pane;
+        };
+    };
+    const auto pruning = [this](PruneMode mode) {
+        return [this, mode]() -> QWidget* {
+            have(ActionId::Prune);
+            m_window.viewSettings().set(&ViewValues::pruneMode, mode);
+            return m_window.workspace().findChild<PrunePopOut*>();
         };
     };
     return {
@@ -66,6 +74,10 @@ std::vector<WindowPanes::Pane> WindowPanes::all()
         {"sketch", of(ActionId::Sketch, m_window.workspace().sketchPopOut())},
         {"multiply", of(ActionId::Multiply, *m_window.workspace().findChild<MultiplyPopOut*>())},
         {"reproduce", of(ActionId::Reproduce, m_window.workspace().reproducePopOut())},
+        {"cut", pruning(PruneMode::Cut)},
+        {"keep clear", pruning(PruneMode::KeepClear)},
+        {"erase", pruning(PruneMode::Erase)},
+        {"thin out", pruning(PruneMode::Thin)},
         {"lasso", of(ActionId::Lasso, m_window.workspace().lassoPopOut())},
         {"history", of(ActionId::History, m_window.workspace().history())},
         {"help",

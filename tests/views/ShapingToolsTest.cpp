@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/WidthGesture.h"
 #include "model/settings/Lengths.h"
 #include "model/shape/Widths.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 #include "tests/support/ViewportFixture.h"
+#include "views/LabelEditor.h"
+#include "views/render/LabelLayout.h"
 #include "views/tools/BendTool.h"
 #include "views/tools/WidthTool.h"
 
@@ -34,6 +37,11 @@ private Q_SLOTS:
     void widthDrawnToTheAxis_isRemoved();
     void widthDelete_removesTheOneUnderThePointer();
     void widthDoubleClick_removes();
+    void widthLabel_isTypedIn();
+    void widthLabel_refusesNonsenseAndEscapes();
+    void widthLabel_doubleClickPutsNoHandleOnATwigBehind();
+    void widthLabels_doNotCoverEachOther();
+    void widthTap_takesTheTrunkAndNotTheTwigInFront();
     void widthEscape_takesTheDragBack();
     void widthFingerAndPen_setTheWidth();
     void widthAnywhereOnTheScreen_leavesASoundTree();
@@ -61,6 +69,8 @@ private:
     }
     /// Place of the right end of a width's handle.
     QPoint handleEnd(InternodeId id) const;
+    /// The middle of the label of a width's handle.
+    QPoint labelPlace(InternodeId id) const;
     void dragPixels(const QPoint& from, const QPoint& to);
     bool isPositionedLikeBefore(const DocumentState& before, InternodeId id) const
     {
@@ -477,6 +487,123 @@ void ShapingToolsTest::widthDoubleClick_removes()
     QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, handleEnd(7));
     QVERIFY(m_document->tree().widthConstraints().empty());
     QCOMPARE(m_document->undoStack().count(), 2);
+}
+
+QPoint ShapingToolsTest::labelPlace(InternodeId id) const
+{
+    Overlay overlay;
+    m_view->tool().paint(overlay);
+    const std::vector<QRectF> boxes = labelBoxes(overlay, m_view->camera(), QFontMetricsF(m_view->font()));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (overlay.labels()[i].subject == id)
+            return boxes[i].center().toPoint();
+    }
+    return {};
+}
+
+void ShapingToolsTest::widthLabel_isTypedIn()
+{
+    take<WidthTool>();
+    click(middle(7));
+    QTRY_VERIFY(m_view->toolContext().labelAt(labelPlace(7)) == InternodeId{7});
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, labelPlace(7));
+    QTRY_VERIFY(m_view->findChild<LabelEditor*>());
+    auto* editor = m_view->findChild<LabelEditor*>();
+    QTRY_VERIFY(editor->hasFocus());
+    // The text is selected: what is typed replaces it.
+    QTest::keyClicks(editor, QStringLiteral("31 cm"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QVERIFY(std::abs(m_document->tree().widthConstraint(7) - 0.31F) < 1e-6F);
+    QCOMPARE(m_document->undoStack().count(), 2);
+    QTRY_VERIFY(!m_view->findChild<LabelEditor*>());
+    QVERIFY(m_view->hasFocus());
+    // Enter opens it as well; a number alone is centimetres.
+    QTest::keyClick(m_view.get(), Qt::Key_Return);
+    QTRY_VERIFY(m_view->findChild<LabelEditor*>());
+    QTest::keyClicks(m_view->findChild<LabelEditor*>(), QStringLiteral("12"));
+    QTest::keyClick(m_view->findChild<LabelEditor*>(), Qt::Key_Return);
+    QVERIFY(std::abs(m_document->tree().widthConstraint(7) - 0.12F) < 1e-6F);
+    m_document->undoStack().undo();
+    QVERIFY(std::abs(m_document->tree().widthConstraint(7) - 0.31F) < 1e-6F);
+}
+
+void ShapingToolsTest::widthLabel_refusesNonsenseAndEscapes()
+{
+    take<WidthTool>();
+    click(middle(7));
+    const DocumentState before(*m_document);
+    QTest::keyClick(m_view.get(), Qt::Key_Return);
+    QTRY_VERIFY(m_view->findChild<LabelEditor*>());
+    auto* editor = m_view->findChild<LabelEditor*>();
+    for (const char* nonsense : {"thick", "-3 cm", "9999 m"}) {
+        QTest::keyClicks(editor, QString::fromLatin1(nonsense));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QVERIFY(editor->isVisible());
+    }
+    QTest::keyClick(editor, Qt::Key_Escape);
+    QTRY_VERIFY(!m_view->findChild<LabelEditor*>());
+    QVERIFY(m_view->hasFocus());
+    QVERIFY(DocumentState(*m_document) == before);
+}
+
+void ShapingToolsTest::widthLabel_doubleClickPutsNoHandleOnATwigBehind()
+{
+    take<WidthTool>();
+    click(middle(7));
+    QTRY_VERIFY(m_view->toolContext().labelAt(labelPlace(7)) == InternodeId{7});
+    // A branch behind the label.
+    const Vec3 behind = m_view->camera().onPlane(labelPlace(7), middle(7) - Vec3(0.0F, 0.0F, 0.3F));
+    const std::vector<NewInternode> twig{
+        {.parent = 2,
+         .slot = 1,
+         .rotation = Rotation(
+             Eigen::Quaternionf::FromTwoVectors(Vec3::UnitY(), behind - m_document->index().nodePosition(2))),
+         .length = 1.2F * (behind - m_document->index().nodePosition(2)).norm()}};
+    apply(*m_document, births(m_document->tree(), twig));
+    QVERIFY(m_view->toolContext().pick(labelPlace(7), PointerDevice::Mouse));
+    QTest::mouseDClick(m_view.get(), Qt::LeftButton, {}, labelPlace(7));
+    QCOMPARE(m_document->tree().widthConstraints().size(), 1U);
+    QTRY_VERIFY(m_view->findChild<LabelEditor*>());
+}
+
+void ShapingToolsTest::widthLabels_doNotCoverEachOther()
+{
+    take<WidthTool>();
+    for (const InternodeId id : {5U, 6U, 7U})
+        setWidth(*m_document, id, 0.1 + 0.01 * id);
+    Camera camera = m_view->camera();
+    camera.setDistance(6.0F * camera.distance());
+    m_view->setCamera(camera);
+    Overlay overlay;
+    m_view->tool().paint(overlay);
+    const std::vector<QRectF> boxes = labelBoxes(overlay, camera, QFontMetricsF(m_view->font()));
+    QCOMPARE(boxes.size(), std::size_t{3});
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(!boxes[i].intersects(boxes[j]));
+    }
+}
+
+void ShapingToolsTest::widthTap_takesTheTrunkAndNotTheTwigInFront()
+{
+    setWidth(*m_document, 7, 0.2);
+    // A twig that comes toward the viewer, in front of the trunk.
+    const std::vector<NewInternode> twig{{.parent = 5,
+                                          .slot = 1,
+                                          .rotation = Rotation(Eigen::AngleAxisf(0.7F, Vec3::UnitX())),
+                                          .length = 0.3F}};
+    apply(*m_document, births(m_document->tree(), twig));
+    const InternodeId id = m_document->tree().size() - 1;
+    take<WidthTool>();
+    const QPoint place = at(middle(id));
+    const auto front = m_view->toolContext().pick(place, PointerDevice::Mouse);
+    QVERIFY(front);
+    QCOMPARE(front->id, id);
+    // The callipers show beforehand which it will be.
+    QTest::mouseMove(m_view.get(), place);
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, place);
+    QCOMPARE(m_document->tree().widthConstraint(id), 0.0F);
+    QCOMPARE(m_document->tree().widthConstraints().size(), 2U);
 }
 
 void ShapingToolsTest::widthEscape_takesTheDragBack()

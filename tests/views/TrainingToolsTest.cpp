@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands/WidthGesture.h"
+#include "model/shape/ClearWood.h"
 #include "tests/support/Documents.h"
+#include "tests/support/Growing.h"
+#include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/TreeBuilder.h"
 #include "tests/support/ViewportFixture.h"
+#include "views/tools/BrushTool.h"
 #include "views/tools/PruneTool.h"
 #include "views/tools/SelectBudTool.h"
+
+#include <algorithm>
+#include <cmath>
 
 using namespace espalier;
 using namespace espalier::test;
@@ -19,6 +27,23 @@ private Q_SLOTS:
     void pruneFinger_takesTheBranchOff();
     void pruneEscape_leavesTheTreeAlone();
     void eraserEnd_prunes();
+    void prunePreview_isAsWideAsTheWood();
+    void pruneStroke_mayLeaveTheFarSide();
+    void clearDrag_takesTheShootsBelowAndLetsNoneGrow();
+    void clearTap_keepsClearUpToThere();
+    void clearRing_draggedDownLetsBudsShoot();
+    void clearRing_deleteLetsBudsShoot();
+    void clearEscape_leavesTheTreeAlone();
+    void clearDrag_beyondTheTipIsKeptFree();
+    void eraserStroke_takesTwigsInDepthAndLeavesTheTrunk();
+    void eraserPreview_showsWhatGoesBeforeTheRelease();
+    void eraserStroke_goesOnWhileTheCameraTurns();
+    void eraserEscape_leavesTheTreeAlone();
+    void eraserFinger_takesTwigs();
+    void thinStroke_takesAShare();
+    void brushSpread_turnsLimbsIntoTheWidestGap();
+    void brushSymmetry_repeatsAStrokeAroundTheTrunk();
+    void brushTrunkPlane_goesOnInTheLimbsOwnPlane();
     void doubleTap_prunesWithTheBrushInHand();
     void longPressOnABud_letsItAloneGrow();
     void altClickOnABud_letsItAloneGrow();
@@ -28,7 +53,54 @@ private Q_SLOTS:
 private:
     /// A trunk of eight internodes, and a branch of three from its fifth; the branch's first.
     InternodeId plantBranch();
+    /// A trunk of 0.05 m and 12 internodes, with a twig at each from the second on, by turns to the right,
+    /// toward the viewer, to the left and away; the twig of internode i begins with twigAt(i).
+    void plantTwigs();
+    static InternodeId twigAt(InternodeId trunk) { return 13 + 2 * (trunk - 1); }
+    Vec3 trunkAt(float height) const { return {0.0F, height, 0.0F}; }
+    void takePruning(PruneMode mode);
+    /// What the tool in hand paints.
+    Overlay painted() const;
+    /// The living branches on the trunk that begin below @p height, m.
+    std::size_t shootsBelowHeight(float height) const
+    {
+        return shootsBelow(m_document->tree(), m_document->index(), 0, height).size();
+    }
 };
+
+void TrainingToolsTest::plantTwigs()
+{
+    TreeParameters parameters = smallTree();
+    parameters.widths.baseDiameter = 0.1;
+    parameters.widths.tipDiameter = 0.004;
+    m_document->reset(7, parameters);
+    std::vector<NewInternode> internodes;
+    for (InternodeId i = 0; i < 12; ++i)
+        internodes.push_back({.parent = i, .length = 0.2F});
+    for (InternodeId i = 1; i <= 12; ++i) {
+        const Eigen::Quaternionf around(
+            Eigen::AngleAxisf(-0.5F * std::numbers::pi_v<float> * static_cast<float>(i - 1), Vec3::UnitY()));
+        const Eigen::Quaternionf out(Eigen::AngleAxisf(-1.3F, Vec3::UnitZ()));
+        internodes.push_back(
+            {.parent = i, .slot = 0, .rotation = Rotation((around * out).normalized()), .length = 0.2F});
+        internodes.push_back({.parent = static_cast<InternodeId>(internodes.size()), .length = 0.2F});
+    }
+    apply(*m_document, births(m_document->tree(), internodes));
+    m_document->undoStack().clear();
+}
+
+void TrainingToolsTest::takePruning(PruneMode mode)
+{
+    m_settings->set(&ViewValues::pruneMode, mode);
+    m_view->setTool(std::make_unique<PruneTool>(m_view->toolContext()));
+}
+
+Overlay TrainingToolsTest::painted() const
+{
+    Overlay overlay;
+    m_view->tool().paint(overlay);
+    return overlay;
+}
 
 InternodeId TrainingToolsTest::plantBranch()
 {
@@ -123,6 +195,314 @@ void TrainingToolsTest::eraserEnd_prunes()
     sendPen(QEvent::TabletRelease, place, 0.0);
 }
 
+void TrainingToolsTest::prunePreview_isAsWideAsTheWood()
+{
+    plantTwigs();
+    setWidth(*m_document, 2, 0.2);
+    takePruning(PruneMode::Cut);
+    QTest::mouseMove(m_view.get(), at(trunkAt(0.5F)));
+    float widest = 0.0F;
+    for (const Overlay::Line& line : painted().lines())
+        widest = std::max(widest, line.width);
+    const Camera& camera = m_view->camera();
+    const float wood =
+        2.0F * m_view->toolContext().branchRadius(2) * camera.pixelsPerMetre(camera.depth(trunkAt(0.5F)));
+    QVERIFY(wood > 13.0F);
+    QVERIFY2(std::abs(widest - wood) < 0.15F * wood, qPrintable(QString::number(widest / wood)));
+}
+
+void TrainingToolsTest::pruneStroke_mayLeaveTheFarSide()
+{
+    plantTwigs();
+    takePruning(PruneMode::Cut);
+    // Twigs 2, 6 and 10 come toward the viewer, 4, 8 and 12 go away; both kinds appear above their nodes.
+    m_settings->set(&ViewValues::prunesThrough, false);
+    const auto across = [&](InternodeId trunk) {
+        const Vec3 place = 0.5F * (m_document->index().nodePosition(twigAt(trunk)) +
+                                   m_document->index().nodePosition(twigAt(trunk) + 1));
+        const QPoint middle = at(place);
+        QTest::mousePress(m_view.get(), Qt::LeftButton, {}, middle - QPoint(15, 0));
+        for (int x = -12; x <= 15; x += 3) {
+            QMouseEvent event(QEvent::MouseMove, middle + QPoint(x, 0),
+                              m_view->mapToGlobal(middle + QPoint(x, 0)), Qt::NoButton, Qt::LeftButton,
+                              Qt::NoModifier);
+            QCoreApplication::sendEvent(m_view.get(), &event);
+        }
+        QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, middle + QPoint(15, 0));
+    };
+    const InternodeId last = 12; // Above it there is no trunk that the stroke would cross.
+    across(last);
+    QVERIFY(m_document->tree().isAlive(twigAt(last)));
+    m_settings->set(&ViewValues::prunesThrough, true);
+    across(last);
+    QVERIFY(!m_document->tree().isAlive(twigAt(last) + 1));
+}
+
+void TrainingToolsTest::clearDrag_takesTheShootsBelowAndLetsNoneGrow()
+{
+    plantTwigs();
+    takePruning(PruneMode::KeepClear);
+    const std::uint32_t before = alive();
+    QCOMPARE(shootsBelowHeight(1.3F), std::size_t{5});
+    press(trunkAt(0.1F));
+    drag(trunkAt(0.1F), trunkAt(1.3F), 200);
+    // What goes is shown, and nothing has gone yet.
+    QCOMPARE(alive(), before);
+    QVERIFY(std::ranges::any_of(painted().lines(), [](const Overlay::Line& line) { return line.isBroken; }));
+    release(trunkAt(1.3F));
+    QCOMPARE(alive(), before - 10);
+    QCOMPARE(shootsBelowHeight(1.3F), std::size_t{0});
+    QVERIFY(std::abs(m_document->tree().clearLength(0) - 1.3F) < 0.03F);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(indexFault(*m_document), QString());
+    grow(*m_document, 4);
+    QVERIFY(alive() > before - 10);
+    QCOMPARE(shootsBelowHeight(1.25F), std::size_t{0});
+    m_document->undoStack().undo();
+    m_document->undoStack().undo();
+    QCOMPARE(alive(), before);
+    QCOMPARE(m_document->tree().clearLength(0), 0.0F);
+}
+
+void TrainingToolsTest::clearTap_keepsClearUpToThere()
+{
+    plantTwigs();
+    takePruning(PruneMode::KeepClear);
+    QTest::touchEvent(m_view.get(), m_touch.get()).press(0, at(trunkAt(0.9F)));
+    QTest::touchEvent(m_view.get(), m_touch.get()).release(0, at(trunkAt(0.9F)));
+    QVERIFY(std::abs(m_document->tree().clearLength(0) - 0.9F) < 0.03F);
+    QCOMPARE(shootsBelowHeight(0.85F), std::size_t{0});
+    QCOMPARE(m_document->undoStack().count(), 1);
+}
+
+void TrainingToolsTest::clearRing_draggedDownLetsBudsShoot()
+{
+    plantTwigs();
+    takePruning(PruneMode::KeepClear);
+    stroke(trunkAt(0.1F), trunkAt(1.3F), 100);
+    QCOMPARE(m_document->tree().buds(2) & ~kTerminalBud, 0);
+    stroke(trunkAt(1.3F), trunkAt(0.5F), 100);
+    QVERIFY(std::abs(m_document->tree().clearLength(0) - 0.5F) < 0.03F);
+    QCOMPARE(m_document->tree().buds(1) & ~kTerminalBud, 0);
+    QVERIFY((m_document->tree().buds(3) & ~kTerminalBud) != 0);
+    stroke(trunkAt(0.5F), trunkAt(-0.2F), 100);
+    QVERIFY(m_document->tree().content().sparse.clearLength.cells().empty());
+    QVERIFY((m_document->tree().buds(1) & ~kTerminalBud) != 0);
+    QCOMPARE(m_document->undoStack().count(), 3);
+}
+
+void TrainingToolsTest::clearRing_deleteLetsBudsShoot()
+{
+    plantTwigs();
+    takePruning(PruneMode::KeepClear);
+    stroke(trunkAt(0.1F), trunkAt(1.3F), 100);
+    QTest::mouseMove(m_view.get(), at(trunkAt(1.3F)));
+    QTest::keyClick(m_view.get(), Qt::Key_Delete);
+    QVERIFY(m_document->tree().content().sparse.clearLength.cells().empty());
+    QCOMPARE(m_document->undoStack().count(), 2);
+}
+
+void TrainingToolsTest::clearEscape_leavesTheTreeAlone()
+{
+    plantTwigs();
+    takePruning(PruneMode::KeepClear);
+    const DocumentState before(*m_document);
+    press(trunkAt(0.1F));
+    drag(trunkAt(0.1F), trunkAt(1.3F), 100);
+    QTest::keyClick(m_view.get(), Qt::Key_Escape);
+    release(trunkAt(1.3F));
+    QCOMPARE(differenceFrom(before, *m_document), QString());
+}
+
+void TrainingToolsTest::clearDrag_beyondTheTipIsKeptFree()
+{
+    // A seedling is 0.2 m high.
+    takePruning(PruneMode::KeepClear);
+    stroke(trunkAt(0.1F), trunkAt(1.5F), 100);
+    QVERIFY(std::abs(m_document->tree().clearLength(0) - 1.5F) < 0.05F);
+    m_settings->set(&ViewValues::brushRadius, 0.6);
+    m_view->setTool(std::make_unique<BrushTool>(m_view->toolContext()));
+    stroke(trunkAt(0.1F), trunkAt(2.5F), 1500);
+    QVERIFY(alive() > 12);
+    QCOMPARE(shootsBelowHeight(1.5F), std::size_t{0});
+}
+
+void TrainingToolsTest::eraserStroke_takesTwigsInDepthAndLeavesTheTrunk()
+{
+    plantTwigs();
+    m_settings->set(&ViewValues::brushRadius, 0.15);
+    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    takePruning(PruneMode::Erase);
+    stroke(trunkAt(0.7F), trunkAt(1.5F), 200);
+    // All twigs from there, toward the viewer and away from him.
+    for (InternodeId i = 3; i <= 6; ++i)
+        QVERIFY(!m_document->tree().isAlive(twigAt(i)));
+    QVERIFY(m_document->tree().isAlive(twigAt(1)));
+    QVERIFY(m_document->tree().isAlive(twigAt(12)));
+    for (InternodeId i = 1; i <= 12; ++i)
+        QVERIFY(m_document->tree().isAlive(i));
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(replayFault(*m_document), QString());
+}
+
+void TrainingToolsTest::eraserPreview_showsWhatGoesBeforeTheRelease()
+{
+    plantTwigs();
+    m_settings->set(&ViewValues::brushRadius, 0.15);
+    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    takePruning(PruneMode::Erase);
+    const auto shownPoints = [this] {
+        std::size_t points = 0;
+        for (const Overlay::Line& line : painted().lines())
+            points += line.isBroken ? line.count : 0;
+        return points;
+    };
+    // The brush that hovers shows it as well.
+    QTest::mouseMove(m_view.get(), at(trunkAt(1.0F)));
+    const std::size_t hovered = shownPoints();
+    QVERIFY(hovered > 0);
+    press(trunkAt(1.0F));
+    drag(trunkAt(1.0F), trunkAt(1.8F), 100);
+    const std::size_t dragged = shownPoints();
+    QVERIFY(dragged > hovered);
+    const std::uint32_t before = alive();
+    release(trunkAt(1.8F));
+    QCOMPARE(2 * (before - alive()), dragged);
+    // Beside the tree, it shows none.
+    QTest::mouseMove(m_view.get(), {30, 30});
+    QCOMPARE(shownPoints(), std::size_t{0});
+}
+
+void TrainingToolsTest::eraserStroke_goesOnWhileTheCameraTurns()
+{
+    plantTwigs();
+    m_settings->set(&ViewValues::brushRadius, 0.1);
+    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    takePruning(PruneMode::Erase);
+    press(trunkAt(0.7F));
+    drag(trunkAt(0.7F), trunkAt(0.9F), 60);
+    Camera camera = m_view->camera();
+    camera.orbit(0.8F, 0.2F);
+    m_view->setCamera(camera);
+    drag(trunkAt(0.9F), trunkAt(1.5F), 100);
+    release(trunkAt(1.5F));
+    QVERIFY(!m_document->tree().isAlive(twigAt(4)));
+    QVERIFY(!m_document->tree().isAlive(twigAt(6)));
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(replayFault(*m_document), QString());
+}
+
+void TrainingToolsTest::eraserEscape_leavesTheTreeAlone()
+{
+    plantTwigs();
+    takePruning(PruneMode::Erase);
+    const DocumentState before(*m_document);
+    press(trunkAt(0.7F));
+    drag(trunkAt(0.7F), trunkAt(1.5F), 100);
+    QTest::keyClick(m_view.get(), Qt::Key_Escape);
+    release(trunkAt(1.5F));
+    QCOMPARE(differenceFrom(before, *m_document), QString());
+}
+
+void TrainingToolsTest::eraserFinger_takesTwigs()
+{
+    plantTwigs();
+    m_settings->set(&ViewValues::brushRadius, 0.15);
+    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    takePruning(PruneMode::Erase);
+    const std::uint32_t before = alive();
+    QTest::touchEvent(m_view.get(), m_touch.get()).press(0, at(trunkAt(0.7F)));
+    QTest::touchEvent(m_view.get(), m_touch.get()).move(0, at(trunkAt(1.1F)));
+    QTest::touchEvent(m_view.get(), m_touch.get()).release(0, at(trunkAt(1.5F)));
+    QVERIFY(alive() < before);
+    QCOMPARE(m_document->undoStack().count(), 1);
+}
+
+void TrainingToolsTest::thinStroke_takesAShare()
+{
+    plantTwigs();
+    m_settings->set(&ViewValues::brushRadius, 0.5);
+    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    m_settings->set(&ViewValues::thinShare, 0.5);
+    takePruning(PruneMode::Thin);
+    stroke(trunkAt(0.2F), trunkAt(2.6F), 300);
+    int left = 0;
+    for (InternodeId i = 1; i <= 12; ++i) {
+        left += m_document->tree().isAlive(twigAt(i)) ? 1 : 0;
+        // A twig goes as a whole.
+        QCOMPARE(m_document->tree().isAlive(twigAt(i)), m_document->tree().isAlive(twigAt(i) + 1));
+    }
+    QVERIFY2(left >= 5 && left <= 7, qPrintable(QString::number(left)));
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(replayFault(*m_document), QString());
+}
+
+void TrainingToolsTest::brushSpread_turnsLimbsIntoTheWidestGap()
+{
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    stroke(trunkAt(0.2F), trunkAt(2.6F), 600);
+    m_settings->set(&ViewValues::brushPlane, BrushPlane::Spread);
+    for (const float height : {0.9F, 1.3F, 1.7F, 2.1F})
+        stroke(trunkAt(height), Vec3(1.4F, height + 0.4F, 0.0F), 400);
+    QCOMPARE(m_document->undoStack().count(), 5);
+    Box3 box;
+    for (InternodeId id = 0; id < m_document->tree().size(); ++id)
+        box.extend(m_document->index().nodePosition(id));
+    // One to each side, one toward the viewer, one away.
+    QVERIFY(box.min().x() < -0.9F);
+    QVERIFY(box.max().x() > 0.9F);
+    QVERIFY(box.min().z() < -0.9F);
+    QVERIFY(box.max().z() > 0.9F);
+    QCOMPARE(replayFault(*m_document), QString());
+}
+
+void TrainingToolsTest::brushSymmetry_repeatsAStrokeAroundTheTrunk()
+{
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    stroke(trunkAt(0.2F), trunkAt(2.6F), 600);
+    m_settings->set(&ViewValues::brushSymmetry, 3.0);
+    stroke(trunkAt(1.3F), Vec3(1.4F, 1.7F, 0.0F), 400);
+    QCOMPARE(m_document->undoStack().count(), 2);
+    std::size_t limbs = 0;
+    for (InternodeId id = 1; id < m_document->tree().size(); ++id)
+        limbs += m_document->index().axis(id) == id ? 1 : 0;
+    QCOMPARE(limbs, std::size_t{3});
+    m_document->undoStack().undo();
+    QVERIFY(shootsBelowHeight(9.0F) == 0);
+}
+
+void TrainingToolsTest::brushTrunkPlane_goesOnInTheLimbsOwnPlane()
+{
+    // A limb toward the right and the back.
+    plantBranch();
+    const std::vector<NewInternode> limb{{.parent = 4,
+                                          .slot = 1,
+                                          .rotation = Rotation(Eigen::AngleAxisf(0.8F, Vec3::UnitY()) *
+                                                               Eigen::AngleAxisf(-1.2F, Vec3::UnitZ())),
+                                          .length = 0.6F}};
+    apply(*m_document, births(m_document->tree(), limb));
+    const InternodeId id = m_document->tree().size() - 1;
+    const Vec3 tip = m_document->index().nodePosition(id);
+    QVERIFY(tip.z() < -0.2F);
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    m_settings->set(&ViewValues::brushPlane, BrushPlane::Trunk);
+    const QPoint from = at(tip);
+    const QPoint to = from + QPoint(60, 0);
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 20; ++i) {
+        const QPoint place = from + (to - from) * i / 20;
+        QMouseEvent event(QEvent::MouseMove, place, m_view->mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(m_view.get(), &event);
+        QTest::qWait(20);
+    }
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, to);
+    const Vec3 end = m_document->index().nodePosition(m_document->tree().size() - 1);
+    QVERIFY(end.x() > tip.x() + 0.2F);
+    // Away from the trunk, and not parallel to the screen.
+    QVERIFY(std::abs(std::atan2(end.z(), end.x()) - std::atan2(tip.z(), tip.x())) < 0.06F);
+}
+
 void TrainingToolsTest::doubleTap_prunesWithTheBrushInHand()
 {
     const InternodeId branch = plantBranch();
@@ -201,7 +581,9 @@ void TrainingToolsTest::altClickOnABud_letsItAloneGrow()
 void TrainingToolsTest::budTap_letsItAloneGrow()
 {
     plantBranch();
-    m_view->setTool(std::make_unique<SelectBudTool>(m_view->toolContext()));
+    QString said;
+    m_view->setTool(
+        std::make_unique<SelectBudTool>(m_view->toolContext(), [&said](const QString& why) { said = why; }));
     const BudRef bud{8, kTerminalSlot};
     const QPoint place = at(budPosition(m_document->tree(), m_document->index(), bud, 0.0F));
     QTest::touchEvent(m_view.get(), m_touch.get()).press(0, place);
@@ -211,6 +593,17 @@ void TrainingToolsTest::budTap_letsItAloneGrow()
     sendPen(QEvent::TabletRelease, {30.0, 30.0}, 0.0);
     QVERIFY(m_document->competitors().areAll());
     QCOMPARE(m_document->undoStack().count(), 0);
+    // That let all buds grow again. A tap that does nothing says why.
+    QCOMPARE(said, QString());
+    sendPen(QEvent::TabletPress, {30.0, 30.0}, 0.5);
+    sendPen(QEvent::TabletRelease, {30.0, 30.0}, 0.0);
+    QVERIFY(said.startsWith(QStringLiteral("There is no bud here.")));
+    const QPoint beside = place + QPoint(0, -30);
+    QTest::touchEvent(m_view.get(), m_touch.get()).press(0, beside + QPoint(0, -20));
+    QTest::touchEvent(m_view.get(), m_touch.get()).release(0, beside + QPoint(0, -20));
+    QVERIFY(m_document->competitors().areAll());
+    QVERIFY(said.startsWith(QStringLiteral("No bud is that near.")));
+    m_view->setTool(std::make_unique<BrushTool>(m_view->toolContext()));
 }
 
 void TrainingToolsTest::stripFinger_windsTheTrunk()

@@ -34,6 +34,14 @@ void Overlay::addInk(std::span<const Vec3> points, const QColor& colour, float w
     m_lines.back().isInk = true;
 }
 
+void Overlay::addSegments(std::span<const Vec3> points, const QColor& colour, float width)
+{
+    if (points.size() < 2)
+        return;
+    addLine(points, colour, width);
+    m_lines.back().isBroken = true;
+}
+
 void Overlay::addDots(std::span<const Vec3> points, const QColor& colour, float size, float glow)
 {
     if (points.empty())

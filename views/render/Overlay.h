@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/base/Ids.h"
 #include "model/envelope/EnvelopeMesh.h"
 
 #include <QColor>
@@ -8,6 +9,7 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,8 +31,9 @@ public:
         std::size_t count = 0;
         QColor colour;
         float width = 1.5F;
-        float dash = 0.0F;  ///< Length of a dash and of a gap, px; 0 = solid
-        bool isInk = false; ///< As on paper: the tree in front of it does not make it fainter
+        float dash = 0.0F;     ///< Length of a dash and of a gap, px; 0 = solid
+        bool isInk = false;    ///< As on paper: the tree in front of it does not make it fainter
+        bool isBroken = false; ///< Each two points are a line of their own
     };
     struct Dots {
         std::size_t first = 0; ///< Index of the first point in points()
@@ -49,12 +52,13 @@ public:
         Vec3 origin = Vec3::Zero(); ///< A point of the plane where two lines of the grid cross
         QColor colour;
     };
-    /// Words beside a point; always in front.
+    /// Words beside a point; always in front, and never over each other.
     struct Label {
         Vec3 place = Vec3::Zero();
         QPointF offset; ///< From the point to the left end of the words, px
         QString text;
         QColor colour;
+        std::optional<InternodeId> subject{}; ///< The internode whose property a tap on the label edits
     };
 
     /// A translucent surface, transparent where it faces the camera.
@@ -69,6 +73,8 @@ public:
     void addLine(std::span<const Vec3> points, const QColor& colour, float width, float dash = 0.0F);
     /// The same, with Line::isInk.
     void addInk(std::span<const Vec3> points, const QColor& colour, float width, float dash = 0.0F);
+    /// Lines from the first point to the second, from the third to the fourth, and so on.
+    void addSegments(std::span<const Vec3> points, const QColor& colour, float width);
     void addDots(std::span<const Vec3> points, const QColor& colour, float size, float glow = 0.0F);
     void addLabel(const Label& label) { m_labels.push_back(label); }
     void addSurface(const Surface& surface) { m_surfaces.push_back(surface); }

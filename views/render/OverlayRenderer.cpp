@@ -157,7 +157,7 @@ void OverlayRenderer::drawLines(const Overlay& overlay, const Camera& camera, fl
         const std::span<const Vec3> points = overlay.points().subspan(line.first, line.count);
         double path = 0.0;
         std::optional<QPointF> before = camera.project(points.front());
-        for (std::size_t i = 1; i < points.size(); ++i) {
+        for (std::size_t i = 1; i < points.size(); i += line.isBroken ? 2 : 1) {
             const Vec3& a = points[i - 1];
             const Vec3& b = points[i];
             m_segments.push_back(

@@ -75,7 +75,7 @@ const BendTool::Pin* BendTool::pinAt(const PointerSample& sample) const
 
 std::optional<BendTool::Pin> BendTool::branchAt(const PointerSample& sample) const
 {
-    const auto picked = context().pick(sample.position, sample.device);
+    const auto picked = context().pickThick(sample.position, sample.device);
     if (!picked)
         return std::nullopt;
     return Pin{picked->id, static_cast<double>(picked->along)};

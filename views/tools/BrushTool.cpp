@@ -91,14 +91,15 @@ void BrushTool::beginStroke(const PointerSample& sample)
     m_isPen = sample.device == PointerDevice::Pen;
     m_hovers = false;
     TreeDocument& document = context().document();
-    m_picked = context().pick(m_pointer, sample.device);
-    m_anchor = m_picked ? m_picked->position : Vec3(Vec3::Zero());
+    m_picked = context().pickThick(m_pointer, sample.device);
+    m_plane = StrokePlane::of(context(), m_picked);
     m_begun = sample.time;
     m_now = sample.time;
     m_sizeBefore = document.tree().size();
     const BrushSample first = sampleAt(0.0);
     m_trail = {first.position};
-    m_gesture = std::make_unique<BrushGesture>(document, first, document.competitors(), StrokeEnd::Arrives);
+    m_gesture = std::make_unique<BrushGesture>(document, first, document.competitors(), StrokeEnd::Arrives,
+                                               m_plane.placement());
     context().requestRepaint();
 }
 
@@ -166,8 +167,8 @@ void BrushTool::hover(const PointerSample& sample)
     m_pointer = sample.position;
     m_pressure = 1.0;
     m_hovers = true;
-    m_picked = context().pick(m_pointer, sample.device);
-    m_anchor = m_picked ? m_picked->position : Vec3(Vec3::Zero());
+    m_picked = context().pickThick(m_pointer, sample.device);
+    m_plane = StrokePlane::of(context(), m_picked);
     context().requestRepaint();
 }
 
@@ -208,8 +209,7 @@ BrushSample BrushTool::sampleAt(double time) const
 {
     const ViewValues& view = context().viewSettings().values();
     const double share = m_isPen && view.pressureScales ? radiusShare(m_pressure) : 1.0;
-    return {time, context().camera().onPlane(m_pointer, m_anchor),
-            static_cast<float>(view.brushRadius * share)};
+    return {time, m_plane.under(context().camera(), m_pointer), static_cast<float>(view.brushRadius * share)};
 }
 
 /// s since the stroke began, in steps that are finer than any device's clock: it does not depend on when the
@@ -241,6 +241,21 @@ void BrushTool::rest(double now)
     context().requestRepaint();
 }
 
+/// Where the brush is while the pointer is at @p centre: there, and at its copies around the trunk.
+std::vector<Vec3> BrushTool::shownBrushes(const Vec3& centre) const
+{
+    if (m_gesture)
+        return m_gesture->placed(centre);
+    const TreeDocument& document = context().document();
+    StrokePlacement placement = m_plane.placement();
+    placement.isSpread = false;
+    const StrokeTurns turns(document.tree(), document.index(), placement, 0.0F);
+    std::vector<Vec3> places;
+    for (int copy = 0; copy < placement.copies; ++copy)
+        places.push_back(turns.placed(centre, copy));
+    return places;
+}
+
 void BrushTool::paint(Overlay& overlay) const
 {
     const Camera& camera = context().camera();
@@ -268,11 +283,11 @@ void BrushTool::paint(Overlay& overlay) const
         QColor faint = isBackdropLight(view) ? kHintOverLight : kHintColour;
         faint.setAlphaF(0.2F);
         overlay.addGrid({.centre = centre,
-                         .right = camera.right(),
-                         .up = camera.up(),
+                         .right = m_plane.right(camera),
+                         .up = m_plane.up(camera),
                          .extent = reach,
                          .spacing = std::exp2(std::round(std::log2(reach / 4.0F))),
-                         .origin = m_anchor,
+                         .origin = m_plane.anchor(),
                          .colour = faint});
         // A plumb line and its foot show the brush's place over the ground; the plane meets the ground in a
         // level line.
@@ -281,11 +296,11 @@ void BrushTool::paint(Overlay& overlay) const
         overlay.addLine(std::array{centre, foot}, faint, 1.0F, 4.0F);
         overlay.addCircle(foot, Vec3::UnitX(), Vec3::UnitZ(),
                           std::max(brush.radius, 0.01F * camera.distance()), faint, 1.0F);
-        if (camera.up().y() > kGrazing) {
-            const Vec3 meets = centre - centre.y() / camera.up().y() * camera.up();
-            overlay.addLine(
-                std::array{Vec3(meets - reach * camera.right()), Vec3(meets + reach * camera.right())}, faint,
-                1.0F);
+        const Vec3 planeUp = m_plane.up(camera);
+        if (planeUp.y() > kGrazing) {
+            const Vec3 meets = centre - centre.y() / planeUp.y() * planeUp;
+            const Vec3 aside = reach * m_plane.right(camera);
+            overlay.addLine(std::array{Vec3(meets - aside), Vec3(meets + aside)}, faint, 1.0F);
         }
     }
     if (m_trail.size() > 1) {
@@ -293,8 +308,14 @@ void BrushTool::paint(Overlay& overlay) const
         trail.push_back(centre);
         overlay.addLine(trail, kBrushColour, 1.8F, 5.0F);
     }
-    if (brush.radius > 0.0F)
-        overlay.addSphere({centre, brush.radius, kBrushColour, m_gesture ? 0.16F : 0.09F});
+    const std::vector<Vec3> brushes = shownBrushes(centre);
+    for (const Vec3& place : brushes) {
+        if (brush.radius > 0.0F)
+            overlay.addSphere({place, brush.radius, kBrushColour, m_gesture ? 0.16F : 0.09F});
+    }
+    // A stroke that is turned about the trunk grows there, and not under the pointer.
+    if (m_gesture)
+        overlay.addDots(brushes, kBrushColour, 5.0F);
     overlay.addDots(std::array{centre}, kPickedColour, 5.0F);
     paintReason(overlay);
     if (m_picked && !m_gesture) {

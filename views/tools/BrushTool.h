@@ -2,6 +2,7 @@
 #pragma once
 
 #include "commands/BrushGesture.h"
+#include "views/tools/StrokePlane.h"
 #include "views/tools/Tool.h"
 
 #include <QCoreApplication>
@@ -15,7 +16,7 @@ namespace espalier {
 /// The brush (TreeSketch §3.2): fills a ball with markers of free space, which the tree grows into. It moves
 /// in the plane that is parallel to the screen and goes through the base of the tree, or through the branch
 /// at which the stroke begins. The plane turns with the camera, so that a pointer at rest draws a helix while
-/// the view rotates.
+/// the view rotates. StrokePlane has other planes, and strokes around the trunk.
 ///
 /// A second tap on a branch prunes it; a finger or pen that rests on a bud chooses that bud to grow alone.
 class BrushTool : public Tool {
@@ -65,9 +66,10 @@ private:
     void rest(double now);
     void paintReason(Overlay& overlay) const;
     void stop();
+    std::vector<Vec3> shownBrushes(const Vec3& centre) const;
 
     std::unique_ptr<BrushGesture> m_gesture;
-    Vec3 m_anchor = Vec3::Zero(); ///< A point of the drawing plane
+    StrokePlane m_plane;
     QPointF m_pointer;
     double m_pressure = 1.0;
     bool m_isPen = false;

@@ -4,6 +4,8 @@
 #include "model/shape/Pruning.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 namespace espalier {
@@ -12,6 +14,9 @@ namespace {
 
 /// Radius of the ring around the place of the cut, px.
 constexpr float kPruneRing = 9.0F;
+/// Width of the line on falling wood, px: as wide as the wood, in steps of a quarter of an octave.
+constexpr float kLeastWidth = 1.5F;
+constexpr float kWidthSteps = 4.0F;
 
 const QColor kFallingColour(235, 84, 72, 200);
 const QColor kCutColour(255, 214, 120);
@@ -42,18 +47,23 @@ void CutPreview::paint(ToolContext& context, Overlay& overlay, bool withRings) c
     const auto isGone = [&tree](InternodeId id) { return id >= tree.size() || !tree.isAlive(id); };
     if (std::ranges::any_of(m_falling, isGone) || std::ranges::any_of(m_cuts, isGone))
         return;
-    // Axis by axis: a line each.
-    std::vector<Vec3> line;
+    // As wide as the wood: internodes of about the same width together.
+    std::map<int, std::vector<Vec3>> segments;
     for (const InternodeId id : m_falling) {
-        const InternodeId parent = tree.parent(id);
-        if (index.mainChild(parent) == id && std::ranges::binary_search(m_falling, parent))
-            continue; // it is drawn with its axis
-        line.assign({index.basePosition(tree, id)});
-        for (InternodeId along = id; along != kNoInternode; along = index.mainChild(along))
-            line.push_back(index.nodePosition(along));
-        const float width = 2.0F * context.branchRadius(id) * camera.pixelsPerMetre(camera.depth(line[1]));
-        overlay.addLine(line, kFallingColour, std::clamp(width, 1.5F, 12.0F));
+        const Vec3 base = index.basePosition(tree, id);
+        const Vec3& node = index.nodePosition(id);
+        const float depth = camera.depth(node);
+        if (depth < Camera::kMinDistance)
+            continue;
+        const float width = 2.0F * context.branchRadius(id) * camera.pixelsPerMetre(depth);
+        const auto step =
+            static_cast<int>(std::lround(kWidthSteps * std::log2(std::max(width, kLeastWidth))));
+        std::vector<Vec3>& points = segments[step];
+        points.push_back(base);
+        points.push_back(node);
     }
+    for (const auto& [step, points] : segments)
+        overlay.addSegments(points, kFallingColour, std::exp2(static_cast<float>(step) / kWidthSteps));
     for (const InternodeId cut : m_cuts) {
         const Vec3 place = index.basePosition(tree, cut);
         if (withRings)

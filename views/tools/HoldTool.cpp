@@ -79,7 +79,7 @@ void HoldTool::leave()
 
 void HoldTool::aim(const PointerSample& sample)
 {
-    m_picked = context().pick(sample.position, sample.device);
+    m_picked = context().pickThick(sample.position, sample.device);
     context().requestRepaint();
 }
 

@@ -1,45 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "views/tools/CutPreview.h"
 #include "views/tools/Tool.h"
 
-#include <QCoreApplication>
-
-#include <vector>
+#include <memory>
 
 namespace espalier {
 
-/// The secateurs (TreeSketch §3.3): a tap cuts a branch off at the branching point below; a stroke cuts every
-/// branch that it crosses. The branches that would fall are shown before the cut.
+/// The tool that takes wood away. PruneMode, a value of the view, says how; it can be changed between
+/// gestures.
 class PruneTool : public Tool {
-    Q_DECLARE_TR_FUNCTIONS(PruneTool)
-
 public:
-    using Tool::Tool;
+    explicit PruneTool(ToolContext& context);
 
     void begin(const PointerSample& sample) override;
-    void move(const PointerSample& sample) override;
+    void move(const PointerSample& sample) override { hand().move(sample); }
     void end(const PointerSample& sample) override;
     void finish() override;
     void cancel() override;
-    void hover(const PointerSample& sample) override;
+    void hover(const PointerSample& sample) override { hand().hover(sample); }
     void leave() override;
+    void wheel(double notches) override { hand().wheel(notches); }
+    bool keyPressed(int key) override { return hand().keyPressed(key); }
 
-    bool isActive() const override { return m_isActive; }
-    void paint(Overlay& overlay) const override;
-    QString tip() const override;
+    bool isActive() const override { return hand().isActive(); }
+    void paint(Overlay& overlay) const override { hand().paint(overlay); }
+    QString tip() const override { return hand().tip(); }
 
 private:
-    void aim(const PointerSample& sample);
-    void cutAcross(const QPointF& from, const QPointF& to);
-    void show(std::vector<InternodeId> cuts);
-    void cut();
+    Tool& ofMode() const;
+    /// The tool that a gesture is made with, or else that of the mode.
+    Tool& hand() const { return m_held ? *m_held : ofMode(); }
 
-    bool m_isActive = false;
-    bool m_isStroke = false; ///< The pointer has moved too far for a tap
-    std::vector<QPointF> m_path;
-    CutPreview m_preview;
+    std::unique_ptr<Tool> m_cut;
+    std::unique_ptr<Tool> m_clear;
+    std::unique_ptr<Tool> m_eraser;
+    Tool* m_held = nullptr;
 };
 
 } // namespace espalier

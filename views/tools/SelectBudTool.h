@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace espalier {
@@ -15,7 +17,11 @@ class SelectBudTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(SelectBudTool)
 
 public:
-    using Tool::Tool;
+    /// @p say: tells the user why a tap did nothing.
+    SelectBudTool(ToolContext& context, std::function<void(const QString& why)> say)
+        : Tool(context), m_say(std::move(say))
+    {
+    }
 
     void begin(const PointerSample& sample) override;
     void move(const PointerSample& sample) override;
@@ -32,6 +38,7 @@ public:
 private:
     void look(const PointerSample& sample);
 
+    std::function<void(const QString&)> m_say;
     bool m_isActive = false;
     std::vector<PickedBud> m_buds; ///< Buds around the pointer, the nearest first
     bool m_isNear = false;         ///< Whether the first of them is under the pointer

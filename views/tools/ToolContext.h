@@ -6,6 +6,9 @@
 #include "views/camera/Camera.h"
 #include "views/tools/BudPicker.h"
 
+#include <functional>
+#include <optional>
+
 namespace espalier {
 
 /// The parts of the program that a tool may use. All of them outlive the tool.
@@ -25,6 +28,12 @@ public:
                                             double factor) const = 0;
     /// Radius of the bark as it is drawn, m.
     virtual float branchRadius(InternodeId id) const = 0;
+    /// The subject of the label at @p screen, if a label that has one was painted there.
+    virtual std::optional<InternodeId> labelAt(const QPointF& screen) const = 0;
+    /// Shows a field with @p text in place of the label with that subject. @p take gets what the user has
+    /// typed, and returns whether it has a meaning. The tool may be gone by then.
+    virtual void editLabel(InternodeId subject, const QString& text,
+                           std::function<bool(const QString&)> take) = 0;
     /// Requests a repaint because the tool's overlay has changed. Changes of the tree need no request.
     virtual void requestRepaint() = 0;
 };

@@ -84,7 +84,7 @@ std::optional<WidthTool::Grip> WidthTool::gripAt(const PointerSample& sample) co
 
 std::optional<InternodeId> WidthTool::branchAt(const PointerSample& sample) const
 {
-    const auto picked = context().pick(sample.position, sample.device);
+    const auto picked = context().pickThick(sample.position, sample.device);
     return picked ? std::optional(picked->id) : std::nullopt;
 }
 
@@ -120,6 +120,9 @@ void WidthTool::begin(const PointerSample& sample)
     m_isPulled = false;
     m_hoveredBranch.reset();
     m_pressedAt = sample.position;
+    m_labelled = context().labelAt(sample.position);
+    if (m_labelled)
+        return;
     m_grip = gripAt(sample);
     if (!m_grip) {
         if (const auto branch = branchAt(sample))
@@ -169,6 +172,12 @@ void WidthTool::move(const PointerSample& sample)
 
 void WidthTool::end(const PointerSample& sample)
 {
+    if (m_labelled && context().labelAt(sample.position) == m_labelled) {
+        const InternodeId id = *m_labelled;
+        stop();
+        type(id);
+        return;
+    }
     move(sample);
     if (m_gesture) {
         m_gesture->finish();
@@ -195,6 +204,7 @@ void WidthTool::cancel()
 void WidthTool::stop()
 {
     m_gesture.reset();
+    m_labelled.reset();
     m_grip.reset();
     m_hovered.reset();
     m_isDown = false;
@@ -204,6 +214,8 @@ void WidthTool::stop()
 void WidthTool::hover(const PointerSample& sample)
 {
     m_hovered = gripAt(sample);
+    if (const auto labelled = context().labelAt(sample.position))
+        m_hovered = Grip{*labelled, Part::End};
     m_hoveredBranch = m_hovered ? std::nullopt : branchAt(sample);
     context().requestRepaint();
 }
@@ -215,11 +227,32 @@ void WidthTool::leave()
     context().requestRepaint();
 }
 
+/// Lets the user type the width at @p id.
+void WidthTool::type(InternodeId id)
+{
+    TreeDocument& document = context().document();
+    if (!document.tree().isAlive(id) || document.tree().widthConstraint(id) <= 0.0F)
+        return;
+    m_chosen = id;
+    context().editLabel(id, lengthText(diameterOf(id)), [&document, id](const QString& text) {
+        const std::optional<double> metres = parseLength(text, units() == Units::Metric ? 0.01 : kInch);
+        if (!metres || *metres < 0.0 || *metres > static_cast<double>(kGreatestDiameter))
+            return false;
+        if (document.tree().isAlive(id))
+            setWidth(document, id, *metres);
+        return true;
+    });
+}
+
 bool WidthTool::keyPressed(int key)
 {
     if (key == Qt::Key_Escape && m_chosen) {
         m_chosen.reset();
         context().requestRepaint();
+        return true;
+    }
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && m_chosen) {
+        type(*m_chosen);
         return true;
     }
     if (key != Qt::Key_Delete && key != Qt::Key_Backspace)
@@ -247,7 +280,7 @@ void WidthTool::paintHandle(Overlay& overlay, InternodeId id, bool isLit, bool i
     overlay.addDots(ends, colour, isLit ? 11.0F : 9.0F, isLit ? 0.4F : 0.0F);
     overlay.addDots(std::array{place->centre}, colour, 5.0F);
     if (isLabelled)
-        overlay.addLabel({ends[1], {14.0, 0.0}, lengthText(diameter), colour});
+        overlay.addLabel({ends[1], {14.0, 0.0}, lengthText(diameter), colour, id});
 }
 
 void WidthTool::paint(Overlay& overlay) const

@@ -12,7 +12,8 @@
 namespace espalier {
 
 /// Sets the width of branches (TreeSketch §3.3). A tap on a branch fixes its current width; a handle across
-/// the branch, with two ends, is dragged to another width or moved along the branch.
+/// the branch, with two ends, is dragged to another width or moved along the branch. A tap on its number
+/// opens a field to type another one.
 class WidthTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(WidthTool)
 
@@ -62,13 +63,15 @@ private:
     double diameterOf(InternodeId id) const;
     InternodeId nearestOnAxis(const QPointF& position) const;
     void stop();
+    void type(InternodeId id);
     void paintHandle(Overlay& overlay, InternodeId id, bool isLit, bool isLabelled) const;
 
     std::optional<Grip> m_hovered; ///< The handle under the pointer
     std::optional<InternodeId> m_hoveredBranch;
     std::optional<InternodeId> m_chosen; ///< The internode whose handle was touched last
     bool m_isDown = false;
-    std::optional<Grip> m_grip; ///< The handle that a pointer holds
+    std::optional<InternodeId> m_labelled; ///< The one whose label the pointer pressed
+    std::optional<Grip> m_grip;            ///< The handle that a pointer holds
     std::unique_ptr<WidthGesture> m_gesture;
     bool m_isPulled = false; ///< The pointer has moved too far for a tap
     QPointF m_pressedAt;

@@ -3,7 +3,10 @@
 
 #include "commands/AddBuds.h"
 #include "commands/BendGesture.h"
+#include "commands/BrushGesture.h"
 #include "commands/DocumentProject.h"
+#include "commands/EraseTwigs.h"
+#include "commands/KeepClear.h"
 #include "commands/LassoGesture.h"
 #include "commands/ParameterGesture.h"
 #include "commands/PlaceLeaves.h"
@@ -223,6 +226,37 @@ void JournalRecipeTest::gesture_isPlayedAgain_data()
                  6);
         grow(document, 3);
         QCOMPARE(addBuds(document, {.internode = 0, .count = 8, .spacing = 1.0}), 8);
+        grow(document, 2);
+    });
+    row("a stroke around the trunk", [](TreeDocument& document) {
+        const Vec3 trunk(0.0F, 0.25F, 0.0F);
+        const std::vector<Vec3> way{trunk, trunk + Vec3(0.2F, 0.1F, 0.05F)};
+        for (const float radius : {0.0F, 0.1F}) {
+            const std::vector<BrushSample> samples = strokeAlong(way, radius, 0.6);
+            BrushGesture gesture(document, samples.front(), {}, StrokeEnd::Arrives,
+                                 {.around = trunk, .copies = 3, .isSpread = true});
+            for (const BrushSample& sample : samples)
+                gesture.add(sample);
+            gesture.finish();
+        }
+    });
+    row("kept clear", [](TreeDocument& document) {
+        const InternodeId tip = farthest(document);
+        QVERIFY(keepClear(document, tip, 0.21F));
+        grow(document, 2);
+        QVERIFY(keepClear(document, tip, 0.13F));
+        grow(document, 2);
+        QVERIFY(keepClear(document, tip, 0.0F));
+        grow(document, 1);
+    });
+    row("erased and thinned", [](TreeDocument& document) {
+        const Vec3 tip = document.index().nodePosition(farthest(document));
+        SweptTwigs twigs{.sweeps = {{Vec3(0.0F, 0.5F, 4.0F), {{tip, 0.1F}, {0.5F * tip, 0.2F}}}},
+                         .thickest = 1.0};
+        QVERIFY(thinTwigs(document, {twigs, 0.5}));
+        twigs.depth = SweepDepth::NearSide;
+        twigs.sweeps.push_back({Vec3(4.0F, 0.123F, 0.0F), {{tip, 0.07F}}});
+        eraseTwigs(document, {twigs});
         grow(document, 2);
     });
     row("placed leaves", [](TreeDocument& document) {

@@ -43,6 +43,8 @@ inline Recipe randomRecipe(std::uint64_t seed)
         result.operations.emplace_back(stroke);
         stroke.end = i % 3 == 0 ? StrokeEnd::Arrives : StrokeEnd::AtRelease;
         stroke.until = i % 4 == 0 ? std::optional(stroke.samples.back().time - 0.001) : std::nullopt;
+        if (i % 5 == 0)
+            stroke.placement = {.around = random.inBall(), .copies = 2 + i % 3, .isSpread = i % 2 == 0};
         result.operations.emplace_back(stroke);
         result.operations.emplace_back(SetParametersOperation{randomParameters()});
         if (i % 3 == 0)
@@ -119,6 +121,17 @@ inline Recipe randomRecipe(std::uint64_t seed)
                                 .along = static_cast<float>(random.uniform()),
                                 .rotation = Rotation(Eigen::AngleAxisf(2.0F, random.direction())),
                                 .scale = i % 2 == 0 ? 1.0 : random.uniform(0.1, 9.0)});
+        result.operations.emplace_back(
+            KeepClearOperation{static_cast<InternodeId>(i), static_cast<float>(random.uniform(0.0, 9.0))});
+        SweptTwigs twigs{.sweeps = {}, .thickest = random.uniform()};
+        twigs.depth = i % 2 == 0 ? SweepDepth::All : SweepDepth::NearSide;
+        for (int j = 0; j <= i % 3; ++j)
+            twigs.sweeps.push_back(
+                {10.0F * random.inBall(),
+                 std::vector(static_cast<std::size_t>(1 + j),
+                             SweepPoint{random.inBall(), static_cast<float>(random.uniform())})});
+        result.operations.emplace_back(EraseOperation{twigs});
+        result.operations.emplace_back(ThinOperation{twigs, random.uniform()});
         ImportOperation import;
         for (int j = 0; j <= i; ++j)
             import.skeleton.push_back({j == 0 ? kNoInternode : static_cast<std::uint32_t>(j - 1),

@@ -64,6 +64,12 @@ SketchStrokeOperation branchOn(std::optional<InternodeReference> on)
     return {.stroke = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), {{0, 1}, {1, 2}}}, .on = std::move(on)};
 }
 
+/// A brush of @p radius, m, beside the tree.
+SweptTwigs sweptFromTheFront(float radius)
+{
+    return {.sweeps = {{Vec3(0.0F, 1.0F, 10.0F), {{Vec3(5.0F, 1.0F, 0.0F), radius}}}}, .thickest = 1.0};
+}
+
 std::vector<Case> cases()
 {
     const QString missing = QStringLiteral("there is no internode 700");
@@ -124,6 +130,15 @@ std::vector<Case> cases()
          QStringLiteral("internode 2 has no twist to take away")},
         {"addBuds", AddBudsOperation{.internode = 3U}, {}},
         {"addBuds on what is not there", AddBudsOperation{.internode = kMissing}, missing},
+        {"keepClear", KeepClearOperation{3U, 0.1F}, {}},
+        {"keepClear of what is not there", KeepClearOperation{kMissing, 0.1F}, missing},
+        {"keepClear that changes nothing", KeepClearOperation{3U, 0.0F},
+         QStringLiteral("the branch of internode 3 is kept clear like that already")},
+        {"erase", EraseOperation{sweptFromTheFront(100.0F)}, {}},
+        {"erase beside the tree", EraseOperation{sweptFromTheFront(0.0F)},
+         QStringLiteral("nothing under the brush could be erased")},
+        {"thin where there is a trunk alone", ThinOperation{sweptFromTheFront(100.0F), 1.0},
+         QStringLiteral("there were no twigs under the brush to take")},
         {"placeLeaf", PlaceLeafOperation{.internode = 3U}, {}},
         {"placeLeaf on what is not there", PlaceLeafOperation{.internode = kMissing}, missing},
         {"placeLeaf of no length", PlaceLeafOperation{.internode = 3U, .length = 0.0F},

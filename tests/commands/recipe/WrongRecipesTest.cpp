@@ -248,6 +248,24 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].along: a number from 0 to 1 is expected");
     row(operationsOf(R"({"op": "addBuds", "internode": 1, "azimuth": 400})"),
         "operations[0].azimuth: a number from -360 to 360 is expected");
+    row(operationsOf(R"({"op": "brushStroke", "samples": [[0, 0, 0, 0, 1]], "copies": 13})"),
+        "operations[0].copies: a whole number from 1 to 12 is expected");
+    row(operationsOf(R"({"op": "brushStroke", "samples": [[0, 0, 0, 0, 1]], "around": [0, 1]})"),
+        "operations[0].around: three numbers within ±1000 are expected: x, y, z, in m");
+    row(operationsOf(R"({"op": "keepClear", "internode": 1})"), "operations[0].length: it is missing");
+    row(operationsOf(R"({"op": "keepClear", "internode": 1, "length": -1})"),
+        "operations[0].length: a number from 0 to 1000 is expected");
+    row(operationsOf(R"({"op": "erase", "sweeps": []})"),
+        "operations[0].sweeps: one stroke or more is expected");
+    row(operationsOf(R"({"op": "erase", "sweeps": [{"eye": [0, 0], "path": [[0, 0, 0, 1]]}]})"),
+        "operations[0].sweeps[0].eye: three numbers within ±1000 are expected: x, y, z, in m");
+    row(operationsOf(R"({"op": "erase", "sweeps": [{"eye": [0, 0, 5], "path": []}]})"),
+        "operations[0].sweeps[0].path: a stroke has at least one point");
+    row(operationsOf(R"({"op": "thin", "sweeps": [{"eye": [0, 0, 5], "path": [[0, 0, 0, -1]]}]})"),
+        "operations[0].sweeps[0].path[0]: four numbers are expected: x, y, z within ±1000 m, and a radius "
+        "within 0…100 m");
+    row(operationsOf(R"({"op": "thin", "share": 2, "sweeps": [{"eye": [0, 0, 5], "path": [[0, 0, 0, 1]]}]})"),
+        "operations[0].share: a number from 0 to 1 is expected");
     const auto leaf = [&](const QByteArray& members) {
         return operationsOf(R"({"op": "placeLeaf", "internode": 1)" + members + "}");
     };

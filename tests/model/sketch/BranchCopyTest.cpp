@@ -55,7 +55,8 @@ QString copyFault(const TreeBuilder& builder, const std::vector<InternodeId>& fr
             c.parameterSet[a] != c.parameterSet[b] || c.birth[b] != tree.step())
             return QStringLiteral("a column of internode %1").arg(a);
         if (sparse.twist.at(a) != sparse.twist.at(b) || sparse.profile.at(a) != sparse.profile.at(b) ||
-            !isScaled(tree.widthConstraint(a), tree.widthConstraint(b)))
+            !isScaled(tree.widthConstraint(a), tree.widthConstraint(b)) ||
+            !isScaled(tree.clearLength(a), tree.clearLength(b)))
             return QStringLiteral("a sparse column of internode %1").arg(a);
         const Vec3 expected =
             newBase + static_cast<float>(scale) * (turn * Vec3(builder.index.nodePosition(a) - base));

@@ -37,6 +37,7 @@ inline std::vector<TreeBuilder> branchTrees()
             bearers.push_back(id);
             delta.sparse.width.push_back({id, builder.tree.content().sparse.width.at(id), 0.002F});
             delta.sparse.twist.push_back({id, std::nullopt, 0.3F});
+            delta.sparse.clearLength.push_back({id, std::nullopt, 0.05F});
         }
         builder.apply(std::move(delta));
         builder.apply(leafPlacement(builder.tree, bearers));
