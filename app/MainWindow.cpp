@@ -195,7 +195,10 @@ SettingsSheet& MainWindow::showSettings()
     }
     auto* sheet = new SettingsSheet(m_preferences, this);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->setInterfaceScale(m_settings.interfaceScale());
     connect(sheet, &SettingsSheet::preferencesEdited, this, &MainWindow::prefer);
+    connect(sheet, &SettingsSheet::interfaceScaleEdited, this,
+            [this](int percent) { m_settings.setInterfaceScale(percent); });
     sheet->show();
     return *sheet;
 }
