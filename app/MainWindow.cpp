@@ -40,7 +40,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_recipeRunner(m_document),
       m_undoRunner(m_document),
       m_strandRunner(m_document),
-      m_actions(*this)
+      m_actions(*this),
+      m_focusKeeper(*this, [this] { return m_workspace ? &m_workspace->viewport() : nullptr; })
 {
     setMinimumSize(920, 680);
     setAcceptDrops(true);
