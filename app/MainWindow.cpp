@@ -40,7 +40,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_recipeRunner(m_document),
       m_undoRunner(m_document),
       m_strandRunner(m_document),
-      m_actions(*this)
+      m_actions(*this),
+      m_focusKeeper(*this, [this] { return m_workspace ? &m_workspace->viewport() : nullptr; })
 {
     setMinimumSize(920, 680);
     setAcceptDrops(true);
@@ -195,7 +196,10 @@ SettingsSheet& MainWindow::showSettings()
     }
     auto* sheet = new SettingsSheet(m_preferences, this);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->setInterfaceScale(m_settings.interfaceScale());
     connect(sheet, &SettingsSheet::preferencesEdited, this, &MainWindow::prefer);
+    connect(sheet, &SettingsSheet::interfaceScaleEdited, this,
+            [this](int percent) { m_settings.setInterfaceScale(percent); });
     sheet->show();
     return *sheet;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/FocusKeeper.h"
 #include "app/HelpController.h"
 #include "app/LatinKeyFilter.h"
 #include "app/LeafController.h"
@@ -117,6 +118,7 @@ private:
     StrandRunner m_strandRunner;
     Actions m_actions;
     LatinKeyFilter m_latinKeys;
+    FocusKeeper m_focusKeeper;
     QElapsedTimer m_followClock;
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;

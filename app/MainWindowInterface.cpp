@@ -28,7 +28,12 @@ QImage MainWindow::thumbnail()
 {
     const QImage whole = m_workspace->viewport().grabPicture();
     const int edge = std::min(whole.width(), whole.height());
-    const QRect middle((whole.width() - edge) / 2, (whole.height() - edge) / 2, edge, edge);
+    // The tree is in the part of the view that panes leave free.
+    const QPointF share = m_workspace->viewport().camera().targetShare();
+    const auto begin = [edge](int length, double at) {
+        return std::clamp(static_cast<int>(length * at) - edge / 2, 0, length - edge);
+    };
+    const QRect middle(begin(whole.width(), share.x()), begin(whole.height(), share.y()), edge, edge);
     return whole.copy(middle).scaled(kThumbnailEdge, kThumbnailEdge, Qt::KeepAspectRatio,
                                      Qt::SmoothTransformation);
 }

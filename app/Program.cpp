@@ -35,6 +35,14 @@ void nameProgram()
     QGuiApplication::setDesktopFileName(QStringLiteral("espalier"));
 }
 
+/// Gives the interface the size that the user has chosen, unless the environment gives it one.
+void scaleInterface()
+{
+    const int percent = Settings().interfaceScale();
+    if (percent != 100 && !qEnvironmentVariableIsSet("QT_SCALE_FACTOR"))
+        qputenv("QT_SCALE_FACTOR", QByteArray::number(percent / 100.0));
+}
+
 /// Prints only fatal messages of Qt: without a window, the standard error is for the program's own messages.
 void onlyFatal(QtMsgType type, const QMessageLogContext&, const QString& message)
 {
@@ -134,6 +142,7 @@ int runProgram(int argc, char** argv)
         speakLanguage(Settings().preferences().language);
         return runWithoutWindow(arguments);
     }
+    scaleInterface();
     QApplication application(argc, argv);
     speakLanguage(Settings().preferences().language);
     return runWindow(*line, application);

@@ -41,6 +41,8 @@ constexpr int kTopBarHeight = 50;
 constexpr int kGap = 10;
 constexpr int kStatusHeight = 60;
 constexpr int kStatusMargin = 20;
+/// Width that panes at the sides leave the tree at least, px.
+constexpr int kLeastRoom = 300;
 /// ms; the counts of a growing tree are not updated more often.
 constexpr int kCountInterval = 200;
 
@@ -90,10 +92,13 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
 {
     m_sheets = {m_architecture, m_brushSheet, new ParameterPanel(document, ParameterSheet::Leaves, this),
                 new ParameterPanel(document, ParameterSheet::Branches, this), m_background};
-    connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::arrange);
-    connect(m_prunePopOut, &PrunePopOut::sizeWanted, this, &Workspace::arrange);
-    for (QLabel* label : {m_counts, m_tip})
+    connect(m_architecture, &ArchitecturePanel::sizeWanted, this, &Workspace::rearrange);
+    connect(m_prunePopOut, &PrunePopOut::sizeWanted, this, &Workspace::rearrange);
+    for (QLabel* label : {m_counts, m_tip}) {
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
+        // Words over foliage stand on a veil.
+        label->setProperty("overPicture", true);
+    }
     m_tip->setObjectName(QStringLiteral("tip"));
     m_onlyOne->setObjectName(QStringLiteral("growAll"));
     m_onlyOne->setToolTip(tr("Let all buds grow again"));
@@ -119,31 +124,19 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
 void Workspace::showPopOut(PopOut popOut)
 {
     m_popOut = popOut;
-    arrange();
+    rearrange();
 }
 
 void Workspace::showSheet(int index)
 {
-    const bool wasClear = m_viewport->isTreeClear();
     m_sheet = index;
-    arrange();
-    // A tree that was in view stays so, and comes back to its place when the sheet is closed.
-    if (m_sheet >= 0 && wasClear && !m_viewport->isTreeClear()) {
-        if (!m_beside)
-            m_beside = {m_viewport->cameraAtRest(), {}};
-        m_beside->shown = m_viewport->framed(m_viewport->cameraAtRest());
-        m_viewport->flyTo(m_beside->shown);
-    } else if (m_sheet < 0 && m_beside) {
-        if (isSameView(m_viewport->cameraAtRest(), m_beside->shown))
-            m_viewport->flyTo(m_beside->before);
-        m_beside.reset();
-    }
+    rearrange();
 }
 
 void Workspace::showHistory(bool shown)
 {
     m_isHistoryShown = shown;
-    arrange();
+    rearrange();
 }
 
 void Workspace::showLibrary(bool shown)
@@ -158,15 +151,30 @@ void Workspace::showLibrary(bool shown)
 
 void Workspace::showHelp(bool shown)
 {
-    if (m_isHelpShown == shown)
-        return;
     m_isHelpShown = shown;
+    rearrange();
+}
+
+void Workspace::rearrange()
+{
+    if (!m_viewport->isVisible()) {
+        arrange();
+        m_viewport->takeClearRect();
+        return;
+    }
+    const QRect clear = m_viewport->clearRect();
+    Beside beside{m_viewport->cameraAtRest(), clear, m_viewport->isTreeClear(), {}};
+    // While the user leaves the view alone, it goes back to where it was before the first pane opened.
+    if (m_beside && isSameView(beside.before, m_beside->shown))
+        beside = *m_beside;
     arrange();
-    // The tree stays in the middle of the room that is left.
-    const double covered = HelpPanel::widthIn(width()) + kGap;
-    Camera camera = m_viewport->camera();
-    camera.pan({shown ? -covered / 2.0 : covered / 2.0, 0.0});
-    m_viewport->flyTo(camera);
+    if (m_viewport->clearRect() == clear)
+        return;
+    beside.shown = m_viewport->inRoom(beside.before, beside.clear, beside.wasTreeClear);
+    m_viewport->flyTo(beside.shown);
+    m_beside = beside;
+    if (m_viewport->clearRect() == beside.clear)
+        m_beside.reset();
 }
 
 void Workspace::setToolsRight(bool right)
@@ -178,7 +186,7 @@ void Workspace::setToolsRight(bool right)
 void Workspace::setInterfaceHidden(bool hidden)
 {
     m_isHidden = hidden;
-    arrange();
+    rearrange();
 }
 
 void Workspace::focusNextPane()
@@ -213,6 +221,7 @@ void Workspace::setTip(const QString& tip)
 void Workspace::resizeEvent(QResizeEvent*)
 {
     arrange();
+    m_viewport->takeClearRect();
 }
 
 void Workspace::showCounts()
@@ -248,7 +257,7 @@ void Workspace::arrange()
     const int lowest = height() - kStatusHeight;
     // Everything else is placed to the left of the help.
     int right = width();
-    if (m_isHelpShown && shown) {
+    if (m_isHelpShown && !m_isHidden) {
         const int helpWidth = HelpPanel::widthIn(width());
         right -= helpWidth + kGap;
         m_help->setGeometry(right, y, helpWidth, lowest - y);
@@ -284,7 +293,6 @@ void Workspace::arrange()
         y = sheetPlace.bottom() + 1 + kGap;
     }
 
-    m_viewport->setFrameMargins({0, y - kGap, width() - right, kStatusHeight});
     const std::pair<QWidget*, PopOut> popOuts[] = {
         {m_brushPopOut, PopOut::Brush},       {m_growPopOut, PopOut::Grow},
         {m_bendPopOut, PopOut::Bend},         {m_lassoPopOut, PopOut::Lasso},
@@ -335,7 +343,7 @@ void Workspace::arrange()
     left->move(kStatusMargin, bottom - left->height());
     farther->move(width() - farther->width() - kStatusMargin, bottom - farther->height());
     m_counts->setVisible(shown);
-    m_tip->setVisible(shown && left->geometry().right() + kGap < farther->x() &&
+    m_tip->setVisible(shown && !m_tip->text().isEmpty() && left->geometry().right() + kGap < farther->x() &&
                       !m_tip->geometry().intersects(popOutPlace));
 
     const int most = std::min(right - 2 * kGap, 860);
@@ -346,6 +354,48 @@ void Workspace::arrange()
     m_notice->move((right - m_notice->width()) / 2, height() - m_notice->height() - 64);
     m_library->raise();
     m_notice->raise();
+    m_viewport->setFrameMargins(m_isHidden ? QMargins(0, kTopBarHeight, 0, kStatusHeight)
+                                           : marginsBeside(right, sheetPlace));
+}
+
+QMargins Workspace::marginsBeside(int right, const QRect& sheetPlace) const
+{
+    QMargins margins(0, kTopBarHeight, width() - right, kStatusHeight);
+    const bool isSheetOpen = m_sheet >= 0 && m_sheet < kSheetCount;
+    const bool isProfileOpen = m_popOut == PopOut::Profile;
+    if (!isSheetOpen && !isProfileOpen && !m_isHistoryShown && !m_isHelpShown)
+        return margins;
+    const auto room = [this](const QMargins& beside) { return rect().marginsRemoved(beside).size(); };
+    // The history and the profile reach along the edge of the window, the others are small.
+    const auto leaveAside = [&](const QRect& place) {
+        QMargins wider = margins;
+        if (place.center().x() < right / 2)
+            wider.setLeft(std::max(margins.left(), place.right() + 1 + kGap));
+        else
+            wider.setRight(std::max(margins.right(), width() - place.left() + kGap));
+        return wider;
+    };
+    // Tools, and an ordinary pop-out beside them: another tool moves nothing.
+    const QRect& tools = m_sideBar->geometry();
+    const int popOut = kGap + m_brushPopOut->sizeHint().width();
+    const QMargins besideTools =
+        leaveAside(m_areToolsRight ? tools.adjusted(-popOut, 0, 0, 0) : tools.adjusted(0, 0, popOut, 0));
+    if (room(besideTools).width() >= kLeastRoom)
+        margins = besideTools;
+    if (isSheetOpen) {
+        QMargins below = margins;
+        below.setTop(sheetPlace.bottom() + 1);
+        const QMargins aside = leaveAside(sheetPlace);
+        const auto least = [](const QSize& size) { return std::min(size.width(), size.height()); };
+        margins = least(room(aside)) > least(room(below)) ? aside : below;
+    }
+    for (const QWidget* pane : {static_cast<QWidget*>(m_history), static_cast<QWidget*>(m_profilePanel)}) {
+        const bool isOpen = pane == m_history ? m_isHistoryShown : isProfileOpen;
+        const QMargins aside = leaveAside(pane->geometry());
+        if (isOpen && room(aside).width() >= kLeastRoom)
+            margins = aside;
+    }
+    return margins;
 }
 
 } // namespace espalier

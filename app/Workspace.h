@@ -107,6 +107,11 @@ protected:
 
 private:
     void arrange();
+    /// The same, after a pane was opened or closed: the view makes room for it, or takes the room back.
+    void rearrange();
+    /// The margins of the viewport that panes cover, px: the help begins at @p right, the open sheet is at
+    /// @p sheetPlace.
+    QMargins marginsBeside(int right, const QRect& sheetPlace) const;
     void showCounts();
     /// Sets the colour of words over the picture so that they are legible on the backdrop.
     void followBackdrop();
@@ -141,9 +146,11 @@ private:
     QLabel* m_counts;
     QLabel* m_tip;
     QTimer m_countTimer;
-    /// The cameras before a sheet that would have covered the tree was opened, and since then.
+    /// What the view showed before it made room for panes, and what it shows since then.
     struct Beside {
         Camera before;
+        QRect clear; ///< The part of the viewport that was free
+        bool wasTreeClear = false;
         Camera shown;
     };
     std::optional<Beside> m_beside;

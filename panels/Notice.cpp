@@ -17,6 +17,7 @@ namespace {
 constexpr int kLeastText = 160;
 constexpr int kMostText = 520;
 constexpr int kProgressSteps = 1000;
+constexpr int kShown = 4000; ///< ms
 
 } // namespace
 
@@ -47,7 +48,6 @@ Notice::Notice(QWidget* parent) : Bar(parent), m_text(new QLabel(this)), m_progr
     for (QPushButton* button : m_buttons)
         line->addWidget(button);
     m_timer.setSingleShot(true);
-    m_timer.setInterval(4000);
     connect(&m_timer, &QTimer::timeout, this, &QWidget::hide);
     hide();
 }
@@ -61,7 +61,15 @@ void Notice::showInformation(const QString& text)
 {
     m_answer = {};
     present(text, false, {});
-    m_timer.start();
+    m_timer.start(kShown);
+}
+
+void Notice::showInformation(const QString& text, const QString& action, std::function<void()> done)
+{
+    constexpr int kLonger = 10'000; // ms: the button takes time to reach
+    m_answer = [done = std::move(done)](int) { done(); };
+    present(text, false, {action});
+    m_timer.start(kLonger);
 }
 
 void Notice::showWarning(const QString& text)

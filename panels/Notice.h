@@ -24,6 +24,8 @@ public:
 
     /// Shows a sentence that disappears after some time.
     void showInformation(const QString& text);
+    /// The same with a button @p action, which calls @p done.
+    void showInformation(const QString& text, const QString& action, std::function<void()> done);
     /// Shows a sentence that stays until the user closes it.
     void showWarning(const QString& text);
     /// Shows that @p task has the progress 0...1, or that it takes an unknown time (below 0), and a button to

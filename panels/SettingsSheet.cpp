@@ -67,6 +67,7 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
       m_side(new QComboBox(this)),
       m_language(new QComboBox(this)),
       m_units(new QComboBox(this)),
+      m_scale(new QComboBox(this)),
       m_curve(new PressureCurve(Preferences::kSoftest, Preferences::kFirmest, this)),
       m_softness(new QSlider(Qt::Horizontal, this)),
       m_distance(new QSlider(Qt::Horizontal, this)),
@@ -106,6 +107,9 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
     all->addLayout(buttons);
     all->setSizeConstraint(QLayout::SetFixedSize);
 
+    m_scale->setMinimumHeight(kControl);
+    connect(m_scale, &QComboBox::activated, this,
+            [this] { Q_EMIT interfaceScaleEdited(m_scale->currentData().toInt()); });
     for (QComboBox* box : {m_look, m_side, m_language, m_units, m_mouse}) {
         box->setMinimumHeight(kControl);
         connect(box, &QComboBox::currentIndexChanged, this, &SettingsSheet::edit);
@@ -124,7 +128,11 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
     connect(m_curve, &PressureCurve::exponentEdited, this, [this] { edit(); });
     for (QSlider* slider : {m_distance, m_delay})
         connect(slider, &QSlider::valueChanged, this, &SettingsSheet::edit);
-    connect(m_defaults, &QPushButton::clicked, this, [this] { take({}); });
+    connect(m_defaults, &QPushButton::clicked, this, [this] {
+        take({});
+        setInterfaceScale(scales().constFirst());
+        Q_EMIT interfaceScaleEdited(scales().constFirst());
+    });
     connect(close, &QPushButton::clicked, this, &QDialog::close);
     setPreferences(preferences);
 }
@@ -169,6 +177,11 @@ QLayout* SettingsSheet::makeAppearance()
     m_units->addItems({tr("Metres, centimetres"), tr("Feet, inches")});
     m_units->setObjectName(QStringLiteral("units"));
     form->addRow(makeLabel(tr("Lengths"), m_units), m_units);
+    for (const int percent : scales())
+        m_scale->addItem(tr("%L1 %").arg(percent), percent);
+    m_scale->setObjectName(QStringLiteral("scale"));
+    m_scale->setToolTip(tr("From the next start of Espalier on."));
+    form->addRow(makeLabel(tr("Size of the interface"), m_scale), m_scale);
     return form;
 }
 
@@ -256,6 +269,11 @@ void SettingsSheet::setPreferences(const Preferences& preferences)
 {
     m_preferences = preferences;
     display(preferences);
+}
+
+void SettingsSheet::setInterfaceScale(int percent)
+{
+    m_scale->setCurrentIndex(m_scale->findData(percent));
 }
 
 void SettingsSheet::display(const Preferences& preferences)

@@ -27,8 +27,15 @@ public:
     /// Shows preferences that were changed elsewhere; emits no signal.
     void setPreferences(const Preferences& preferences);
 
+    /// Sizes of the interface, in percent of the system's, the usual one first.
+    static QList<int> scales() { return {100, 125, 150, 175, 200}; }
+    /// Shows the size of the interface that the user has chosen, one of scales(); emits no signal.
+    void setInterfaceScale(int percent);
+
 Q_SIGNALS:
     void preferencesEdited(const espalier::Preferences& preferences);
+    /// The interface shall have another size from the next start on.
+    void interfaceScaleEdited(int percent);
 
 private:
     QLayout* makeAppearance();
@@ -50,6 +57,7 @@ private:
     QComboBox* m_side;
     QComboBox* m_language;
     QComboBox* m_units;
+    QComboBox* m_scale;
     PressureCurve* m_curve;
     QSlider* m_softness;
     QSlider* m_distance; ///< Of the stabiliser, px

@@ -95,12 +95,44 @@ void Viewport::moveCamera(const Camera& camera)
 
 void Viewport::frameAll()
 {
-    flyTo(framed(m_camera));
+    flyTo(framed(cameraAtRest()));
 }
 
 void Viewport::showFrom(NamedView view)
 {
-    flyTo(framed(m_camera.turnedTo(view)));
+    flyTo(cameraAtRest().turnedTo(view));
+}
+
+/// The middle of the part that bars leave free, in shares of the viewport's size.
+QPointF Viewport::clearShare() const
+{
+    const QPointF middle = QRectF(clearRect()).center();
+    return {middle.x() / std::max(width(), 1), middle.y() / std::max(height(), 1)};
+}
+
+void Viewport::takeClearRect()
+{
+    const bool wasFramed = m_isFramed;
+    Camera camera = m_camera;
+    camera.setTargetShare(clearShare());
+    moveCamera(wasFramed ? framed(m_camera) : camera);
+    m_isFramed = wasFramed;
+}
+
+Camera Viewport::inRoom(const Camera& camera, const QRect& before, bool showsTree) const
+{
+    const QRect clear = clearRect();
+    if (clear == before)
+        return camera;
+    Camera moved = camera;
+    moved.setViewSize(size());
+    moved.setTargetShare(clearShare());
+    if (showsTree)
+        return isTreeClear(moved) ? moved : framed(moved);
+    const double smaller = std::max({1.0, static_cast<double>(before.width()) / std::max(clear.width(), 1),
+                                     static_cast<double>(before.height()) / std::max(clear.height(), 1)});
+    moved.setDistance(moved.distance() * static_cast<float>(smaller));
+    return moved;
 }
 
 /// Calls @p frame(camera) with a view of the size that bars leave free, and returns that camera for the whole
@@ -115,7 +147,7 @@ Camera Viewport::inClearRect(const Camera& camera, Frame&& frame) const
     sized.setDistance(sized.distance() * static_cast<float>(height()) /
                       static_cast<float>(std::max(clear.height(), 1)));
     sized.setViewSize(size());
-    sized.pan(QRectF(clear).center() - QRectF(rect()).center());
+    sized.setTargetShare(clearShare());
     return sized;
 }
 
@@ -132,7 +164,7 @@ Camera Viewport::framed(const Camera& camera) const
     first.setViewSize(size());
     first.setAzimuth(camera.azimuth());
     first.setElevation(camera.elevation());
-    first.pan({QRectF(clearRect()).center().x() - QRectF(rect()).center().x(), 0.0});
+    first.setTargetShare({clearShare().x(), first.targetShare().y()});
     return first;
 }
 
@@ -143,9 +175,8 @@ Camera Viewport::cameraAtRest() const
     return camera;
 }
 
-bool Viewport::isTreeClear() const
+bool Viewport::isTreeClear(const Camera& camera) const
 {
-    const Camera camera = cameraAtRest();
     const QRectF clear(clearRect());
     return std::ranges::all_of(m_scene.outline(), [&](const Vec3& point) {
         const auto place = camera.project(point);

@@ -49,9 +49,11 @@ public:
     void setCamera(const Camera& camera);
     /// Moves the camera smoothly.
     void flyTo(const Camera& camera);
-    /// Flies to a view of the whole tree; a seedling is shown as in a new document.
+    /// Flies to a view of the whole tree; a seedling is shown as in a new document. A turn under way still
+    /// comes to its end.
     void frameAll();
-    /// Flies to a view of the whole tree from another side.
+    /// Turns smoothly to another side. Target and distance stay, or become those that the camera is flying
+    /// to.
     void showFrom(NamedView view);
 
     /// Height of the rotation strip at the bottom edge, px.
@@ -65,6 +67,11 @@ public:
     void setFrameMargins(const QMargins& margins) { m_frameMargins = margins; }
     /// The part of the viewport that bars leave free, px.
     QRect clearRect() const { return rect().marginsRemoved(m_frameMargins); }
+    /// Moves the picture at once into the part that bars leave free, after the window got another size.
+    void takeClearRect();
+    /// @p camera with its target in the middle of the part that bars leave free. If @p showsTree, it shows
+    /// all of the tree there; otherwise it shows at least what the part @p before showed.
+    Camera inRoom(const Camera& camera, const QRect& before, bool showsTree) const;
     /// The camera, moved without turning until the part that bars leave free shows all of @p box, m.
     Camera framing(const Box3& box) const;
 
@@ -72,8 +79,10 @@ public:
     Camera framed(const Camera& camera) const;
     /// The camera, or where it is flying to.
     Camera cameraAtRest() const;
-    /// Whether the part that bars leave free shows all of the tree, once the camera rests.
-    bool isTreeClear() const;
+    /// Whether the part that bars leave free shows all of the tree to @p camera.
+    bool isTreeClear(const Camera& camera) const;
+    /// The same, once the camera rests.
+    bool isTreeClear() const { return isTreeClear(cameraAtRest()); }
 
     /// The context for tools of this viewport.
     ToolContext& toolContext() { return *this; }
@@ -167,9 +176,11 @@ private:
     void followDocument(const TreeChange& change);
     void followSettings();
     void moveCamera(const Camera& camera);
+    QPointF clearShare() const;
     template <class Frame>
     Camera inClearRect(const Camera& camera, Frame&& frame) const;
     void showAnew();
+    void turn(float byAzimuth, float byElevation);
     void moveByKeys(double seconds);
     void redrawTree();
     void tick();

@@ -87,7 +87,6 @@ void Viewport::keyPressEvent(QKeyEvent* event)
     if (event->isAutoRepeat())
         return;
     if (m_keys.press(event->key(), event->modifiers())) {
-        m_flight.stop();
         moveByKeys(kCameraTap);
         startTicking();
         return;
@@ -149,9 +148,7 @@ void Viewport::leaveEvent(QEvent* event)
 
 void Viewport::resizeEvent(QResizeEvent* event)
 {
-    const bool wasFramed = m_isFramed;
-    moveCamera(wasFramed ? framed(m_camera) : m_camera);
-    m_isFramed = wasFramed;
+    takeClearRect();
     m_gestures.setStrip(QRectF(0.0, height() - kStripHeight, width(), kStripHeight));
     QOpenGLWidget::resizeEvent(event);
 }
@@ -259,10 +256,16 @@ void Viewport::budIsAsked(const PointerSample& sample)
 
 void Viewport::orbitBy(const QPointF& distance)
 {
-    m_flight.stop();
+    turn(static_cast<float>(-kOrbitPerPixel * distance.x()),
+         static_cast<float>(kOrbitPerPixel * distance.y()));
+}
+
+/// Turns the camera, rad; a flight goes on, turned likewise.
+void Viewport::turn(float byAzimuth, float byElevation)
+{
+    m_flight.orbit(byAzimuth, byElevation);
     Camera camera = m_camera;
-    camera.orbit(static_cast<float>(-kOrbitPerPixel * distance.x()),
-                 static_cast<float>(kOrbitPerPixel * distance.y()));
+    camera.orbit(byAzimuth, byElevation);
     moveCamera(camera);
 }
 
@@ -285,11 +288,13 @@ void Viewport::magnify(double factor, const QPointF& about)
 void Viewport::moveByKeys(double seconds)
 {
     const HeldKeys::Motion motion = m_keys.motion();
+    turn(static_cast<float>(seconds * motion.orbit.x()), static_cast<float>(seconds * motion.orbit.y()));
+    if (motion.pan.isNull() && motion.zoom == 0.0)
+        return;
+    m_flight.stop();
     Camera camera = m_camera;
-    camera.orbit(static_cast<float>(seconds * motion.orbit.x()),
-                 static_cast<float>(seconds * motion.orbit.y()));
     camera.pan(seconds * motion.pan);
-    camera.zoom(static_cast<float>(std::exp(-seconds * motion.zoom)), QRectF(rect()).center());
+    camera.zoom(static_cast<float>(std::exp(-seconds * motion.zoom)), camera.targetPlace());
     moveCamera(camera);
 }
 

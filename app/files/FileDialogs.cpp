@@ -19,6 +19,13 @@ struct DialogText {
     Q_DECLARE_TR_FUNCTIONS(FileDialogs)
 };
 
+/// Gives a button a text with a key of its own, in place of the style's text and icon.
+void dress(QAbstractButton& button, const QString& text)
+{
+    button.setText(text);
+    button.setIcon(QIcon());
+}
+
 /// The name of the file to be written, suggested from @p start; empty if the user cancels.
 QString askForNew(QFileDialog& dialog, const QString& start)
 {
@@ -83,6 +90,9 @@ Unsaved askAboutUnsaved(QWidget& window, const QString& name, bool isGrowing)
         isGrowing ? DialogText::tr("%1 is still growing. What has grown so far is not saved.").arg(name)
                   : DialogText::tr("%1 has changes that are not saved.").arg(name),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
+    dress(*question.button(QMessageBox::Save), DialogText::tr("&Save"));
+    dress(*question.button(QMessageBox::Discard), DialogText::tr("&Discard"));
+    dress(*question.button(QMessageBox::Cancel), DialogText::tr("&Cancel"));
     question.setDefaultButton(QMessageBox::Save);
     switch (question.exec()) {
     case QMessageBox::Save:
@@ -102,9 +112,10 @@ Changed askAboutChanged(QWidget& window, const QString& name)
                        "Overwriting it loses those changes.")
             .arg(name),
         QMessageBox::Cancel, &window);
-    QAbstractButton* saveAs = question.addButton(DialogText::tr("Save As…"), QMessageBox::AcceptRole);
+    QAbstractButton* saveAs = question.addButton(DialogText::tr("&Save As…"), QMessageBox::AcceptRole);
     QAbstractButton* overwrite =
-        question.addButton(DialogText::tr("Overwrite"), QMessageBox::DestructiveRole);
+        question.addButton(DialogText::tr("&Overwrite"), QMessageBox::DestructiveRole);
+    dress(*question.button(QMessageBox::Cancel), DialogText::tr("&Cancel"));
     saveAs->setObjectName(QStringLiteral("saveAs"));
     overwrite->setObjectName(QStringLiteral("overwrite"));
     question.setDefaultButton(qobject_cast<QPushButton*>(saveAs));

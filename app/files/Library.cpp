@@ -51,7 +51,10 @@ bool isRecipe(const QString& fileName)
 } // namespace
 
 Library::Library(QString folder)
-    : Library(std::move(folder), [](const QString& fileName) { return QFile::moveToTrash(fileName); })
+    : Library(std::move(folder), [](const QString& fileName) {
+          QString path;
+          return QFile::moveToTrash(fileName, &path) ? std::optional(path) : std::nullopt;
+      })
 {
 }
 
@@ -155,14 +158,14 @@ Result<QString> Library::duplicate(const QString& fileName) const
     return path;
 }
 
-Result<QString> Library::moveToTrash(const QString& fileName) const
+Result<Library::Trashed> Library::moveToTrash(const QString& fileName) const
 {
     const QFileInfo original(fileName);
     const QString name = original.completeBaseName();
     if (!original.exists())
         return Error{Error::Kind::Input, tr("%1 is not there any more.").arg(name)};
-    if (m_systemTrash(fileName))
-        return QString();
+    if (const std::optional<QString> path = m_systemTrash(fileName))
+        return Trashed{fileName, *path, true};
     const QString trash = QDir(original.absolutePath()).filePath(kTrash);
     if (const Result<void> made = makeFolder(trash); !made)
         return made.error();
@@ -171,7 +174,24 @@ Result<QString> Library::moveToTrash(const QString& fileName) const
     if (!file.rename(path))
         return Error{Error::Kind::Output,
                      tr("%1 cannot be moved to the trash: %2").arg(name, file.errorString())};
-    return path;
+    return Trashed{fileName, path, false};
+}
+
+Result<void> Library::restore(const Trashed& trashed) const
+{
+    const QString name = QFileInfo(trashed.original).completeBaseName();
+    if (QFileInfo::exists(trashed.original))
+        return Error{Error::Kind::Output, tr("There is another tree named %1 now.").arg(name)};
+    QFile file(trashed.path);
+    if (trashed.path.isEmpty() || !file.rename(trashed.original))
+        return Error{Error::Kind::Output,
+                     tr("%1 cannot be taken out of the trash: %2").arg(name, file.errorString())};
+    // The note of the system's trash about the file, by the standard of freedesktop.org.
+    const QFileInfo place(trashed.path);
+    const QDir trash = QFileInfo(place.absolutePath()).dir();
+    if (trashed.isSystems)
+        QFile::remove(trash.filePath(QStringLiteral("info/%1.trashinfo").arg(place.fileName())));
+    return {};
 }
 
 Result<QImage> libraryPicture(const QString& fileName)

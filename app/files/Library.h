@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace espalier {
@@ -19,8 +20,15 @@ class Library {
     Q_DECLARE_TR_FUNCTIONS(Library)
 
 public:
-    /// Moves a file to the trash of the system; false if there is none for it.
-    using SystemTrash = std::function<bool(const QString& fileName)>;
+    /// Moves a file to the trash of the system and returns its path there, which may be unknown (empty);
+    /// nothing if the system has no trash for it.
+    using SystemTrash = std::function<std::optional<QString>(const QString& fileName)>;
+    /// A tree that was moved to the trash.
+    struct Trashed {
+        QString original;      ///< Its file name before
+        QString path;          ///< Where it is now; empty if that is unknown
+        bool isSystems = true; ///< In the system's trash, not in the library's folder "Trash"
+    };
 
     /// @p folder is made when the first tree comes to it.
     explicit Library(QString folder);
@@ -43,9 +51,11 @@ public:
     Result<QString> rename(const QString& fileName, const QString& name) const;
     /// Copies a tree and returns the copy's file name.
     Result<QString> duplicate(const QString& fileName) const;
-    /// Moves a tree to the system's trash and returns an empty name. If the system has none for the file,
-    /// moves it into the folder "Trash" of the library and returns its new file name.
-    Result<QString> moveToTrash(const QString& fileName) const;
+    /// Moves a tree to the system's trash. If the system has none for the file, moves it into the folder
+    /// "Trash" of the library.
+    Result<Trashed> moveToTrash(const QString& fileName) const;
+    /// Puts a tree from the trash back to its place. Fails if another tree is there now.
+    Result<void> restore(const Trashed& trashed) const;
 
     /// What is wrong with a name for a tree, in a sentence; empty if the name is valid.
     static QString problemWith(const QString& name);

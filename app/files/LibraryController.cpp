@@ -102,19 +102,36 @@ void LibraryController::moveToTrash(const QString& fileName)
     m_files.file().waitForSaving();
     const bool wasOpen = isOpen(fileName);
     const QString name = QFileInfo(fileName).completeBaseName();
-    const Result<QString> moved = m_library.moveToTrash(fileName);
+    const Result<Library::Trashed> moved = m_library.moveToTrash(fileName);
     if (!moved) {
         m_notice.showWarning(moved.error().message);
         return;
     }
     if (wasOpen)
         m_files.file().fileLost();
-    if (moved->isEmpty())
-        m_notice.showInformation(tr("%1 is in the trash.").arg(name));
+    const QString text =
+        moved->isSystems ? tr("%1 is in the trash.").arg(name)
+                         : tr("The system has no trash here. %1 is in %2 now.")
+                               .arg(name, QDir::toNativeSeparators(QFileInfo(moved->path).absolutePath()));
+    if (moved->path.isEmpty())
+        m_notice.showInformation(text);
     else
-        m_notice.showInformation(tr("The system has no trash here. %1 is in %2 now.")
-                                     .arg(name, QDir::toNativeSeparators(QFileInfo(*moved).absolutePath())));
+        m_notice.showInformation(text, tr("Undo"),
+                                 [this, trashed = *moved, wasOpen] { restore(trashed, wasOpen); });
     refresh();
+}
+
+void LibraryController::restore(const Library::Trashed& trashed, bool wasOpen)
+{
+    if (const Result<void> restored = m_library.restore(trashed); !restored) {
+        m_notice.showWarning(restored.error().message);
+        return;
+    }
+    // The open tree has its file again, if it has got no other one.
+    if (wasOpen && m_files.file().fileName().isEmpty())
+        m_files.file().fileMoved(trashed.original);
+    refresh();
+    m_panel.choose(trashed.original);
 }
 
 } // namespace espalier

@@ -29,6 +29,7 @@ private:
     void rename(const QString& fileName, const QString& name);
     void duplicate(const QString& fileName);
     void moveToTrash(const QString& fileName);
+    void restore(const Library::Trashed& trashed, bool wasOpen);
     bool isOpen(const QString& fileName) const;
 
     LibraryPanel& m_panel;

@@ -2,6 +2,7 @@
 #include "app/files/Settings.h"
 
 #include "model/io/FileWriter.h"
+#include "panels/SettingsSheet.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -29,6 +30,7 @@ const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
 const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kLanguage = QStringLiteral("window/language");
 const QString kUnits = QStringLiteral("window/units");
+const QString kInterfaceScale = QStringLiteral("window/scale");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
 
 /// Qt's settings, written only while the disk has room for them: Qt 6.4 replaces their file even if the new
@@ -253,6 +255,18 @@ bool Settings::isTourSeen() const
 void Settings::setTourSeen(bool seen)
 {
     Store().setValue(kTourSeen, seen);
+}
+
+int Settings::interfaceScale() const
+{
+    const QList<int> scales = SettingsSheet::scales();
+    const int stored = QSettings().value(kInterfaceScale, scales.constFirst()).toInt();
+    return scales.contains(stored) ? stored : scales.constFirst();
+}
+
+void Settings::setInterfaceScale(int percent)
+{
+    Store().setValue(kInterfaceScale, percent);
 }
 
 } // namespace espalier

@@ -42,6 +42,11 @@ public:
     /// Whether the tour was shown.
     bool isTourSeen() const;
     void setTourSeen(bool seen);
+
+    /// The size of the interface from the next start on, in percent of the system's: one of
+    /// SettingsSheet::scales().
+    int interfaceScale() const;
+    void setInterfaceScale(int percent);
 };
 
 } // namespace espalier

@@ -20,5 +20,6 @@ layout(std140) uniform Frame {
     vec4 ground;            // albedo; w: radius of the ground, m
     vec4 foot;              // x: radius of the thickest trunk at the ground, m; y: 1 shows the ground; z: 1 shows its grid; w: number of feet
     vec4 pass;              // xy: place within the pixel, -0.5...0.5; z: bias of the textures' levels; w: its share of lots, 0...1, or -1 if there is but one pass
+    vec4 groundShadow;      // x: half the edge of the square that the ground's shadows are drawn on, m
     vec4 feet[8];           // of the trunks: xy: place on the ground (x and z), m; z: radius, m
 } frame;

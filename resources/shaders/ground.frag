@@ -43,10 +43,11 @@ void main()
     float radius = length(groundPlace);
     if (radius >= 1.0)
         discard;
-    vec2 at = 0.5 + 0.5 * groundPlace;
-    // Surroundings reflect some of the sun's light into the shadow.
-    float shade = 0.88 * frame.sunDirection.w * (1.0 - (1.0 - texture(sharpShadow, at).r) * (1.0 - texture(softShadow, at).g));
     vec2 world = groundPlace * frame.ground.w;
+    vec2 at = 0.5 + 0.5 * world / frame.groundShadow.x;
+    float isShaded = all(lessThan(abs(at - 0.5), vec2(0.5))) ? 1.0 : 0.0;
+    // Surroundings reflect some of the sun's light into the shadow.
+    float shade = isShaded * 0.88 * frame.sunDirection.w * (1.0 - (1.0 - texture(sharpShadow, at).r) * (1.0 - texture(softShadow, at).g));
 
     // Each trunk darkens the ground around its foot.
     float contact = 0.0;
@@ -55,7 +56,7 @@ void main()
         float away = max(length(world - foot.xy) - foot.z, 0.0) / foot.z;
         contact = max(contact, 0.75 * exp(-1.1 * away) + 0.25 * exp(-0.3 * away));
     }
-    float sky = (1.0 - 0.5 * texture(skyShadow, at).b) * (1.0 - 0.8 * contact);
+    float sky = (1.0 - 0.5 * isShaded * texture(skyShadow, at).b) * (1.0 - 0.8 * contact);
     float sun = frame.sunDirection.y * (1.0 - shade);
 
     float fade = 1.0 - smoothstep(0.12, 1.0, radius);
@@ -70,7 +71,10 @@ void main()
         ground = vec4(vec3(0.0), dark * opacity);
     } else {
         // Like a pool of light on the floor of a studio.
-        float texture = 0.96 + 0.08 * smoothGrain(world * 5.0);
+        // Far away, grains would look like noise.
+        vec2 pixel = fwidth(world);
+        float near = 1.0 - smoothstep(0.05, 0.2, max(pixel.x, pixel.y));
+        float texture = 1.0 + near * (0.08 * smoothGrain(world * 5.0) - 0.04);
         vec3 light = frame.ground.rgb * texture * (frame.sunColour.rgb * sun + frame.skyColour.rgb * sky);
         ground = vec4((developed(light) + dithering()) * opacity, opacity);
     }

@@ -5,6 +5,7 @@
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QCoreApplication>
 #include <QDialog>
@@ -34,6 +35,7 @@ class FilesTest : public test::WindowFixture {
     Q_OBJECT
 
 private Q_SLOTS:
+    void unsavedQuestion_hasKeysAndNoStockIcons();
     void brushUndoRedoSaveReopen_givesTheSameDocument();
     void brokenFile_isRefusedInOneSentenceAndTheTreeStays();
     void brokenFile_leavesGrowthRunning();
@@ -50,6 +52,29 @@ private Q_SLOTS:
     void saveAsRecipe_writesWhatWasDone();
     void saveAsRecipe_saysWhatIsNotKnownOfAnOldTree();
 };
+
+void FilesTest::unsavedQuestion_hasKeysAndNoStockIcons()
+{
+    makeTree();
+    QStringList texts;
+    bool hasIcon = false;
+    QTimer::singleShot(200, this, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box)
+            return;
+        for (const QAbstractButton* button : box->buttons()) {
+            texts << button->text();
+            hasIcon |= !button->icon().isNull();
+        }
+        QTest::keyClick(box, Qt::Key_C, Qt::AltModifier);
+    });
+    action(ActionId::New)->trigger();
+    texts.sort();
+    QCOMPARE(texts,
+             QStringList({QStringLiteral("&Cancel"), QStringLiteral("&Discard"), QStringLiteral("&Save")}));
+    QVERIFY(!hasIcon);
+    QVERIFY(m_window->document().index().livingCount() > 1);
+}
 
 void FilesTest::brushUndoRedoSaveReopen_givesTheSameDocument()
 {

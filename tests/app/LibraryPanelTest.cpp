@@ -333,6 +333,16 @@ void LibraryPanelTest::menu_duplicatesRenamesAndTrashes()
     QTRY_VERIFY(!QFileInfo::exists(file(QStringLiteral("Ash"))));
     QVERIFY2(notice().contains(QStringLiteral("Ash")), qPrintable(notice()));
     QCOMPARE(view().model()->rowCount(), 1);
+    // The notice offers to take it back, with all that the trash knows of it.
+    QPushButton* undo = nullptr;
+    for (auto* button : m_window->workspace().notice().findChildren<QPushButton*>()) {
+        if (button->isVisible() && button->text() == QStringLiteral("Undo"))
+            undo = button;
+    }
+    QVERIFY(undo);
+    QTest::mouseClick(handle(), Qt::LeftButton, {}, undo->mapTo(m_window.get(), undo->rect().center()));
+    QTRY_VERIFY(QFileInfo::exists(file(QStringLiteral("Ash"))));
+    QTRY_COMPARE(view().model()->rowCount(), 2);
 }
 
 void LibraryPanelTest::finger_opensTheMenuByTheDotsAndByALongPress()

@@ -60,7 +60,7 @@ void LibraryTest::init()
             m_trash.append(fileName);
             QFile::remove(fileName);
         }
-        return m_hasTrash;
+        return m_hasTrash ? std::optional(QString()) : std::nullopt;
     });
 }
 
@@ -153,23 +153,23 @@ void LibraryTest::duplicate_countsOn()
 void LibraryTest::trash_isTheSystemsOrElseTheLibrarys()
 {
     put(QStringLiteral("Oak"));
-    QCOMPARE(*m_library->moveToTrash(file(QStringLiteral("Oak"))), QString());
+    QVERIFY(m_library->moveToTrash(file(QStringLiteral("Oak")))->isSystems);
     QCOMPARE(m_trash, QStringList{file(QStringLiteral("Oak"))});
 
     m_hasTrash = false;
     for (const char* expected : {"Trash/Oak.espalier", "Trash/Oak 2.espalier"}) {
         put(QStringLiteral("Oak"));
-        const Result<QString> moved = m_library->moveToTrash(file(QStringLiteral("Oak")));
-        QVERIFY(moved);
-        QCOMPARE(*moved, m_folder->filePath(QString::fromLatin1(expected)));
-        QVERIFY(loadProject(*moved));
+        const Result<Library::Trashed> moved = m_library->moveToTrash(file(QStringLiteral("Oak")));
+        QVERIFY(moved && !moved->isSystems);
+        QCOMPARE(moved->path, m_folder->filePath(QString::fromLatin1(expected)));
+        QVERIFY(loadProject(moved->path));
     }
     QVERIFY(m_library->trees().empty());
 }
 
 void LibraryTest::trash_saysWhenTheFileIsGone()
 {
-    const Result<QString> moved = m_library->moveToTrash(file(QStringLiteral("Oak")));
+    const Result<Library::Trashed> moved = m_library->moveToTrash(file(QStringLiteral("Oak")));
     QVERIFY(!moved);
     QVERIFY(moved.error().message.contains(QStringLiteral("Oak")));
     QVERIFY(m_trash.isEmpty());

@@ -147,6 +147,11 @@ void SettingsTest::preferences_areRemembered()
     sheet.findChild<QSpinBox*>(QStringLiteral("autosave"))->setValue(90);
     sheet.findChild<QSpinBox*>(QStringLiteral("undo"))->setValue(40);
     sheet.findChild<QSlider*>(QStringLiteral("softness"))->setValue(-50);
+    QCOMPARE(Settings().interfaceScale(), 100);
+    box(sheet, "scale")->setFocus();
+    QTest::keyClick(box(sheet, "scale"), Qt::Key_Down);
+    QTest::keyClick(box(sheet, "scale"), Qt::Key_Down);
+    QCOMPARE(Settings().interfaceScale(), 150);
     const Preferences kept = Settings().preferences();
     QCOMPARE(kept.mouse, MouseScheme::Maya);
     QVERIFY(kept.areToolsRight);

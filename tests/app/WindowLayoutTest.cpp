@@ -44,6 +44,9 @@ private Q_SLOTS:
     void panes_overlapNothing_data();
     void panes_overlapNothing();
     void sheets_leaveTheTreeInView();
+    void panes_leaveWhatWasSeenInView_data();
+    void panes_leaveWhatWasSeenInView();
+    void turnBesideHelp_keepsTheTreeInItsRoom();
     void targets_areLargeEnoughForAFinger();
     void title_isLegibleInASmallWindow();
     void icons_areCrispAtAnyScale();
@@ -227,6 +230,70 @@ void WindowLayoutTest::sheets_leaveTheTreeInView()
         QTRY_VERIFY((viewport.camera().target() - before.target()).norm() < 0.01F &&
                     std::abs(viewport.camera().distance() / before.distance() - 1.0F) < 0.01F);
     }
+    m_window->resize(1024, 700);
+    m_window->document().reset(1, TreeParameters());
+}
+
+void WindowLayoutTest::panes_leaveWhatWasSeenInView_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<int>("pane");
+    for (const QSize& size : {QSize(1024, 700), QSize(1600, 1000)}) {
+        for (const ActionId pane : {ActionId::Architecture, ActionId::BrushSheet, ActionId::LeafSheet,
+                                    ActionId::BranchSheet, ActionId::Background, ActionId::History})
+            QTest::addRow("%s at %d px", qPrintable(action(pane)->objectName()), size.width())
+                << size << static_cast<int>(pane);
+    }
+}
+
+void WindowLayoutTest::panes_leaveWhatWasSeenInView()
+{
+    QFETCH(const QSize, size);
+    QFETCH(const int, pane);
+    QAction* opened = action(static_cast<ActionId>(pane));
+    m_window->resize(size);
+    Viewport& viewport = workspace().viewport();
+    test::growAtRandom(m_window->document(), 3, 200, 400);
+    // The crown fills the picture, and the trunk is out of it.
+    Camera crown = viewport.framed(Camera());
+    crown.setDistance(0.5F * crown.distance());
+    viewport.setCamera(crown);
+    QVERIFY(!viewport.isTreeClear());
+    const Camera before = viewport.camera();
+    const QRectF clear = QRectF(viewport.clearRect()).adjusted(1.0, 1.0, -1.0, -1.0);
+    const std::array corners{clear.topLeft(), clear.topRight(), clear.bottomLeft(), clear.bottomRight()};
+    opened->trigger();
+    const auto isSeen = [&](const QPointF& place) {
+        const auto now = viewport.cameraAtRest().project(before.onPlane(place, before.target()));
+        return now && QRectF(viewport.clearRect()).contains(*now);
+    };
+    QVERIFY(QRectF(viewport.clearRect()).size() != clear.adjusted(-1.0, -1.0, 1.0, 1.0).size());
+    QVERIFY(std::ranges::all_of(corners, isSeen));
+    for (int i = 0; i < Workspace::kSheetCount; ++i)
+        QVERIFY(!workspace().sheet(i).isVisible() ||
+                !workspace().sheet(i).geometry().intersects(viewport.clearRect()));
+    // Closed again, the canvas is back.
+    opened->trigger();
+    QCOMPARE(viewport.cameraAtRest(), before);
+    m_window->resize(1024, 700);
+    m_window->document().reset(1, TreeParameters());
+}
+
+void WindowLayoutTest::turnBesideHelp_keepsTheTreeInItsRoom()
+{
+    m_window->resize(1440, 900);
+    Viewport& viewport = workspace().viewport();
+    test::growAtRandom(m_window->document(), 3, 200, 400);
+    viewport.setCamera(viewport.framed(Camera()));
+    action(ActionId::Help)->trigger();
+    QVERIFY(viewport.isTreeClear());
+    for (const NamedView side : {NamedView::Side, NamedView::ThreeQuarter, NamedView::Front}) {
+        viewport.showFrom(side);
+        const auto base = viewport.cameraAtRest().project(Vec3::Zero());
+        QVERIFY(base && QRectF(viewport.clearRect()).contains(*base));
+        QVERIFY(std::abs(base->x() - QRectF(viewport.clearRect()).center().x()) < 120.0);
+    }
+    (void)m_window->help().putAway();
     m_window->resize(1024, 700);
     m_window->document().reset(1, TreeParameters());
 }

@@ -6,6 +6,8 @@
 #include <QSignalSpy>
 #include <QWheelEvent>
 
+#include <numbers>
+
 using namespace espalier;
 using namespace espalier::test;
 
@@ -27,6 +29,9 @@ private Q_SLOTS:
     void keysDuringAStroke_windTheTrunk();
     void orbitAndZoom_moveTheCameraAndLeaveTheTreeAlone();
     void frameAll_fliesToTheWholeTree();
+    void namedViews_turnAndKeepTargetAndDistance();
+    void frameAllDuringATurn_comesToBothEnds();
+    void turnDuringAFlight_isKept();
     void newTool_finishesTheGestureOfTheOld();
     void picture_changesWithTheTreeAndComesToRest();
     void brushRadius_doesNotRedrawTheTree();
@@ -273,6 +278,58 @@ void ViewportTest::frameAll_fliesToTheWholeTree()
         if (m_document->tree().isAlive(id))
             QTRY_VERIFY(visible.contains(at(m_document->index().nodePosition(id))));
     }
+}
+
+void ViewportTest::namedViews_turnAndKeepTargetAndDistance()
+{
+    stroke(Vec3::Zero(), {0.0F, 2.0F, 0.0F}, 400);
+    Camera canvas = m_view->camera();
+    canvas.setTarget({0.2F, 1.7F, 0.1F});
+    canvas.setDistance(2.5F);
+    m_view->setCamera(canvas);
+    for (const NamedView side :
+         {NamedView::Side, NamedView::Top, NamedView::ThreeQuarter, NamedView::Front}) {
+        m_view->showFrom(side);
+        const Camera turned = canvas.turnedTo(side);
+        QTRY_VERIFY(std::abs(m_view->camera().elevation() - turned.elevation()) < 1e-4F &&
+                    std::abs(std::remainder(m_view->camera().azimuth() - turned.azimuth(),
+                                            2.0F * std::numbers::pi_v<float>)) < 1e-4F);
+        QVERIFY((m_view->camera().target() - canvas.target()).norm() < 1e-4F);
+        QVERIFY(std::abs(m_view->camera().distance() - canvas.distance()) < 1e-4F);
+    }
+}
+
+void ViewportTest::frameAllDuringATurn_comesToBothEnds()
+{
+    stroke(Vec3::Zero(), {0.0F, 3.0F, 0.0F}, 600);
+    Camera away = m_view->camera();
+    away.setTarget({30.0F, 0.0F, 0.0F});
+    m_view->setCamera(away);
+    m_view->showFrom(NamedView::Side);
+    QTRY_VERIFY(m_view->camera().azimuth() > 0.2F);
+    QTest::keyClick(m_view.get(), Qt::Key_F);
+    QTRY_VERIFY(std::abs(m_view->camera().azimuth() - static_cast<float>(radians(90))) < 1e-4F);
+    QVERIFY(std::abs(m_view->camera().target().x()) < 1.0F);
+}
+
+void ViewportTest::turnDuringAFlight_isKept()
+{
+    stroke(Vec3::Zero(), {0.0F, 3.0F, 0.0F}, 600);
+    Camera away = m_view->camera();
+    away.setTarget({30.0F, 0.0F, 0.0F});
+    m_view->setCamera(away);
+    QTest::mousePress(m_view.get(), Qt::RightButton, {}, {200, 200});
+    QTest::keyClick(m_view.get(), Qt::Key_F);
+    QTest::qWait(60);
+    const float azimuth = m_view->camera().azimuth();
+    QMouseEvent dragged(QEvent::MouseMove, {240.0, 200.0}, m_view->mapToGlobal(QPointF(240.0, 200.0)),
+                        Qt::NoButton, Qt::RightButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(m_view.get(), &dragged);
+    const float turned = m_view->camera().azimuth();
+    QVERIFY(std::abs(turned - azimuth) > 0.1F);
+    QTRY_VERIFY(std::abs(m_view->camera().target().x()) < 1.0F);
+    QVERIFY(std::abs(m_view->camera().azimuth() - turned) < 0.05F);
+    QTest::mouseRelease(m_view.get(), Qt::RightButton, {}, {240, 200});
 }
 
 void ViewportTest::newTool_finishesTheGestureOfTheOld()

@@ -103,6 +103,7 @@ Camera Camera::framing(std::span<const Vec3> points) const
     const float eyeY = (top - bottom) / 2.0F;
     const float eyeZ = std::min(-(left + rightmost) / (2.0F * slopeX), -(top + bottom) / (2.0F * slopeY));
     const float middle = (nearest + farthest) / 2.0F;
+    framed.m_targetShare = {0.5, 0.5};
     framed.m_target = eyeX * toRight + eyeY * toTop + middle * ahead;
     framed.setDistance(middle - eyeZ);
     return framed;
@@ -149,15 +150,16 @@ std::optional<QPointF> Camera::project(const Vec3& point) const
     if (ahead < kSmallestDepth)
         return std::nullopt;
     const float scale = pixelsPerMetre(ahead);
-    return QPointF(m_viewSize.width() / 2.0 + static_cast<double>(offset.dot(right()) * scale),
-                   m_viewSize.height() / 2.0 - static_cast<double>(offset.dot(up()) * scale));
+    return targetPlace() + QPointF(static_cast<double>(offset.dot(right()) * scale),
+                                   static_cast<double>(-offset.dot(up()) * scale));
 }
 
 Ray Camera::ray(const QPointF& screen) const
 {
     const float metres = 1.0F / pixelsPerMetre(1.0F);
-    const auto x = static_cast<float>(screen.x() - m_viewSize.width() / 2.0) * metres;
-    const auto y = static_cast<float>(m_viewSize.height() / 2.0 - screen.y()) * metres;
+    const QPointF offset = screen - targetPlace();
+    const auto x = static_cast<float>(offset.x()) * metres;
+    const auto y = static_cast<float>(-offset.y()) * metres;
     return {position(), (forward() + x * right() + y * up()).normalized()};
 }
 
@@ -196,6 +198,8 @@ Matrix4 Camera::projectionMatrix(float nearest, float farthest) const
     Matrix4 projection = Matrix4::Zero();
     projection(0, 0) = 1.0F / (kHalfHeight * aspect());
     projection(1, 1) = 1.0F / kHalfHeight;
+    projection(0, 2) = static_cast<float>(1.0 - 2.0 * m_targetShare.x());
+    projection(1, 2) = static_cast<float>(2.0 * m_targetShare.y() - 1.0);
     projection(2, 2) = (farthest + nearest) / (nearest - farthest);
     projection(2, 3) = 2.0F * farthest * nearest / (nearest - farthest);
     projection(3, 2) = -1.0F;

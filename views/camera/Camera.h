@@ -44,6 +44,14 @@ public:
     /// rad above the horizon, −π/2...π/2.
     float elevation() const { return m_elevation; }
     const QSizeF& viewSize() const { return m_viewSize; }
+    /// Where the target is on the screen, in shares of the view's width and height: the middle of the view,
+    /// or of the part that nothing covers.
+    const QPointF& targetShare() const { return m_targetShare; }
+    /// The same place, px.
+    QPointF targetPlace() const
+    {
+        return {m_targetShare.x() * m_viewSize.width(), m_targetShare.y() * m_viewSize.height()};
+    }
 
     void setTarget(const Vec3& target) { m_target = target; }
     void setDistance(float metres);
@@ -51,6 +59,8 @@ public:
     void setElevation(float angle);
     /// Sizes below one pixel count as one.
     void setViewSize(const QSizeF& size);
+    /// Moves the picture on the screen, without moving the camera, until the target is there.
+    void setTargetShare(const QPointF& share) { m_targetShare = share; }
 
     Vec3 right() const;
     Vec3 up() const;
@@ -67,7 +77,7 @@ public:
     void zoom(float factor, const QPointF& about);
     /// The same camera, moved without turning to the nearest place from which all of @p points are visible,
     /// in the middle and with a margin; unchanged if there are none. The target becomes the middle of the
-    /// points.
+    /// points, and is in the middle of the view.
     Camera framing(std::span<const Vec3> points) const;
     Camera framing(const Box3& box) const;
     /// The same camera, turned to that view.
@@ -100,6 +110,7 @@ private:
     float m_azimuth = 0.0F;
     float m_elevation = 0.0F;
     QSizeF m_viewSize{1280.0, 800.0};
+    QPointF m_targetShare{0.5, 0.5};
 };
 
 } // namespace espalier

@@ -26,6 +26,8 @@ void CameraFlight::advance(Camera& camera, double seconds)
     camera.setDistance(m_from.distance() * std::pow(m_to.distance() / m_from.distance(), eased));
     camera.setAzimuth(std::lerp(m_from.azimuth(), m_to.azimuth(), eased));
     camera.setElevation(std::lerp(m_from.elevation(), m_to.elevation(), eased));
+    camera.setTargetShare(m_from.targetShare() +
+                          static_cast<double>(eased) * (m_to.targetShare() - m_from.targetShare()));
 }
 
 } // namespace espalier

@@ -15,6 +15,12 @@ public:
     /// Where the last flight ends, or ended.
     const Camera& end() const { return m_to; }
     bool isFlying() const { return m_elapsed < kDuration; }
+    /// Turns a flight under way, with its beginning and its end, rad.
+    void orbit(float byAzimuth, float byElevation)
+    {
+        m_from.orbit(byAzimuth, byElevation);
+        m_to.orbit(byAzimuth, byElevation);
+    }
 
     /// Moves @p camera on by @p seconds; it reaches the exact end. The view size does not change.
     void advance(Camera& camera, double seconds);

@@ -32,10 +32,11 @@ struct FrameUniforms {
     Vector ground{};
     Vector foot{};
     Vector pass{};
+    Vector groundShadow{};
     std::array<Vector, kMostFeet> feet{};
     Matrix centredViewProjection{}; ///< For the middles of the pixels; not in the block
 };
 static_assert(offsetof(FrameUniforms, centredViewProjection) ==
-              3 * 64 + (16 + FrameUniforms::kMostFeet) * 16);
+              3 * 64 + (17 + FrameUniforms::kMostFeet) * 16);
 
 } // namespace espalier

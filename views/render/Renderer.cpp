@@ -67,6 +67,13 @@ float groundRadius(const Box3& bounds)
     return std::max(kLeast, 1.5F * std::max({reach.x(), reach.y(), reach.z()}));
 }
 
+/// Radius of the ground that is shown: from far away it still fills the lower part of the picture.
+float shownGroundRadius(const Box3& bounds, const Camera& camera)
+{
+    constexpr float kOfDistance = 0.63F;
+    return std::max(groundRadius(bounds), kOfDistance * camera.distance());
+}
+
 bool isTransparent(const RenderOptions& options)
 {
     return options.background && options.background->alpha() == 0;
@@ -200,7 +207,7 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
 {
     const Lighting& lighting = lightingOf(options.view);
     const Box3& bounds = scene.bounds();
-    const float radius = groundRadius(bounds);
+    const float radius = shownGroundRadius(bounds, camera);
     const Vec3 eye = camera.position();
 
     // The near plane is as near as the tree requires, which helps the depth buffer; the far plane is at the
@@ -242,6 +249,7 @@ void Renderer::fillFrame(const TreeScene& scene, const Camera& camera, const Ren
         frame.backgroundInner[3] = isTransparent(options) ? 3.0F : 2.0F;
     frame.ground = lighting.groundAlbedo;
     frame.ground[3] = radius;
+    frame.groundShadow = {groundRadius(bounds), 0.0F, 0.0F, 0.0F};
     const bool isGridShown = options.view.gridShown && !options.background;
     frame.foot = {0.0F, options.view.groundShown ? 1.0F : 0.0F, isGridShown ? 1.0F : 0.0F, 0.0F};
     setFeet(scene);

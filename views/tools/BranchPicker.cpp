@@ -35,8 +35,8 @@ public:
           m_up(scene.camera.up()),
           m_forward(scene.camera.forward()),
           m_scale(scene.camera.pixelsPerMetre(1.0F)),
-          m_pointer(static_cast<float>(screen.x() - scene.camera.viewSize().width() / 2.0),
-                    static_cast<float>(scene.camera.viewSize().height() / 2.0 - screen.y())),
+          m_pointer(static_cast<float>(screen.x() - scene.camera.targetPlace().x()),
+                    static_cast<float>(scene.camera.targetPlace().y() - screen.y())),
           m_reach(static_cast<float>(reach)),
           m_ray(scene.camera.ray(screen))
     {

@@ -23,15 +23,17 @@ const QColor kTextColour(255, 236, 200);
 
 QPointF middleOf(const Camera& camera)
 {
-    return {camera.viewSize().width() / 2.0, camera.viewSize().height() / 2.0};
+    return camera.targetPlace();
 }
 
-/// Half-axes of the ellipse that the sphere appears as, px: it fills the view, so it is seldom round.
+/// Half-axes of the ellipse that the sphere appears as, px: it fills the part of the view that sheets leave
+/// free, so it is seldom round.
 QPointF radiiOf(const Camera& camera)
 {
     const QPointF middle = middleOf(camera);
-    return {std::max(middle.x() - kSideMargin, kLeastRadius),
-            std::max(middle.y() - kTopMargin, kLeastRadius)};
+    const QSizeF& view = camera.viewSize();
+    return {std::max(std::min(middle.x(), view.width() - middle.x()) - kSideMargin, kLeastRadius),
+            std::max(std::min(middle.y(), view.height() - middle.y()) - kTopMargin, kLeastRadius)};
 }
 
 QPointF placeOf(const Vec3& toward, const Camera& camera)
