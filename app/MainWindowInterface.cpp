@@ -162,10 +162,14 @@ void MainWindow::connectPopOuts()
     connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
     connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
     connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
+    connect(&growPopOut, &GrowPopOut::timeCancelled, &m_timeRunner, &TimeRunner::cancel);
     connect(&growPopOut, &GrowPopOut::playToggled, this,
             [this](bool plays) { plays ? m_timeRunner.play() : m_timeRunner.release(); });
-    connect(&m_timeRunner, &TimeRunner::runningChanged, &growPopOut,
-            [this, &growPopOut] { growPopOut.setPlaying(m_timeRunner.isPlaying()); });
+    connect(&m_timeRunner, &TimeRunner::runningChanged, &growPopOut, [this, &growPopOut](bool runs) {
+        growPopOut.setPlaying(m_timeRunner.isPlaying());
+        if (!runs)
+            growPopOut.stopDrag();
+    });
 
     LassoPopOut& lassoPopOut = m_workspace->lassoPopOut();
     connect(&lassoPopOut, &LassoPopOut::regrowAsked, this, [this] {
