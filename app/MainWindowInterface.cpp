@@ -7,6 +7,7 @@
 #include "panels/HelpPanel.h"
 #include "panels/HistoryPanel.h"
 #include "panels/LassoPopOut.h"
+#include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/SettingsSheet.h"
 #include "panels/architecture/ArchitecturePanel.h"
@@ -14,13 +15,22 @@
 #include "views/Viewport.h"
 #include "views/tools/RecipeTool.h"
 
+#include <QFontDatabase>
 #include <QImage>
+#include <QLocale>
 
 namespace espalier {
 
 namespace {
 
 constexpr int kThumbnailEdge = 256;
+
+/// Whether a font of the system has the letters of the language that the program speaks.
+bool hasLetters()
+{
+    return QLocale().language() != QLocale::Japanese ||
+           !QFontDatabase::families(QFontDatabase::Japanese).isEmpty();
+}
 
 } // namespace
 
@@ -71,6 +81,22 @@ void MainWindow::makeInterface()
         [this](const QString& what) { m_workspace->notice().showInformation(what); });
     connectPopOuts();
     connectViewport();
+    if (hasLetters())
+        return;
+    // In English, because the user could not read it otherwise.
+    m_workspace->notice().ask(
+        QStringLiteral(
+            "No font of this system has Japanese letters, so they are shown as boxes. Install such a "
+            "font, for example Noto Sans CJK, or use Espalier in English."),
+        QStringLiteral("Use English"), QStringLiteral("Keep Japanese"), [this](bool isEnglish) {
+            if (!isEnglish)
+                return;
+            Preferences preferences = m_preferences;
+            preferences.language = QStringLiteral("en");
+            prefer(preferences);
+            if (auto* open = findChild<SettingsSheet*>())
+                open->setPreferences(preferences);
+        });
 }
 
 void MainWindow::makeHelp(bool isSample)
@@ -162,10 +188,14 @@ void MainWindow::connectPopOuts()
     connect(&growPopOut, &GrowPopOut::stepsAsked, &m_growRunner, &GrowRunner::run);
     connect(&growPopOut, &GrowPopOut::timeMoved, &m_timeRunner, &TimeRunner::moveTo);
     connect(&growPopOut, &GrowPopOut::timeReleased, &m_timeRunner, &TimeRunner::release);
+    connect(&growPopOut, &GrowPopOut::timeCancelled, &m_timeRunner, &TimeRunner::cancel);
     connect(&growPopOut, &GrowPopOut::playToggled, this,
             [this](bool plays) { plays ? m_timeRunner.play() : m_timeRunner.release(); });
-    connect(&m_timeRunner, &TimeRunner::runningChanged, &growPopOut,
-            [this, &growPopOut] { growPopOut.setPlaying(m_timeRunner.isPlaying()); });
+    connect(&m_timeRunner, &TimeRunner::runningChanged, &growPopOut, [this, &growPopOut](bool runs) {
+        growPopOut.setPlaying(m_timeRunner.isPlaying());
+        if (!runs)
+            growPopOut.stopDrag();
+    });
 
     LassoPopOut& lassoPopOut = m_workspace->lassoPopOut();
     connect(&lassoPopOut, &LassoPopOut::regrowAsked, this, [this] {

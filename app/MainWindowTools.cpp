@@ -38,12 +38,15 @@ void MainWindow::connectTools()
     m_actions[ActionId::Brush]->setChecked(true);
     connect(tools, &QActionGroup::triggered, this, &MainWindow::takeTool);
 
+    // A key goes farther than a notch of the wheel: from a twig to a crown takes few presses.
+    constexpr double kNotchesOfKey = 3.0;
     const auto resize = [this](double notches) {
         m_viewSettings.set(&ViewValues::brushRadius,
                            steppedBrushRadius(m_viewSettings.values().brushRadius, notches));
     };
-    connect(m_actions[ActionId::SmallerBrush], &QAction::triggered, this, [resize] { resize(-1.0); });
-    connect(m_actions[ActionId::LargerBrush], &QAction::triggered, this, [resize] { resize(1.0); });
+    connect(m_actions[ActionId::SmallerBrush], &QAction::triggered, this,
+            [resize] { resize(-kNotchesOfKey); });
+    connect(m_actions[ActionId::LargerBrush], &QAction::triggered, this, [resize] { resize(kNotchesOfKey); });
     connect(m_actions[ActionId::Cancel], &QAction::triggered, this, &MainWindow::cancel);
     connect(m_actions[ActionId::GrowStep], &QAction::triggered, this, [this] {
         if (!isBusy() || (m_growRunner.isRunning() && !m_workspace->viewport().isGestureActive()))

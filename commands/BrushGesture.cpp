@@ -34,6 +34,21 @@ StrokePlacement recordable(StrokePlacement placement)
     return placement;
 }
 
+/// What the undo step of a stroke is called: with the number of branches that it grew.
+QString titleOf(const Edit& edit)
+{
+    const TreeDocument& document = edit.document();
+    int branches = 0;
+    for (std::size_t i = document.journal().size() - edit.deltaCount(); i < document.journal().size(); ++i) {
+        const IdRange born = document.journal()[i]->born;
+        for (InternodeId id = born.first; id < born.end(); ++id)
+            branches += document.tree().isAlive(id) && document.index().axis(id) == id ? 1 : 0;
+    }
+    return branches > 1
+               ? QCoreApplication::translate("Commands", "Brush Stroke, %n branches", nullptr, branches)
+               : QCoreApplication::translate("Commands", "Brush Stroke");
+}
+
 } // namespace
 
 BrushGesture::BrushGesture(TreeDocument& document, const BrushSample& first, Competitors competitors,
@@ -170,8 +185,7 @@ void BrushGesture::finish()
         holdUntil(m_last.time);
     while (settle()) {
     }
-    commitRecorded(m_edit, QCoreApplication::translate("Commands", "Brush Stroke"),
-                   [this] { return operation(); });
+    commitRecorded(m_edit, titleOf(m_edit), [this] { return operation(); });
 }
 
 } // namespace espalier

@@ -18,7 +18,11 @@ void pruneBranches(TreeDocument& document, std::span<const InternodeId> cuts)
             operation.internodes.push_back(InternodeReference::to(document, cut));
     }
     edit.apply(prune(document.tree(), document.index(), cuts));
-    commitRecorded(edit, QCoreApplication::translate("Commands", "Prune"), [&] { return operation; });
+    const auto count = static_cast<int>(operation.internodes.size());
+    commitRecorded(edit,
+                   count > 1 ? QCoreApplication::translate("Commands", "Prune, %n branches", nullptr, count)
+                             : QCoreApplication::translate("Commands", "Prune"),
+                   [&] { return operation; });
 }
 
 } // namespace espalier

@@ -51,8 +51,9 @@ void TimeGesture::finish()
 {
     const auto steps = static_cast<int>(m_edit.deltaCount());
     commitRecorded(m_edit,
-                   steps > 0 ? QCoreApplication::translate("Commands", "Grow")
-                             : QCoreApplication::translate("Commands", "Travel in Time"),
+                   steps > 1    ? QCoreApplication::translate("Commands", "Grow, %n steps", nullptr, steps)
+                   : steps == 1 ? QCoreApplication::translate("Commands", "Grow")
+                                : QCoreApplication::translate("Commands", "Travel in Time"),
                    [&] {
                        return GrowOperation{steps, m_only};
                    });

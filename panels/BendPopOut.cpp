@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/BendPopOut.h"
 
+#include "model/settings/Lengths.h"
 #include "panels/Theme.h"
 
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -54,8 +56,12 @@ QSlider* BendPopOut::addSlider(const QString& name, const QString& label, const 
                                double ViewValues::*weight)
 {
     auto* text = new QLabel(label, this);
+    auto* value = new QLabel(this);
+    theme::setTone(*value, theme::Tone::Dim);
+    value->setObjectName(name + QStringLiteral("Value"));
     auto* slider = new QSlider(Qt::Horizontal, this);
-    text->setToolTip(toolTip);
+    for (QLabel* words : {text, value})
+        words->setToolTip(toolTip);
     slider->setObjectName(name);
     slider->setRange(-kWeightSteps, kWeightSteps);
     slider->setSingleStep(kWeightSteps / 20);
@@ -65,8 +71,16 @@ QSlider* BendPopOut::addSlider(const QString& name, const QString& label, const 
     slider->setFocusPolicy(Qt::TabFocus);
     slider->setAccessibleName(label);
     slider->setToolTip(toolTip);
-    layout()->addWidget(text);
+    auto* line = new QHBoxLayout;
+    line->addWidget(text, 1);
+    line->addWidget(value);
+    static_cast<QVBoxLayout*>(layout())->addLayout(line);
     layout()->addWidget(slider);
+    const auto showValue = [this, value, weight] {
+        value->setText(tr("× %1").arg(numberText(m_settings.values().*weight, 2)));
+    };
+    connect(&m_settings, &ViewSettings::changed, value, showValue);
+    showValue();
     connect(slider, &QSlider::valueChanged, this,
             [this, weight](int position) { m_settings.set(weight, weightAt(position)); });
     return slider;

@@ -1,42 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/GrowPopOut.h"
 
+#include "panels/EditTitle.h"
 #include "panels/Icon.h"
 #include "panels/Theme.h"
+#include "panels/TimeSlider.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace espalier {
-
-namespace {
-
-/// Number of growth steps beyond the present that the slider reaches at least.
-constexpr int kGrowthZone = 12;
-/// Width of the present on the slider, px: moving the handle there, or only touching it, grows nothing.
-constexpr int kDetent = 6;
-
-} // namespace
 
 GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     : Bar(parent),
       m_document(document),
-      m_time(new QSlider(Qt::Horizontal, this)),
+      m_time(new TimeSlider(this)),
       m_play(new QPushButton(icon(QStringLiteral("play")), {}, this)),
       m_step(new QLabel(this)),
+      m_title(new QLabel(this)),
       m_count(new QSpinBox(this))
 {
     m_time->setObjectName(QStringLiteral("time"));
-    m_time->setMinimumSize(170, theme::kTarget);
     m_time->setAccessibleName(tr("Time"));
-    m_time->setToolTip(
-        tr("Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the "
-           "mark it grows."));
+    m_time->setToolTip(tr(
+        "Back: the tree ungrows, through all that you did. Forth: it comes back. Pull the handle well past "
+        "the mark, and the tree grows. Far from the slider, or with Shift, a drag is finer."));
     m_play->setObjectName(QStringLiteral("playTime"));
     m_play->setCheckable(true);
     m_play->setFixedSize(theme::kTarget, theme::kTarget);
@@ -61,8 +55,15 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     many->setMinimumHeight(theme::kTarget);
     many->setFocusPolicy(Qt::TabFocus);
     many->setToolTip(tr("Grow that many steps, as one undo step. Escape stops."));
-    m_step->setAlignment(Qt::AlignCenter);
-    theme::setTone(*m_step, theme::Tone::Dim);
+    for (QLabel* label : {m_step, m_title}) {
+        label->setAlignment(Qt::AlignCenter);
+        label->setTextFormat(Qt::PlainText);
+        // A long text makes nothing wider.
+        label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        theme::setTone(*label, theme::Tone::Dim);
+    }
+    m_step->setObjectName(QStringLiteral("timeStep"));
+    m_title->setObjectName(QStringLiteral("timeTitle"));
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 12, 12, 10);
@@ -72,7 +73,11 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     time->addWidget(m_play);
     time->addWidget(m_time, 1);
     column->addLayout(time);
-    column->addWidget(m_step);
+    auto* moment = new QVBoxLayout;
+    moment->setSpacing(0);
+    moment->addWidget(m_step);
+    moment->addWidget(m_title);
+    column->addLayout(moment);
     column->addWidget(hold);
     auto* line = new QHBoxLayout;
     line->addWidget(m_count);
@@ -82,42 +87,46 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     connect(hold, &QPushButton::pressed, this, &GrowPopOut::holdBegins);
     connect(hold, &QPushButton::released, this, &GrowPopOut::holdEnds);
     connect(many, &QPushButton::clicked, this, [this] { Q_EMIT stepsAsked(m_count->value()); });
-    connect(m_time, &QSlider::valueChanged, this, [this](int position) {
-        Q_EMIT timeMoved(m_time->isSliderDown() ? detained(position) : position);
-        // Keys, and clicks beside the handle, are whole gestures.
-        if (!m_time->isSliderDown())
-            Q_EMIT timeReleased();
-    });
-    connect(m_time, &QSlider::sliderReleased, this, [this] {
+    connect(m_time, &TimeSlider::moved, this, &GrowPopOut::timeMoved);
+    connect(m_time, &TimeSlider::letGo, this, [this] {
         Q_EMIT timeReleased();
         showStep();
     });
+    connect(m_time, &TimeSlider::cancelled, this, &GrowPopOut::timeCancelled);
     connect(m_play, &QPushButton::toggled, this, &GrowPopOut::playToggled);
     connect(&document, &TreeDocument::changed, this, &GrowPopOut::showStep);
+    // An edit gets its name at its end.
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &GrowPopOut::showStep);
     showStep();
 }
 
 void GrowPopOut::showStep()
 {
-    m_step->setText(m_document.future().empty() ? tr("step %L1").arg(m_document.tree().step())
-                                                : tr("step %L1, %L2 edits and steps back")
-                                                      .arg(m_document.tree().step())
-                                                      .arg(m_document.future().size()));
-    // While the user holds the slider it leads the history; otherwise it follows.
-    if (m_time->isSliderDown())
-        return;
-    const QSignalBlocker blocker(m_time);
     const auto here = static_cast<int>(m_document.journal().size());
-    m_present = here + static_cast<int>(m_document.future().size());
-    m_time->setRange(0, m_present + std::max(kGrowthZone, m_present / 8));
-    m_time->setPageStep(std::max(1, m_present / 20));
-    m_time->setValue(here);
+    // While the user holds the slider it leads the history; otherwise it follows.
+    if (!m_time->isSliderDown())
+        m_time->setHistory(here, here + static_cast<int>(m_document.future().size()));
+    const int present = m_time->maximum();
+    m_step->setText(here > present ? tr("New steps: %L1").arg(here - present)
+                                   : tr("Moment %L1 of %L2").arg(here).arg(present));
+    m_title->setText(titleOfMoment());
 }
 
-int GrowPopOut::detained(int position) const
+QString GrowPopOut::titleOfMoment()
 {
-    const int held = m_time->maximum() * kDetent / std::max(1, m_time->width()) + 1;
-    return position > m_present ? std::max(m_present, position - held) : position;
+    const Journal& journal = m_document.journal();
+    // An edit's first delta alone has the record; nothing to look for while the same edit grows on.
+    const auto first = std::find_if(journal.rbegin(), journal.rend(),
+                                    [](const auto& delta) { return delta->record != nullptr; });
+    if (first == journal.rend())
+        return journal.empty() ? tr("Seedling") : QString();
+    return titleOfEdit(*(*first)->record);
+}
+
+void GrowPopOut::stopDrag()
+{
+    m_time->drop();
+    showStep();
 }
 
 void GrowPopOut::setPlaying(bool plays)

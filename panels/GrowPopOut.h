@@ -6,10 +6,11 @@
 
 class QLabel;
 class QPushButton;
-class QSlider;
 class QSpinBox;
 
 namespace espalier {
+
+class TimeSlider;
 
 /// Controls for time (TreeSketch §3.1): a slider through the history, back and forth, and beyond the present
 /// into growth; a button that plays the history; a button that grows the tree while it is held; and growth
@@ -29,24 +30,27 @@ Q_SIGNALS:
     /// history; for a position beyond the history's end, grow the difference.
     void timeMoved(int position);
     void timeReleased();
+    /// The user takes the drag back: show the moment where it began.
+    void timeCancelled();
     void playToggled(bool plays);
 
 public:
     /// Whether the history is being played.
     void setPlaying(bool plays);
+    /// Ends a drag of the slider: the travel that it led has ended.
+    void stopDrag();
 
 private:
     void showStep();
-    /// The position that a handle at @p position stands for: a little beyond the present counts as the
-    /// present.
-    int detained(int position) const;
+    /// What the user did last up to the moment shown.
+    QString titleOfMoment();
 
     const TreeDocument& m_document;
-    QSlider* m_time;
+    TimeSlider* m_time;
     QPushButton* m_play;
     QLabel* m_step;
+    QLabel* m_title;
     QSpinBox* m_count;
-    int m_present = 0; ///< The slider's position at the end of the history
 };
 
 } // namespace espalier

@@ -134,7 +134,7 @@ void ParameterRow::makeSlider()
     connect(m_slider, &ParameterSlider::edited, this, &ParameterRow::edit);
     connect(m_slider, &QSlider::sliderReleased, this, [this] {
         if (std::exchange(m_isDragging, false))
-            m_editor.finish(accessibleName());
+            m_editor.finish(undoText(m_value));
     });
     connect(m_number, &ParameterNumber::edited, this, &ParameterRow::edit);
 }
@@ -202,12 +202,12 @@ void ParameterRow::edit(double value)
     m_value = value;
     present();
     if (!m_isDragging) {
-        m_editor.nudge(this, key(), value, accessibleName());
+        m_editor.nudge(this, key(), value, undoText(value));
         return;
     }
     m_editor.show(key(), value);
     if (showsAtOnce(key()))
-        m_editor.putInForce(accessibleName());
+        m_editor.putInForce(undoText(value));
 }
 
 void ParameterRow::choose(double value)
@@ -218,13 +218,18 @@ void ParameterRow::choose(double value)
     m_editor.finish(undoText(value));
 }
 
-/// What the undo step is called that gives the parameter @p value: of a choice, the chosen one too.
+/// What the undo step is called that gives the parameter @p value.
 QString ParameterRow::undoText(double value) const
 {
-    if (m_scale.info().quantity != Quantity::Choice)
+    switch (m_scale.info().quantity) {
+    case Quantity::Switch:
         return accessibleName();
-    return tr("%1: %2").arg(accessibleName(),
-                            choiceNames(m_scale.info().choices).value(static_cast<int>(value)));
+    case Quantity::Choice:
+        return tr("%1: %2").arg(accessibleName(),
+                                choiceNames(m_scale.info().choices).value(static_cast<int>(value)));
+    default:
+        return tr("%1: %2").arg(accessibleName(), m_scale.shown(value));
+    }
 }
 
 void ParameterRow::hideLabel()

@@ -201,6 +201,9 @@ void apply(QApplication& application, Look look)
         QLabel[tone="bright"] { color: @text; }
         QLabel[tone="overDark"] { color: @overDark; }
         QLabel[tone="overLight"] { color: @overLight; }
+        QLabel[overPicture="true"] { padding: 3px 9px; border-radius: 9px; }
+        QLabel[overPicture="true"][tone="overDark"] { color: @bubbleText; background: @veilDark; }
+        QLabel[overPicture="true"][tone="overLight"] { color: @bubble; background: @veilLight; }
         espalier--LibraryPanel QLineEdit { background: @sunken; border: 1px solid @edge; border-radius: 8px; padding: 4px 8px; }
         espalier--LibraryPanel QLineEdit:focus { border-color: @accent; }
         espalier--CardView { background: transparent; outline: none; }
@@ -229,6 +232,8 @@ void apply(QApplication& application, Look look)
         {"@raised", kRaised},
         {"@sunken", kSunken},
         {"@text", kText},
+        {"@veilDark", QColor(0x16, 0x18, 0x1c, 0x96)},
+        {"@veilLight", QColor(0xff, 0xff, 0xff, 0xb4)},
     };
     for (const auto& [name, colour] : names)
         sheet.replace(QLatin1String(name), toCss(colour));

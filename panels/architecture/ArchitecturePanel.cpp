@@ -22,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <span>
 
 namespace espalier {
 
@@ -248,8 +249,9 @@ void ArchitecturePanel::fit(const QSize& room)
 {
     // The columns of the model, of vigour and of habit, and the separators beside them.
     const int columns = 3 * kDiagramWidth + 3 * (2 * kDiagramSpacing + 1);
-    const int count = static_cast<int>(m_cards.size());
-    const int wide = (room.width() - 2 * kPanelMargin - columns) / count - 2 * kDiagramSpacing - 1;
+    const int more = isMoreShown() ? m_more->sizeHint().width() + kDiagramSpacing : 0;
+    const int count = isMoreShown() ? 1 : static_cast<int>(m_cards.size());
+    const int wide = (room.width() - 2 * kPanelMargin - columns - more) / count - 2 * kDiagramSpacing - 1;
     const int card = std::clamp(wide, kLeastCard, kMostCard);
     const int tall = std::clamp(std::min(card * 5 / 6, static_cast<int>(kMostHeight * room.height())),
                                 kLeastDiagram, kMostDiagram);
@@ -306,6 +308,12 @@ void ArchitecturePanel::showMore(bool shown)
     m_moreButton->setChecked(shown);
     m_moreButton->setText(shown ? tr("‹ Less") : tr("More ›"));
     m_more->setVisible(shown);
+    // The rest takes the place of the drawings but the first, the schematic tree, which shows what it does.
+    const QLayout* line = m_treeSketch->layout();
+    for (QWidget* card : std::span(m_cards).subspan(1)) {
+        card->setVisible(!shown);
+        line->itemAt(line->indexOf(card) - 1)->widget()->setVisible(!shown);
+    }
     Q_EMIT sizeWanted();
     // After all widgets have their places.
     if (shown)

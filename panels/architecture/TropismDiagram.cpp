@@ -5,6 +5,7 @@
 #include "panels/architecture/DiagramStyle.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace espalier {
 
@@ -16,6 +17,22 @@ constexpr double kTropismMargin = 8.0; ///< px
 constexpr double kTwig = 0.0065;
 constexpr double kTrunk = 0.05;
 constexpr double kLeafRadius = 0.0138;
+
+/// The mean angle from straight up of the last internodes of all branches, rad.
+double meanTipAngle(const Schematic& schematic)
+{
+    const auto& [tree, index] = schematic;
+    double sum = 0.0;
+    int count = 0;
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id) || index.firstChild(id) != kNoInternode)
+            continue;
+        const Vec3 way = index.nodePosition(id) - index.basePosition(tree, id);
+        sum += std::atan2(std::hypot(way.x(), way.z()), way.y());
+        ++count;
+    }
+    return count > 0 ? sum / count : 0.0;
+}
 
 } // namespace
 
@@ -29,15 +46,16 @@ QString TropismDiagram::caption() const
 {
     if (shown().tropismFromStroke)
         return tr("as the stroke");
-    const double theta = degrees(shown().setPointAngle);
-    if (theta < 20.0)
+    // What the tree does, not what the arrow alone would make of it: other weights may be stronger.
+    const double angle = degrees(meanTipAngle(schematic()));
+    if (angle < 30.0)
         return tr("upright");
-    if (theta < 70.0)
+    if (angle < 70.0)
         return tr("slanting");
-    return theta <= 110.0 ? tr("level") : tr("weeping");
+    return angle <= 100.0 ? tr("level") : tr("weeping");
 }
 
-const Schematic& TropismDiagram::schematic()
+const Schematic& TropismDiagram::schematic() const
 {
     if (m_grownWith != shown()) {
         m_grownWith = shown();

@@ -15,9 +15,8 @@ public:
     explicit TropismDiagram(ParameterEditor& editor, QWidget* parent = nullptr);
 
     QString caption() const override;
-    /// The schematic tree for the shown parameters. It is grown when it is painted, so at most once a frame
-    /// while a handle moves.
-    const Schematic& schematic();
+    /// The schematic tree for the shown parameters; it is grown when it is asked for.
+    const Schematic& schematic() const;
 
 protected:
     QPointF place(int number, const GrowthParameters& growth) const override;
@@ -28,8 +27,8 @@ private:
     QPointF pivot() const;
     double arrowLength() const;
 
-    GrowthParameters m_grownWith;
-    Schematic m_schematic;
+    mutable GrowthParameters m_grownWith;
+    mutable Schematic m_schematic;
 };
 
 /// Draws a schematic tree into @p box, as large as possible, its base in the middle of the lower edge.

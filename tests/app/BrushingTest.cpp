@@ -10,6 +10,7 @@
 #include <QElapsedTimer>
 #include <QEvent>
 #include <QInputDevice>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QPoint>
 #include <QPointF>
@@ -31,6 +32,7 @@ class BrushingTest : public test::WindowFixture {
     Q_OBJECT
 
 private Q_SLOTS:
+    void history_saysHowMuchAStrokeGrew();
     void mouse_brushesATreeAsOneUndoStep();
     void finger_brushesATree();
     void pen_brushesByItsPressure();
@@ -85,6 +87,25 @@ void BrushingTest::drawLimb(const QPointF& from, const QPointF& to, double speed
         QTest::qSleep(isBusy ? 120 : 1);
         QCoreApplication::processEvents();
     }
+}
+
+void BrushingTest::history_saysHowMuchAStrokeGrew()
+{
+    brush();
+    brush(1.0F, 1.7F, 0.4F);
+    const TreeDocument& document = m_window->document();
+    int branches = 0;
+    for (InternodeId id = 1; id < document.tree().size(); ++id)
+        branches += document.tree().isAlive(id) && document.index().axis(id) == id ? 1 : 0;
+    int told = 0;
+    for (int i = 0; i < document.undoStack().count(); ++i) {
+        const QString text = document.undoStack().text(i);
+        QVERIFY2(text.startsWith(QStringLiteral("Brush Stroke")), qPrintable(text));
+        const QString number = text.section(QLatin1Char(' '), 2, 2);
+        told += number.isEmpty() ? 0 : number.toInt();
+    }
+    QVERIFY2(told > 1 && told <= branches && told >= branches - document.undoStack().count(),
+             qPrintable(QStringLiteral("%1 of %2").arg(told).arg(branches)));
 }
 
 void BrushingTest::mouse_brushesATreeAsOneUndoStep()
@@ -271,6 +292,11 @@ void BrushingTest::keys_changeTheBrushAndWhatIsShown()
     QTRY_VERIFY(settings.values().brushRadius > 0.5);
     auto* slider = m_window->findChild<RadiusSlider*>();
     QCOMPARE(slider->radius(), settings.values().brushRadius);
+    // From a twig to a crown it takes few presses.
+    m_window->viewSettings().set(&ViewValues::brushRadius, 0.05);
+    for (int i = 0; i < 9; ++i)
+        QTest::keyClick(handle(), Qt::Key_BracketRight);
+    QVERIFY(settings.values().brushRadius > 0.52);
 
     const bool markers = settings.values().markersShown;
     QTest::keyClick(handle(), Qt::Key_M);
@@ -302,6 +328,8 @@ void BrushingTest::bendAndWidth_areAtHand()
     QVERIFY(stretching && stretching->isVisible());
     stretching->setValue(stretching->maximum());
     QCOMPARE(m_window->viewSettings().values().stretchingWeight, kMostBendWeight);
+    const auto* shown = m_window->findChild<QLabel*>(QStringLiteral("stretchingWeightValue"));
+    QVERIFY(shown->isVisible() && shown->text().contains(QString::number(static_cast<int>(kMostBendWeight))));
 
     // A pin, which Escape removes before anything else.
     const InternodeId low = document.index().mainChild(0);

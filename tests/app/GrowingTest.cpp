@@ -3,16 +3,18 @@
 #include "panels/GrowPopOut.h"
 #include "panels/HistoryPanel.h"
 #include "panels/Notice.h"
+#include "panels/TimeSlider.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
 #include <QCoreApplication>
+#include <QLabel>
 #include <QMessageBox>
+#include <QMouseEvent>
 #include <QPoint>
 #include <QPushButton>
 #include <QRect>
-#include <QSlider>
 #include <QTest>
 #include <QUndoView>
 
@@ -28,9 +30,21 @@ private Q_SLOTS:
     void manySteps_areStoppedByEscape();
     void strokeDuringGrowth_endsIt();
     void newTreeDuringGrowth_isAskedAbout();
-    void timeSlider_ungrowsAndGrowsOn();
+    void timeSlider_ungrowsAndComesBack();
+    void timeSlider_isGrabbedWhereItIsHeld();
+    void timeSlider_growsOnlyWhenPulled();
+    void pressBesideTheTimeSlider_growsNothing();
+    void escape_takesTheTimeSliderBack();
+    void timeSliderFarFromTheTrack_isFine();
+    void timeSlider_namesTheMoment();
     void play_showsTheHistoryAgain();
     void history_goesWhereItIsClicked();
+
+private:
+    TimeSlider& timeSlider();
+    /// Presses the slider at @p from, px, and moves the pointer to places beside that one.
+    void drag(const QPointF& from, const std::vector<QPointF>& by, Qt::KeyboardModifiers modifiers = {});
+    void letGo(const QPointF& at);
 };
 
 void GrowingTest::holdingGrow_isOneUndoStep()
@@ -118,37 +132,174 @@ void GrowingTest::newTreeDuringGrowth_isAskedAbout()
     QVERIFY(!m_window->document().undoStack().canUndo());
 }
 
-void GrowingTest::timeSlider_ungrowsAndGrowsOn()
+TimeSlider& GrowingTest::timeSlider()
+{
+    if (!action(ActionId::Grow)->isChecked())
+        action(ActionId::Grow)->trigger();
+    return *m_window->findChild<TimeSlider*>(QStringLiteral("time"));
+}
+
+void GrowingTest::drag(const QPointF& from, const std::vector<QPointF>& by, Qt::KeyboardModifiers modifiers)
+{
+    const TimeSlider& slider = timeSlider();
+    const auto place = [&](const QPointF& point) { return slider.mapTo(m_window.get(), point.toPoint()); };
+    QTest::mousePress(handle(), Qt::LeftButton, modifiers, place(from));
+    for (const QPointF& way : by) {
+        QMouseEvent moved(QEvent::MouseMove, QPointF(place(from + way)),
+                          m_window->mapToGlobal(QPointF(place(from + way))), Qt::NoButton, Qt::LeftButton,
+                          modifiers);
+        QCoreApplication::sendEvent(handle(), &moved);
+    }
+}
+
+void GrowingTest::letGo(const QPointF& at)
+{
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, timeSlider().mapTo(m_window.get(), at.toPoint()));
+    QCoreApplication::processEvents();
+}
+
+void GrowingTest::timeSlider_ungrowsAndComesBack()
 {
     brush();
     TreeDocument& document = m_window->document();
     const std::uint32_t grown = document.index().livingCount();
     const auto end = static_cast<int>(document.journal().size());
-    action(ActionId::Grow)->trigger();
-    auto* slider = m_window->findChild<QSlider*>(QStringLiteral("time"));
-    QVERIFY(slider->isVisible());
-    QCOMPARE(slider->value(), end);
-    const auto place = [&](int value) {
-        const double share = static_cast<double>(value) / slider->maximum();
-        return QPoint(static_cast<int>(8 + share * (slider->width() - 16)), slider->height() / 2);
-    };
-    QTest::mousePress(slider, Qt::LeftButton, {}, place(end));
-    for (int value = end; value >= end / 2; --value)
-        QTest::mouseMove(slider, place(value));
+    TimeSlider& slider = timeSlider();
+    QVERIFY(slider.isVisible());
+    QCOMPARE(slider.value(), end);
+    const QPointF way = slider.placeOf(end / 2) - slider.handlePlace();
+    drag(slider.handlePlace(), {0.5 * way, way});
     QVERIFY(document.index().livingCount() < grown);
-    QVERIFY(!document.future().empty());
-    QTest::mouseRelease(slider, Qt::LeftButton, {}, place(end / 2));
+    QVERIFY(std::abs(static_cast<int>(document.journal().size()) - end / 2) <= 1);
+    letGo(slider.handlePlace());
+    QCOMPARE(document.undoStack().count(), 2);
+    // Keys go on by single steps, and not beyond the present.
+    slider.setFocus(Qt::TabFocusReason);
+    const auto here = static_cast<int>(document.journal().size());
+    QTest::keyClick(handle(), Qt::Key_Right);
+    QCOMPARE(static_cast<int>(document.journal().size()), here + 1);
+    QTest::keyClick(handle(), Qt::Key_End);
+    QTest::keyClick(handle(), Qt::Key_Right);
+    QCOMPARE(static_cast<int>(document.journal().size()), end);
+    QVERIFY(document.future().empty());
+    QCOMPARE(document.index().livingCount(), grown);
+}
+
+void GrowingTest::timeSlider_isGrabbedWhereItIsHeld()
+{
+    brush();
+    const TreeDocument& document = m_window->document();
+    const auto end = document.journal().size();
+    const TimeSlider& slider = timeSlider();
+    for (const double off : {-9.0, 9.0}) {
+        const QPointF held = slider.handlePlace() + QPointF(off, 0.0);
+        drag(held, {{0.0, 1.0}, {0.0, 0.0}});
+        QCOMPARE(document.journal().size(), end);
+        letGo(held);
+        QCOMPARE(document.undoStack().count(), 1);
+    }
+}
+
+void GrowingTest::timeSlider_growsOnlyWhenPulled()
+{
+    brush();
+    TreeDocument& document = m_window->document();
+    const auto end = document.journal().size();
+    const TimeSlider& slider = timeSlider();
+    const QPointF held = slider.handlePlace();
+    drag(held, {{10.0, 0.0}, {20.0, 0.0}});
+    QCOMPARE(document.journal().size(), end);
+    letGo(held + QPointF(20.0, 0.0));
+    QCOMPARE(document.undoStack().count(), 1);
+    drag(held, {{20.0, 0.0}, {33.0, 0.0}});
+    const auto grown = document.journal().size();
+    QVERIFY(grown > end && grown <= end + 3);
+    letGo(held + QPointF(33.0, 0.0));
     QCOMPARE(document.undoStack().count(), 2);
     document.undoStack().undo();
-    QCOMPARE(document.index().livingCount(), grown);
-    QCOMPARE(slider->value(), end);
-    // Beyond the present it grows.
-    slider->setFocus();
-    QTest::keyClick(slider, Qt::Key_Right);
-    QVERIFY(document.index().livingCount() > grown);
-    QCOMPARE(static_cast<int>(document.journal().size()), end + 1);
-    document.undoStack().undo();
-    QCOMPARE(document.index().livingCount(), grown);
+    QCOMPARE(document.journal().size(), end);
+}
+
+void GrowingTest::pressBesideTheTimeSlider_growsNothing()
+{
+    brush();
+    TreeDocument& document = m_window->document();
+    const auto end = document.journal().size();
+    const TimeSlider& slider = timeSlider();
+    const QPointF beside = slider.handlePlace() + QPointF(40.0, 0.0);
+    drag(beside, {});
+    letGo(beside);
+    QCOMPARE(document.journal().size(), end);
+    QCOMPARE(document.undoStack().count(), 1);
+    // In the past it goes a part of the way, and what was undone can still be redone.
+    const QPointF begin = slider.placeOf(0);
+    drag(begin, {});
+    letGo(begin);
+    QVERIFY(document.journal().size() < end);
+    QCOMPARE(document.journal().size() + document.future().size(), end);
+}
+
+void GrowingTest::escape_takesTheTimeSliderBack()
+{
+    brush();
+    TreeDocument& document = m_window->document();
+    const Tree before = document.tree();
+    const auto end = static_cast<int>(document.journal().size());
+    const TimeSlider& slider = timeSlider();
+    const QPointF held = slider.handlePlace();
+    const QPointF way = slider.placeOf(end / 3) - held;
+    drag(held, {0.5 * way, way});
+    QVERIFY(!document.future().empty());
+    QTest::keyClick(handle(), Qt::Key_Escape);
+    QVERIFY(document.tree() == before);
+    QVERIFY(!m_window->isBusy());
+    // The pointer that is still down moves nothing more.
+    QTest::mouseMove(handle(), slider.mapTo(m_window.get(), (held + 0.7 * way).toPoint()));
+    letGo(held + 0.7 * way);
+    QVERIFY(document.tree() == before);
+    QCOMPARE(document.undoStack().count(), 1);
+    QCOMPARE(slider.value(), end);
+}
+
+void GrowingTest::timeSliderFarFromTheTrack_isFine()
+{
+    makeTree();
+    m_window->growRunner().run(60);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->growRunner().isRunning(), 60'000);
+    TreeDocument& document = m_window->document();
+    const auto end = static_cast<int>(document.journal().size());
+    const TimeSlider& slider = timeSlider();
+    const QPointF held = slider.handlePlace();
+    const auto travelled = [&](const std::vector<QPointF>& by, Qt::KeyboardModifiers modifiers) {
+        drag(held, by, modifiers);
+        const int way = end - static_cast<int>(document.journal().size());
+        QTest::keyClick(handle(), Qt::Key_Escape);
+        letGo(held);
+        return way;
+    };
+    const int near = travelled({{-40.0, 0.0}}, {});
+    const int far = travelled({{0.0, 160.0}, {-40.0, 160.0}}, {});
+    const int shifted = travelled({{-40.0, 0.0}}, Qt::ShiftModifier);
+    QVERIFY2(near > 10 && far >= 1 && far <= near / 8,
+             qPrintable(QStringLiteral("%1 %2").arg(near).arg(far)));
+    QVERIFY2(shifted >= 1 && shifted <= near / 4, qPrintable(QString::number(shifted)));
+}
+
+void GrowingTest::timeSlider_namesTheMoment()
+{
+    brush();
+    const TreeDocument& document = m_window->document();
+    const auto end = static_cast<int>(document.journal().size());
+    const TimeSlider& slider = timeSlider();
+    const auto* step = m_window->findChild<QLabel*>(QStringLiteral("timeStep"));
+    const auto* title = m_window->findChild<QLabel*>(QStringLiteral("timeTitle"));
+    QCOMPARE(step->text(), QStringLiteral("Moment %1 of %1").arg(end));
+    QCOMPARE(title->text(), QStringLiteral("Brush Stroke"));
+    const QPointF held = slider.handlePlace();
+    drag(held, {slider.placeOf(0) - held});
+    QCOMPARE(step->text(), QStringLiteral("Moment 0 of %1").arg(end));
+    QCOMPARE(title->text(), QStringLiteral("Seedling"));
+    letGo(slider.placeOf(0));
 }
 
 void GrowingTest::play_showsTheHistoryAgain()

@@ -6,6 +6,7 @@
 #include "panels/HelpPage.h"
 #include "panels/HelpPanel.h"
 #include "panels/RadiusSlider.h"
+#include "panels/TimeSlider.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
@@ -23,7 +24,6 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSize>
-#include <QSlider>
 #include <QTest>
 #include <QTextBlock>
 #include <QUrl>
@@ -306,10 +306,10 @@ void HelpTest::tour_goesOnByDoing()
     QTest::keyClick(handle(), Qt::Key_G, Qt::ShiftModifier);
     QTRY_COMPARE(tour.step(), 3);
 
-    auto* time = workspace().growPopOut().findChild<QSlider*>(QStringLiteral("time"));
+    auto* time = workspace().growPopOut().findChild<TimeSlider*>(QStringLiteral("time"));
     QTRY_VERIFY(time->isVisible());
-    const QPoint middle = time->mapTo(m_window.get(), time->rect().center());
-    drag(middle, middle - QPoint(40, 0));
+    const QPoint held = time->mapTo(m_window.get(), time->handlePlace().toPoint());
+    drag(held, held - QPoint(40, 0));
     QTRY_COMPARE(tour.step(), 4);
 
     const QPoint strip(300, m_window->height() - Viewport::kStripHeight / 2);

@@ -4,6 +4,7 @@
 #include "app/MainWindow.h"
 #include "app/Workspace.h"
 #include "panels/HelpPanel.h"
+#include "panels/Notice.h"
 #include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
 #include "tests/support/TestClasses.h"
@@ -12,7 +13,9 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFontDatabase>
 #include <QLabel>
+#include <QPushButton>
 #include <QTest>
 #include <QToolButton>
 #include <QTranslator>
@@ -27,6 +30,7 @@ private Q_SLOTS:
     void initTestCase();
     void language_changesAtOnceAndKeepsAll();
     void language_changesWhileASamplePlays();
+    void lettersWithoutAFont_areSaidAndEnglishIsOffered();
     void texts_haveRoom_data();
     void texts_haveRoom();
     void help_isWhole_data();
@@ -199,6 +203,29 @@ void LanguagesTest::language_changesWhileASamplePlays()
     window.recipeRunner().stop();
     QVERIFY(window.document().undoStack().isClean());
     QVERIFY(window.actions()[ActionId::Prune]->isEnabled());
+    speakLanguage(QStringLiteral("en"));
+    QSettings().clear();
+}
+
+void LanguagesTest::lettersWithoutAFont_areSaidAndEnglishIsOffered()
+{
+    const bool hasFont = !QFontDatabase::families(QFontDatabase::Japanese).isEmpty();
+    speakLanguage(QStringLiteral("ja"));
+    Settings().setPreferences({.language = QStringLiteral("ja")});
+    MainWindow window;
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    Notice& notice = window.workspace().notice();
+    QCOMPARE(notice.isVisible() && notice.text().contains(QStringLiteral("Japanese letters")), !hasFont);
+    if (!hasFont) {
+        for (auto* button : notice.findChildren<QPushButton*>()) {
+            if (button->text() == QStringLiteral("Use English"))
+                button->click();
+        }
+        QTRY_COMPARE(window.actions()[ActionId::Prune]->text(), QStringLiteral("Prune"));
+        QCOMPARE(Settings().preferences().language, QStringLiteral("en"));
+        QVERIFY(!window.workspace().notice().isVisible());
+    }
     speakLanguage(QStringLiteral("en"));
     QSettings().clear();
 }

@@ -123,7 +123,7 @@ void UndoingTest::stroke_beginsOnTheUndoneTree()
     brush(0.3F, 1.6F);
     QVERIFY(!runner().isRunning());
     QCOMPARE(document().undoStack().count(), 2);
-    QCOMPARE(document().undoStack().undoText(), QStringLiteral("Brush Stroke"));
+    QVERIFY(document().undoStack().undoText().startsWith(QStringLiteral("Brush Stroke")));
     undo();
     waitForRest();
     QCOMPARE(test::differenceFrom(first, document()), QString());

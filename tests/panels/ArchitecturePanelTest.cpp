@@ -27,6 +27,7 @@
 #include <QSize>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <QWidget>
 
 #include <map>
@@ -56,6 +57,7 @@ private Q_SLOTS:
     void everyControl_explainsItself();
     void screenReader_readsAndSetsSlidersInTheirUnits();
     void tab_goesFromHandleToHandle();
+    void more_keepsTheSchematicTreeInView();
     void doubleClickBesideTheHandles_resetsTheDiagram();
     void schematic_isRedrawnWhileAHandleMoves();
     void barycentricWeights_areAWholeEverywhere();
@@ -150,6 +152,27 @@ void ArchitecturePanelTest::tab_goesFromHandleToHandle()
         QVERIFY(!QApplication::focusWidget()->visibleRegion().isEmpty());
     }
     QCOMPARE(reached, expected);
+}
+
+void ArchitecturePanelTest::more_keepsTheSchematicTreeInView()
+{
+    const QSize room(1340, 1000); // Of a window of 1600 px
+    m_panel->fit(room);
+    connect(m_panel.get(), &ArchitecturePanel::sizeWanted, m_panel.get(), [&] { m_panel->fit(room); });
+    auto* more = m_panel->findChild<QToolButton*>(QStringLiteral("moreGrowth"));
+    QTest::mouseClick(more, Qt::LeftButton);
+    QTest::qWait(50);
+    const QWidget& schematic = m_panel->schematic();
+    QCOMPARE(schematic.visibleRegion().boundingRect(), schematic.rect());
+    for (const char* key : {"growth.internodeLength", "growth.occupancyRadius"}) {
+        const ParameterRow* row = m_panel->row(key);
+        if (row)
+            QCOMPARE(row->visibleRegion().boundingRect(), row->rect());
+    }
+    QTest::mouseClick(more, Qt::LeftButton);
+    QTest::qWait(50);
+    for (const Diagram* diagram : m_panel->diagrams())
+        QVERIFY(diagram->isVisible());
 }
 
 void ArchitecturePanelTest::doubleClickBesideTheHandles_resetsTheDiagram()

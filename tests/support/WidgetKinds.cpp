@@ -6,6 +6,7 @@
 #include "panels/PressureCurve.h"
 #include "panels/RadiusSlider.h"
 #include "panels/RotationStrip.h"
+#include "panels/TimeSlider.h"
 #include "panels/ViewRow.h"
 #include "panels/architecture/Diagram.h"
 #include "panels/architecture/DiagramHandle.h"
@@ -229,6 +230,7 @@ constexpr std::array kKinds{
     WidgetKind{"button", isA<QAbstractButton>, driveButton},
     WidgetKind{"slider", isA<QSlider>, driveSlider},
     WidgetKind{"radius slider", isA<RadiusSlider>, driveSlider},
+    WidgetKind{"time slider", isA<TimeSlider>, driveSlider},
     WidgetKind{"number", isA<QSpinBox>, driveNumber},
     WidgetKind{"decimal number", isA<QDoubleSpinBox>, driveNumber},
     WidgetKind{"choice", isA<QComboBox>, driveChoice},
