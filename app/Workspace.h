@@ -88,6 +88,8 @@ public:
     /// Shows or hides the help beside the tree, which keeps the rest of the room.
     void showHelp(bool shown);
     bool isHelpShown() const { return m_isHelpShown; }
+    /// Shows or hides the button that leads back to the user's own tree, which is set aside.
+    void showWayBack(bool shown);
     /// Puts the bar of tools, and what opens beside it, on the right and the history on the left, or the
     /// other way round.
     void setToolsRight(bool right);
@@ -99,6 +101,9 @@ public:
     void focusNextPane();
     /// Shows a tool's advice in place of the counts; empty for none.
     void setTip(const QString& tip);
+
+Q_SIGNALS:
+    void wayBackAsked();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -134,6 +139,7 @@ private:
     HelpPanel* m_help;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
+    QPushButton* m_wayBack; ///< Shown while the user's own tree is set aside
     Notice* m_notice;
     QLabel* m_counts;
     QLabel* m_tip;
@@ -151,6 +157,7 @@ private:
     bool m_isLibraryShown = false;
     bool m_areToolsRight = false;
     bool m_isHelpShown = false;
+    bool m_isWayBackShown = false;
 };
 
 } // namespace espalier
