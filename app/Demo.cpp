@@ -53,7 +53,7 @@ void demonstrateUnseen(MainWindow& window, const Recipe& recipe)
                     "There is no display, so the tree was brushed on a virtual one. Written to %s: %s\n",
                     qPrintable(QDir::currentPath()), qPrintable(written->join(QStringLiteral(", "))));
             // The tree is in files now, and no user is there to answer a question about unsaved changes.
-            window.document().undoStack().setClean();
+            window.files().file().setUnmodified();
             QCoreApplication::exit(written ? kDone : kOutputNotWritten);
         });
     window.playRecipe(recipe, RecipeRunner::Pace::Hurried);

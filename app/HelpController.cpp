@@ -3,6 +3,7 @@
 
 #include "app/Tour.h"
 #include "app/Workspace.h"
+#include "app/files/DocumentFile.h"
 #include "app/files/Settings.h"
 #include "panels/HelpPanel.h"
 #include "panels/Notice.h"
@@ -103,7 +104,7 @@ void HelpController::playSample(const QString& fileName)
     }
     if (m_isSample)
         m_parts.recipeRunner.stop();
-    if (!m_parts.stage.mayLeave())
+    if (!m_parts.stage.makeRoom())
         return;
     m_parts.stage.playRecipe(*recipe, RecipeRunner::Pace::OfTheHand);
     m_isSample = true;
@@ -124,7 +125,7 @@ void HelpController::handOverSample()
     if (!std::exchange(m_isSample, false))
         return;
     // A sample of the program is not an unsaved change.
-    m_parts.document.undoStack().setClean();
+    m_parts.file.setUnmodified();
     // The user who has read about a tool and seen it at work probably wants to try it: it becomes the current
     // tool.
     for (const ActionId id : Actions::tools()) {

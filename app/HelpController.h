@@ -11,6 +11,7 @@
 
 namespace espalier {
 
+class DocumentFile;
 class Settings;
 class Tour;
 class ViewSettings;
@@ -22,9 +23,9 @@ public:
     virtual ~RecipeStage() = default;
     /// Whether a gesture, growth or a recipe is changing the document now.
     virtual bool isBusy() const = 0;
-    /// Ends the stroke under the hand and asks about unsaved changes. Returns false if the document must stay
-    /// open.
-    virtual bool mayLeave() = 0;
+    /// Ends what is under way and sets the user's own document aside, so that it comes back whole. Asks about
+    /// unsaved changes only if one is set aside already; returns false if the one that is shown must stay.
+    virtual bool makeRoom() = 0;
     /// Ends what is under way, and starts a recipe that grows another tree in the open document.
     virtual void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace) = 0;
 };
@@ -39,6 +40,7 @@ public:
         Workspace& workspace;
         const Actions& actions;
         TreeDocument& document;
+        DocumentFile& file;
         ViewSettings& viewSettings;
         RecipeRunner& recipeRunner;
         RecipeStage& stage;
@@ -61,8 +63,8 @@ public:
     void startTour();
     /// Starts the tour the first time that it is called for a user of this machine, and never again.
     void startFirstTour();
-    /// Plays a recipe that belongs to the program. Asks about unsaved changes first; a sample that the user
-    /// has not edited does not count as a change.
+    /// Plays a recipe that belongs to the program, after the stage has made room for it. A sample that the
+    /// user has not edited does not count as a change.
     void playSample(const QString& fileName);
 
 private:

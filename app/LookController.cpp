@@ -63,8 +63,13 @@ void LookController::choose(LookKind kind)
 
 void LookController::askAndTake(const QString& fileName)
 {
-    m_notice.ask(tr("What shall %1 be?").arg(QFileInfo(fileName).fileName()), tr("Leaves"), tr("Bark"),
-                 [this, fileName](bool leaves) { take(leaves ? LookKind::Leaf : LookKind::Bark, fileName); });
+    m_notice.ask(tr("What is %1 for?").arg(QFileInfo(fileName).fileName()),
+                 {tr("Leaves"), tr("Bark"), tr("Reference Picture")}, [this, fileName](int chosen) {
+                     if (chosen == 2)
+                         Q_EMIT pictureDropped(fileName);
+                     else
+                         take(chosen == 0 ? LookKind::Leaf : LookKind::Bark, fileName);
+                 });
 }
 
 Result<LookController::Look> LookController::read(LookKind kind, const QString& fileName)

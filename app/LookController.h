@@ -29,12 +29,15 @@ public:
     /// Reads a file and the files that belong to it, and puts the image in force; shows a notice if that
     /// fails.
     void take(LookKind kind, const QString& fileName);
-    /// The same for a file that was dropped on the window: asks whether it is for leaves or for bark.
+    /// The same for a file that was dropped on the window: asks whether it is for leaves or for bark, or a
+    /// picture to draw after.
     void askAndTake(const QString& fileName);
 
 Q_SIGNALS:
     /// An image was put in force, or the attempt has failed.
     void taken();
+    /// The user has dropped a picture to draw after.
+    void pictureDropped(const QString& fileName);
 
 private:
     struct Look;

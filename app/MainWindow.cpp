@@ -93,13 +93,13 @@ void MainWindow::connectFiles()
     };
     leave(ActionId::New, &FileController::startNew);
     leave(ActionId::Open, &FileController::open);
-    const auto keep = [this](ActionId id, void (FileController::*what)()) {
+    const auto keep = [this](ActionId id, const std::function<void()>& what) {
         connect(m_actions[id], &QAction::triggered, this, [this, what] {
             if (m_recipeRunner.isRunning())
                 return;
             const auto keepNow = [this, what] {
                 finishHand();
-                (m_files.get()->*what)();
+                what();
             };
             const bool wasFilling = m_lassoRunner.isRunning();
             m_workspace->viewport().finishGesture();
@@ -111,10 +111,12 @@ void MainWindow::connectFiles()
                 keepNow();
         });
     };
-    keep(ActionId::Save, &FileController::save);
-    keep(ActionId::SaveAs, &FileController::saveAs);
-    keep(ActionId::SaveRecipe, &FileController::saveAsRecipe);
-    keep(ActionId::Export, &FileController::exportTree);
+    keep(ActionId::Save, [this] { m_files->save(); });
+    keep(ActionId::SaveAs, [this] { m_files->saveAs(); });
+    keep(ActionId::SaveRecipe, [this] { m_files->saveAsRecipe(); });
+    keep(ActionId::Export, [this] { m_files->exportTree(); });
+    keep(ActionId::SavePicture, [this] { m_pictures->ask(); });
+    keep(ActionId::CopyPicture, [this] { m_pictures->copyShown(); });
     connect(m_actions[ActionId::Settings], &QAction::triggered, this, [this] { showSettings(); });
     connect(m_actions[ActionId::Quit], &QAction::triggered, this, &QWidget::close);
     connect(m_files.get(), &FileController::aboutToAsk, this, [this] {
@@ -128,6 +130,8 @@ void MainWindow::connectFiles()
                                     finishHand();
                                 }});
     connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
+    connect(m_files.get(), &FileController::asideChanged, this,
+            [this] { m_workspace->showWayBack(m_files->isAside()); });
     connect(m_files.get(), &FileController::scenePrepared, this,
             [this](const std::shared_ptr<PreparedScene>& scene) {
                 if (scene)
@@ -241,6 +245,10 @@ void MainWindow::suitHand()
 
 void MainWindow::followDocument()
 {
+    connect(&m_document, &TreeDocument::lookChanged, &m_viewSettings,
+            [this] { m_viewSettings.setLook(m_document.look()); });
+    connect(&m_viewSettings, &ViewSettings::changed, &m_document,
+            [this] { m_document.setLook(m_viewSettings.values()); });
     connect(&m_document, &TreeDocument::changed, this, [this](const TreeChange& change) {
         // A stack takes another limit while it is empty, as it is now.
         if (change.kind == TreeChange::Kind::Reset)

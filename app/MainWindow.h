@@ -6,8 +6,10 @@
 #include "app/LatinKeyFilter.h"
 #include "app/LeafController.h"
 #include "app/LookController.h"
+#include "app/PictureController.h"
 #include "app/ProfileController.h"
 #include "app/ReproduceController.h"
+#include "app/SceneController.h"
 #include "app/SketchController.h"
 #include "app/Workspace.h"
 #include "app/files/FileController.h"
@@ -47,12 +49,14 @@ public:
     StrandRunner& strandRunner() { return m_strandRunner; }
     HelpController& help() { return *m_help; }
     ProfileController& profiles() { return *m_profiles; }
+    SceneController& scene() { return *m_scene; }
+    PictureController& pictures() { return *m_pictures; }
 
     /// Whether a gesture or growth is changing the document now.
     bool isHandBusy() const;
     /// The same, or a recipe.
     bool isBusy() const override;
-    bool mayLeave() override;
+    bool makeRoom() override;
     void playRecipe(const Recipe& recipe, RecipeRunner::Pace pace) override;
 
     QSize sizeHint() const override { return {1440, 900}; }
@@ -93,6 +97,8 @@ private:
     void finishHand();
     /// Takes back what is under way.
     void cancelAll();
+    /// Shows the document again that was set aside.
+    void backToOwnTree();
     void undo();
     void updateEnabled();
     void updateTitle();
@@ -120,10 +126,13 @@ private:
     LatinKeyFilter m_latinKeys;
     FocusKeeper m_focusKeeper;
     QElapsedTimer m_followClock;
+    std::optional<Camera> m_asideCamera; ///< Of the document that is set aside
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
     std::unique_ptr<LibraryController> m_library;
     std::unique_ptr<LookController> m_looks;
+    std::unique_ptr<SceneController> m_scene;
+    std::unique_ptr<PictureController> m_pictures;
     std::unique_ptr<ProfileController> m_profiles;
     std::unique_ptr<SketchController> m_sketching;
     std::unique_ptr<LeafController> m_leaves;

@@ -53,15 +53,32 @@ void MainWindow::makeInterface()
     m_workspace = std::make_unique<Workspace>(m_document, m_viewSettings, m_actions,
                                               [this](QMenu& menu) { m_files->fillRecentFiles(menu); });
     setCentralWidget(m_workspace.get());
-    if (m_files)
+    if (m_files) {
         m_files->setNotice(m_workspace->notice());
-    else
+    } else {
         m_files = std::make_unique<FileController>(*this, m_document, m_settings, m_workspace->notice(),
                                                    [this] { return thumbnail(); });
+        m_files->file().setLookOfNewTrees(m_settings.lookOfNewTrees());
+    }
     m_library = std::make_unique<LibraryController>(m_workspace->library(), *m_files, m_workspace->notice(),
                                                     Library(m_settings.libraryFolder()));
     m_looks = std::make_unique<LookController>(
         m_document, m_settings, m_workspace->notice(), [this] { return isBusy(); }, *this);
+    m_scene = std::make_unique<SceneController>(SceneController::Parts{.document = m_document,
+                                                                       .file = m_files->file(),
+                                                                       .viewSettings = m_viewSettings,
+                                                                       .settings = m_settings,
+                                                                       .panel = m_workspace->background(),
+                                                                       .notice = m_workspace->notice(),
+                                                                       .window = *this});
+    m_pictures =
+        std::make_unique<PictureController>(PictureController::Parts{.files = *m_files,
+                                                                     .settings = m_settings,
+                                                                     .viewSettings = m_viewSettings,
+                                                                     .viewport = m_workspace->viewport(),
+                                                                     .notice = m_workspace->notice(),
+                                                                     .window = *this});
+    connect(m_looks.get(), &LookController::pictureDropped, m_scene.get(), &SceneController::takePicture);
     for (int i = 0; i < Workspace::kSheetCount; ++i) {
         if (auto* sheet = qobject_cast<ParameterPanel*>(&m_workspace->sheet(i))) {
             connect(sheet, &ParameterPanel::imageAsked, m_looks.get(), &LookController::choose);
@@ -79,6 +96,8 @@ void MainWindow::makeInterface()
     m_reproducing = std::make_unique<ReproduceController>(
         m_document, m_viewSettings, m_workspace->reproducePopOut(), [this] { return isBusy(); },
         [this](const QString& what) { m_workspace->notice().showInformation(what); });
+    connect(m_workspace.get(), &Workspace::wayBackAsked, this, &MainWindow::backToOwnTree);
+    m_workspace->showWayBack(m_files->isAside());
     connectPopOuts();
     connectViewport();
     if (hasLetters())
@@ -104,6 +123,7 @@ void MainWindow::makeHelp(bool isSample)
     m_help = std::make_unique<HelpController>(HelpController::Parts{.workspace = *m_workspace,
                                                                     .actions = m_actions,
                                                                     .document = m_document,
+                                                                    .file = m_files->file(),
                                                                     .viewSettings = m_viewSettings,
                                                                     .recipeRunner = m_recipeRunner,
                                                                     .stage = *this,
@@ -128,6 +148,8 @@ void MainWindow::remakeInterface()
     m_help.reset();
     m_library.reset();
     m_looks.reset();
+    m_scene.reset();
+    m_pictures.reset();
     m_sketching.reset();
     m_leaves.reset();
     // The tool in hand refers to the profiles, or to what takes its figures.

@@ -41,7 +41,7 @@ void MainWindow::playRecipe(const Recipe& recipe, RecipeRunner::Pace pace)
     m_recipeRunner.start(recipe, pace);
     // A recipe may take back more than a person wants to.
     m_document.undoStack().setUndoLimit(0);
-    m_files->file().forgetFile(recipe.name);
+    m_files->file().startUnsaved(recipe.name);
     m_files->autosave().clear();
     if (const Box3 strokes = strokeBounds(recipe); !strokes.isEmpty())
         viewport.setCamera(withHeadroom(viewport, strokes));

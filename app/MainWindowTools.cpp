@@ -64,7 +64,7 @@ void MainWindow::connectTools()
         m_workspace->notice().finishProgress(m_recipeRunner);
         if (whole) {
             // What the recipe makes, it makes again: nothing would be lost.
-            m_document.undoStack().setClean();
+            m_files->file().setUnmodified();
             showRecipeWarnings();
         }
         takeTool();
@@ -171,7 +171,8 @@ void MainWindow::updateEnabled()
                                           m_workspace->viewport().tool().canTakeBack());
     m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
     const bool isIdle = !m_recipeRunner.isRunning();
-    for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::SaveRecipe, ActionId::Export})
+    for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::SaveRecipe, ActionId::Export,
+                              ActionId::SavePicture, ActionId::CopyPicture})
         m_actions[id]->setEnabled(isIdle);
     for (const ActionId id : Actions::tools())
         m_actions[id]->setEnabled(isIdle);

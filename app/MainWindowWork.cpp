@@ -37,10 +37,33 @@ bool MainWindow::isBusy() const
     return isHandBusy() || m_recipeRunner.isRunning();
 }
 
-bool MainWindow::mayLeave()
+bool MainWindow::makeRoom()
 {
-    m_workspace->viewport().finishGesture();
-    return !isHandBusy() && m_files->mayLeave();
+    m_recipeRunner.stop();
+    finishHand();
+    if (m_files->isAside())
+        return m_files->mayLeaveShown();
+    // A tree that is the same as when it was begun, without a file, is not worth coming back to.
+    if (m_files->file().isModified() || !m_files->file().fileName().isEmpty()) {
+        m_asideCamera = m_workspace->viewport().cameraAtRest();
+        m_files->setAside();
+    }
+    return true;
+}
+
+void MainWindow::backToOwnTree()
+{
+    m_recipeRunner.stop();
+    finishHand();
+    if (!m_files->bringBack())
+        return;
+    Viewport& viewport = m_workspace->viewport();
+    if (m_asideCamera) {
+        Camera camera = *m_asideCamera;
+        camera.setViewSize(viewport.camera().viewSize());
+        viewport.setCamera(camera);
+    }
+    viewport.setFocus();
 }
 
 bool MainWindow::hasUnfinishedWork() const

@@ -86,6 +86,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
       m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
+      m_wayBack(new QPushButton(tr("Back to My Tree"), this)),
       m_notice(new Notice(this)),
       m_counts(new QLabel(this)),
       m_tip(new QLabel(this))
@@ -105,6 +106,10 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     m_onlyOne->setMinimumHeight(theme::kTarget);
     connect(m_onlyOne, &QPushButton::clicked, this, [&document] { document.setCompetitors({}); });
     connect(&document, &TreeDocument::competitorsChanged, this, &Workspace::arrange);
+    m_wayBack->setObjectName(QStringLiteral("wayBack"));
+    m_wayBack->setToolTip(tr("Show your own tree again, as it was before this recipe was played"));
+    m_wayBack->setMinimumHeight(theme::kTarget);
+    connect(m_wayBack, &QPushButton::clicked, this, &Workspace::wayBackAsked);
     connect(m_viewport, &Viewport::cameraChanged, this,
             [this] { m_strip->setAzimuth(static_cast<double>(m_viewport->camera().azimuth())); });
     connect(&settings, &ViewSettings::changed, this, &Workspace::followBackdrop);
@@ -175,6 +180,12 @@ void Workspace::rearrange()
     m_beside = beside;
     if (m_viewport->clearRect() == beside.clear)
         m_beside.reset();
+}
+
+void Workspace::showWayBack(bool shown)
+{
+    m_isWayBackShown = shown;
+    arrange();
 }
 
 void Workspace::setToolsRight(bool right)
@@ -330,8 +341,12 @@ void Workspace::arrange()
     m_leafChoices->setVisible(shown && m_leafChoices->isOffering());
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
+    m_wayBack->adjustSize();
+    m_wayBack->move((right - m_wayBack->width()) / 2, y);
+    m_wayBack->setVisible(m_isWayBackShown && shown);
     m_onlyOne->adjustSize();
-    m_onlyOne->move((right - m_onlyOne->width()) / 2, y);
+    m_onlyOne->move((right - m_onlyOne->width()) / 2,
+                    m_wayBack->isHidden() ? y : m_wayBack->geometry().bottom() + 1 + kGap);
     m_onlyOne->setVisible(!m_isLibraryShown && !m_document.competitors().areAll());
 
     const int bottom = height() - Viewport::kStripHeight - 2;

@@ -90,6 +90,8 @@ public:
     /// Shows or hides the help beside the tree, which keeps the rest of the room.
     void showHelp(bool shown);
     bool isHelpShown() const { return m_isHelpShown; }
+    /// Shows or hides the button that leads back to the user's own tree, which is set aside.
+    void showWayBack(bool shown);
     /// Puts the bar of tools, and what opens beside it, on the right and the history on the left, or the
     /// other way round.
     void setToolsRight(bool right);
@@ -101,6 +103,9 @@ public:
     void focusNextPane();
     /// Shows a tool's advice in place of the counts; empty for none.
     void setTip(const QString& tip);
+
+Q_SIGNALS:
+    void wayBackAsked();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -142,6 +147,7 @@ private:
     HelpPanel* m_help;
     RotationStrip* m_strip;
     QPushButton* m_onlyOne; ///< Shown while one bud alone grows
+    QPushButton* m_wayBack; ///< Shown while the user's own tree is set aside
     Notice* m_notice;
     QLabel* m_counts;
     QLabel* m_tip;
@@ -161,6 +167,7 @@ private:
     bool m_isLibraryShown = false;
     bool m_areToolsRight = false;
     bool m_isHelpShown = false;
+    bool m_isWayBackShown = false;
 };
 
 } // namespace espalier

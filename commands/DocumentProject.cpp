@@ -5,7 +5,7 @@ namespace espalier {
 
 Project projectOf(const TreeDocument& document, const QString& name)
 {
-    Project project{document.tree(), document.journal(), name, {}, 0};
+    Project project{document.tree(), document.journal(), name, {}, 0, document.look()};
     const Journal& future = document.future();
     for (auto delta = future.rbegin(); delta != future.rend(); ++delta) {
         project.tree.apply(**delta);
@@ -17,7 +17,9 @@ Project projectOf(const TreeDocument& document, const QString& name)
 
 PreparedTree prepared(Project project)
 {
-    return {std::move(project.tree), std::move(project.journal), project.ahead};
+    PreparedTree tree(std::move(project.tree), std::move(project.journal), project.ahead);
+    tree.look = std::move(project.look);
+    return tree;
 }
 
 void showProject(TreeDocument& document, Project project)

@@ -20,6 +20,8 @@ enum class ActionId {
     SaveAs,
     SaveRecipe,
     Export,
+    SavePicture,
+    CopyPicture,
     Settings,
     Quit,
     Undo,

@@ -7,10 +7,7 @@
 #include "panels/ViewRow.h"
 
 #include <QColorDialog>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
-#include <QImageReader>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -67,8 +64,7 @@ enum FieldPlace : std::size_t {
 };
 
 constexpr std::array<ViewField, FieldCount> kFields{{
-    {{"view.backdrop", Quantity::Choice, 0, kBackdropCount - 1,
-      "studio horizon plain gradient dark_studio light_studio"},
+    {{"view.backdrop", Quantity::Choice, 0, kBackdropCount - 1, kBackdropNames},
      {"view.backdrop", QT_TRANSLATE_NOOP("Parameters", "Behind"), "",
       QT_TRANSLATE_NOOP("Parameters",
                         "What stands behind the tree. The studio is dark or light as the program is.")},
@@ -157,14 +153,17 @@ BackgroundPanel::BackgroundPanel(ViewSettings& settings, QWidget* parent)
                          &ViewValues::backgroundColour);
     m_topColour =
         addColour(*behind, "backgroundTop", tr("The colour at the upper edge."), &ViewValues::backgroundTop);
+    m_useForNew = makeButton(tr("Use for New Trees"), "lookForNewTrees", *behind, behind->parentWidget());
+    m_useForNew->setToolTip(
+        tr("New trees begin with this background, ground and light. The picture stays with this tree."));
+    connect(m_useForNew, &QPushButton::clicked, this, &BackgroundPanel::lookForNewTreesAsked);
     QVBoxLayout* ground = addBarColumn(*m_content, tr("Ground"), kGroundWidth);
     for (const FieldPlace field : {GroundField, GridField, ShadowsField})
         addRow(*ground, field);
     QVBoxLayout* sun = addBarColumn(*m_content, tr("Sun"), kSunWidth);
     for (const FieldPlace field : {SunShownField, SunPinnedField, AzimuthField, ElevationField})
         addRow(*sun, field);
-    addTracing(
-        *addBarColumn(*m_content, tr("Picture to draw after"), kTracingWidth + kSpacing + kPlaceWidth));
+    addTracing(*addBarColumn(*m_content, tr("Reference picture"), kTracingWidth + kSpacing + kPlaceWidth));
     for (QVBoxLayout* column : {behind, ground, sun})
         column->addStretch();
 
@@ -200,11 +199,16 @@ void BackgroundPanel::addTracing(QVBoxLayout& column)
     auto* file = new QVBoxLayout;
     line->addLayout(file);
     QPushButton* choose = makeButton(tr("Choose…"), "tracingChoose", *file, parent);
-    choose->setToolTip(tr("Choose a picture to show behind the tree, so that you can draw after it."));
-    connect(choose, &QPushButton::clicked, this, &BackgroundPanel::askForTracing);
+    choose->setToolTip(tr("Choose a picture to show behind the tree, so that you can draw after it. It is "
+                          "saved with the tree."));
+    connect(choose, &QPushButton::clicked, this, &BackgroundPanel::pictureAsked);
     m_remove = makeButton(tr("Remove"), "tracingRemove", *file, parent);
     m_remove->setToolTip(tr("Show no picture behind the tree."));
-    connect(m_remove, &QPushButton::clicked, this, [this] { trace({}); });
+    connect(m_remove, &QPushButton::clicked, this, [this] {
+        TracingImage tracing = m_settings.values().tracing;
+        tracing.image = {};
+        m_settings.set(&SceneLook::tracing, tracing);
+    });
     m_tracingName = new QLabel(parent);
     m_tracingName->setTextFormat(Qt::PlainText);
     file->addWidget(m_tracingName);
@@ -238,23 +242,10 @@ void BackgroundPanel::askForColour(QColor ViewValues::*colour)
     dialog->open();
 }
 
-void BackgroundPanel::askForTracing()
+void BackgroundPanel::setLookOfNewTrees(const SceneLook& look)
 {
-    QStringList patterns;
-    for (const QByteArray& format : QImageReader::supportedImageFormats())
-        patterns.append(QStringLiteral("*.") + QString::fromLatin1(format));
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Picture to Draw After"), QFileInfo(m_settings.values().tracing.file).absolutePath(),
-        tr("Pictures (%1)").arg(patterns.join(QLatin1Char(' '))));
-    if (!file.isEmpty())
-        trace(file);
-}
-
-void BackgroundPanel::trace(const QString& file)
-{
-    TracingImage tracing = m_settings.values().tracing;
-    tracing.file = file;
-    m_settings.set(&ViewValues::tracing, tracing);
+    m_newLook = look;
+    showValues();
 }
 
 void BackgroundPanel::showValues()
@@ -268,18 +259,15 @@ void BackgroundPanel::showValues()
     m_topColour->setIcon(swatch(values.backgroundTop));
     m_topColour->setEnabled(isGradient);
 
-    const QString& file = values.tracing.file;
-    m_remove->setEnabled(!file.isEmpty());
+    m_useForNew->setEnabled(withoutPicture(values) != withoutPicture(m_newLook));
+
+    const ImageAsset& image = values.tracing.image;
+    m_remove->setEnabled(!image.isNull());
     for (const FieldPlace field : {OpacityField, HeightField, RightField, UpField})
-        m_rows[field]->setEnabled(!file.isEmpty());
-    if (file == m_traced)
-        return;
-    m_traced = file;
-    const bool isThere = file.isEmpty() || QImageReader(file).canRead();
-    const QString name = QFileInfo(file).fileName();
-    const QString told = isThere ? name : tr("%1 cannot be read.").arg(name);
-    m_tracingName->setText(m_tracingName->fontMetrics().elidedText(told, Qt::ElideMiddle, kTracingWidth));
-    m_tracingName->setToolTip(told);
+        m_rows[field]->setEnabled(!image.isNull());
+    m_tracingName->setText(
+        m_tracingName->fontMetrics().elidedText(image.name(), Qt::ElideMiddle, kTracingWidth));
+    m_tracingName->setToolTip(image.name());
 }
 
 } // namespace espalier

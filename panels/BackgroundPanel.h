@@ -14,8 +14,8 @@ namespace espalier {
 
 class ViewRow;
 
-/// Controls for the surroundings of the tree: the backdrop, the ground, the sun, a picture to draw after. All
-/// of it belongs to the view: a change shows at once, and is not undone.
+/// Controls for the surroundings of the tree: the backdrop, the ground, the sun, a picture to draw after.
+/// They are the document's, but not the tree's: a change shows at once, and is not undone.
 class BackgroundPanel : public Bar {
     Q_OBJECT
 
@@ -24,9 +24,14 @@ public:
 
     /// The row of that name ("view.sunElevation" and so on), or null.
     ViewRow* row(const char* key) const;
-    /// Shows the picture of that file behind the tree instead of the previous one; none if @p file is empty.
-    /// Shows a notice if the file cannot be read.
-    void trace(const QString& file);
+    /// The look that new documents have; one that is shown already need not be kept for them.
+    void setLookOfNewTrees(const SceneLook& look);
+
+Q_SIGNALS:
+    /// The user wants to choose a picture to draw after.
+    void pictureAsked();
+    /// The user wants new documents to have the look that is shown.
+    void lookForNewTreesAsked();
 
 private:
     void addRow(QVBoxLayout& column, std::size_t field);
@@ -34,7 +39,6 @@ private:
                            QColor ViewValues::*colour);
     void addTracing(QVBoxLayout& column);
     void askForColour(QColor ViewValues::*colour);
-    void askForTracing();
     void showValues();
 
     ViewSettings& m_settings;
@@ -44,7 +48,8 @@ private:
     QPushButton* m_topColour = nullptr;
     QPushButton* m_remove = nullptr;
     QLabel* m_tracingName = nullptr;
-    QString m_traced; ///< File that the label names
+    QPushButton* m_useForNew = nullptr;
+    SceneLook m_newLook;
 };
 
 } // namespace espalier

@@ -19,7 +19,7 @@ struct ViewField {
     void (*set)(ViewValues&, double);
 };
 
-template <bool ViewValues::*Member>
+template <auto Member>
 constexpr ViewField viewSwitch(const char* key, const char* label, const char* tip)
 {
     return {{key, Quantity::Switch, 0, 1},

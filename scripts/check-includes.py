@@ -15,7 +15,7 @@ from pathlib import Path
 BELOW_ROOMS = {"model/base", "model/tree"}
 ROOMS = {"model/growth", "model/shape", "model/envelope", "model/sketch", "model/strands", "model/mesh",
          "model/picking", "model/texture"}
-MODEL = BELOW_ROOMS | ROOMS | {"model/settings", "model/document", "model/io"}
+MODEL = BELOW_ROOMS | ROOMS | {"model/scene", "model/settings", "model/document", "model/io"}
 
 # What each place may include besides itself.
 MAY_INCLUDE = {
@@ -25,11 +25,12 @@ MAY_INCLUDE = {
     # Profiles are lines in a plane, as lassos are.
     "model/strands": BELOW_ROOMS | {"model/shape", "model/envelope"},
     "model/mesh": BELOW_ROOMS | {"model/growth", "model/shape", "model/strands", "model/texture"},
-    # Settings of the user, not of a document: views and panels share them.
-    "model/settings": {"model/base"},
-    "model/document": BELOW_ROOMS | ROOMS,
+    "model/scene": BELOW_ROOMS,
+    # Settings of the user, and the look of the scene that is shown: views and panels share them.
+    "model/settings": {"model/base", "model/scene"},
+    "model/document": BELOW_ROOMS | ROOMS | {"model/scene"},
     # A project file reads and writes a document.
-    "model/io": BELOW_ROOMS | ROOMS | {"model/document"},
+    "model/io": BELOW_ROOMS | ROOMS | {"model/scene", "model/document"},
     "commands": MODEL,
     "views": MODEL | {"commands"},
     "panels": MODEL | {"commands"},

@@ -56,6 +56,8 @@ Viewport::Viewport(TreeDocument& document, ViewSettings& settings, QWidget* pare
     qApp->installEventFilter(this);
     connect(&m_document, &TreeDocument::changed, this, &Viewport::followDocument);
     connect(&m_settings, &ViewSettings::changed, this, &Viewport::followSettings);
+    connect(&m_settings, &ViewSettings::lookReplaced, this,
+            [this] { m_shown.sunPinned = m_settings.values().sunPinned; });
     connect(&m_document, &TreeDocument::competitorsChanged, this, [this] {
         m_selectedAt = m_pointers.now();
         startTicking();

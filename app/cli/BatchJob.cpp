@@ -203,6 +203,7 @@ Result<void> writePictureOf(const TreeDocument& document, const CommandLine& lin
     PictureRequest request;
     request.size = line.size;
     request.view = namedView(line.camera.isEmpty() ? recipeView : line.camera);
+    static_cast<SceneLook&>(request.options.view) = withoutPicture(document.look());
     request.options.view.fibresShown = line.fibres;
     if (line.transparent) {
         request.options.background = QColor(Qt::transparent);
@@ -257,11 +258,14 @@ Result<ReplayInput> readReplayInput(const QString& fileName)
 Result<QString> playRecipes(TreeDocument& document, QString& name, const CommandLine& line)
 {
     std::vector<Recipe> recipes;
-    std::optional<Tree> wanted; // Of a project whose history alone is played
+    std::optional<Tree> wanted;    // Of a project whose history alone is played
+    std::optional<SceneLook> look; // Of the last project
     for (const QString& fileName : line.inputs) {
         Result<ReplayInput> input = readReplayInput(fileName);
         if (!input)
             return input.error();
+        if (input->project && input->project->look)
+            look = input->project->look;
         if (input->project && line.inputs.size() == 1 && !line.seed && line.overrides.isEmpty())
             wanted = shownTree(*input->project);
         line.overrides.applyTo(input->recipe);
@@ -293,6 +297,8 @@ Result<QString> playRecipes(TreeDocument& document, QString& name, const Command
             complain(QStringLiteral("%1: %2").arg(fileName, warning));
         warnings += player.warnings().size();
     }
+    if (look)
+        document.setLook(*look);
     if (wanted && !(document.tree() == *wanted)) {
         complain(QCoreApplication::translate(
                      "CommandLine", "%1: its history, played again, gives another tree than it holds")

@@ -5,7 +5,9 @@
 #include "model/document/Edit.h"
 #include "model/io/FileWriter.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -75,20 +77,14 @@ QString Leftover::displayName() const
 }
 
 Autosave::Autosave(const TreeDocument& document, DocumentFile& file, int interval, QObject* parent)
-    : QObject(parent),
-      m_document(document),
-      m_file(file),
-      m_base(folder() + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces)),
-      m_interval(interval * 1000)
+    : QObject(parent), m_document(document), m_file(file), m_interval(interval * 1000)
 {
     QDir().mkpath(folder());
-    // The lock is held as long as this program runs; a copy without a lock was left by a crash.
-    m_lock = std::make_unique<QLockFile>(m_base + kLock);
-    m_lock->setStaleLockTime(0);
-    m_lock->tryLock(0);
+    takeNewPlace();
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
-    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &Autosave::followStack);
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &Autosave::followDocument);
+    connect(&document, &TreeDocument::lookChanged, this, &Autosave::followDocument);
     connect(&file, &DocumentFile::saved, this, &Autosave::clear);
     const auto beDue = [this] {
         m_isDue = true;
@@ -103,6 +99,40 @@ Autosave::~Autosave()
     // Otherwise a file that is being written now could be mistaken for one that a crash has left.
     backgroundThreads().waitForDone();
     removeCopies();
+}
+
+void Autosave::takeNewPlace()
+{
+    m_base = folder() + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces);
+    // The lock is held as long as this program runs; a copy without a lock was left by a crash.
+    m_lock = std::make_shared<QLockFile>(m_base + kLock);
+    m_lock->setStaleLockTime(0);
+    m_lock->tryLock(0);
+}
+
+std::optional<Leftover> Autosave::handOut()
+{
+    if (!m_file.isModified())
+        return {};
+    while (m_isWriting)
+        QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents | QEventLoop::WaitForMoreEvents);
+    m_timer.stop();
+    const QString base = m_base;
+    const Leftover leftover{base + kProject, m_file.fileName(), m_file.knownContent(),
+                            QDateTime::currentDateTime(), m_lock};
+    // The lock lives until the copy is written, too, so that it cannot be mistaken for one that a crash left.
+    runInBackground(
+        this,
+        [project = m_file.snapshot(), base, origin = Origin{leftover.original, leftover.content},
+         lock = m_lock] { return writeFiles(project, base, origin); },
+        [this, adopted = std::exchange(m_adopted, std::nullopt)](const Result<void>& result) {
+            if (!result)
+                Q_EMIT failed(result.error().message);
+            else if (adopted)
+                discard(*adopted);
+        });
+    takeNewPlace();
+    return leftover;
 }
 
 QString Autosave::folder()
@@ -149,7 +179,7 @@ QString Autosave::keepAside(const Leftover& leftover)
     return path;
 }
 
-void Autosave::followStack()
+void Autosave::followDocument()
 {
     m_isDue = true;
     // While the document is being saved it counts as unmodified, although the file is not complete yet.

@@ -55,6 +55,9 @@ public:
     void adopt(const Leftover& leftover);
     /// Removes the safety copy, because all is saved or given up.
     void clear();
+    /// The document is going to be set aside: its safety copy, brought up to date, is handed out and stays;
+    /// adopt() takes it back. None if the document has no changes that are in no file.
+    std::optional<Leftover> handOut();
 
 Q_SIGNALS:
     /// The safety copy has been written.
@@ -65,14 +68,15 @@ Q_SIGNALS:
 private:
     void schedule();
     void write();
-    void followStack();
+    void followDocument();
     /// Removes the safety copy, and the leftover that the document was recovered from.
     void removeCopies();
+    void takeNewPlace();
 
     const TreeDocument& m_document;
     DocumentFile& m_file;
     QString m_base; ///< Folder and base name of the safety copy's files
-    std::unique_ptr<QLockFile> m_lock;
+    std::shared_ptr<QLockFile> m_lock;
     std::optional<Leftover> m_adopted;
     QTimer m_timer;
     QElapsedTimer m_sinceWritten;

@@ -25,6 +25,7 @@ struct DocumentFile::Outcome {
 DocumentFile::DocumentFile(TreeDocument& document, QObject* parent) : QObject(parent), m_document(document)
 {
     connect(&document.undoStack(), &QUndoStack::cleanChanged, this, &DocumentFile::titleChanged);
+    connect(&document, &TreeDocument::lookChanged, this, &DocumentFile::titleChanged);
 }
 
 DocumentFile::~DocumentFile()
@@ -48,7 +49,37 @@ void DocumentFile::startNew(const TreeParameters& parameters)
 {
     // Each new tree has another seed, so that the same strokes give another tree.
     m_document.reset(QRandomGenerator::global()->generate(), parameters);
-    forgetFile({});
+    startUnsaved({});
+}
+
+void DocumentFile::setLookOfNewTrees(const SceneLook& look)
+{
+    m_newLook = look;
+    keepWithinLimits(m_newLook);
+}
+
+void DocumentFile::startUnsaved(const QString& displayName)
+{
+    m_savedLook = m_newLook;
+    m_document.setLook(m_newLook);
+    forgetFile(displayName);
+}
+
+void DocumentFile::setUnmodified()
+{
+    m_savedLook = m_document.look();
+    m_document.undoStack().setClean();
+    Q_EMIT titleChanged();
+}
+
+/// Gives a tree without a look that of new ones.
+void DocumentFile::showTree(PreparedTree tree)
+{
+    if (!tree.look)
+        tree.look = m_newLook;
+    m_savedLook = *tree.look;
+    keepWithinLimits(m_savedLook);
+    m_document.reset(std::move(tree));
 }
 
 Result<DocumentFile::Read> DocumentFile::read(const QString& fileName, const std::atomic<bool>& isCancelled)
@@ -74,7 +105,7 @@ Result<DocumentFile::Read> DocumentFile::read(const QString& fileName, const std
 
 void DocumentFile::show(Read read)
 {
-    m_document.reset(std::move(read.tree));
+    showTree(std::move(read.tree));
     m_content = read.content;
     m_stamp = read.stamp;
     setFile(read.fileName, QFileInfo(read.fileName).fileName());
@@ -83,11 +114,29 @@ void DocumentFile::show(Read read)
 void DocumentFile::recover(Read read, const QString& fileName, const FileContent& content)
 {
     const QString name = fileName.isEmpty() ? QString() : QFileInfo(fileName).fileName();
-    m_document.reset(std::move(read.tree));
+    showTree(std::move(read.tree));
     m_document.undoStack().resetClean();
     m_content = content;
     m_stamp = FileStamp::of(fileName);
     setFile(fileName, name);
+}
+
+DocumentFile::Aside DocumentFile::setAside()
+{
+    waitForSaving();
+    Aside aside{{}, m_savedLook, m_fileName, m_displayName, m_content, m_stamp};
+    aside.document = AsideDocument::takenFrom(m_document);
+    startUnsaved({});
+    return aside;
+}
+
+void DocumentFile::bringBack(Aside aside)
+{
+    m_savedLook = aside.savedLook;
+    aside.document.bringBackTo(m_document);
+    m_content = aside.content;
+    m_stamp = aside.stamp;
+    setFile(aside.fileName, aside.displayName);
 }
 
 void DocumentFile::forgetFile(const QString& displayName)
@@ -145,6 +194,7 @@ void DocumentFile::save(const QString& fileName, const QImage& thumbnail, Overwr
     m_previousName = m_fileName;
     m_previousDisplayName = m_displayName;
     // Edits from now on are not in the file. If writing fails, the document becomes modified again.
+    m_savedLook = m_document.look();
     m_document.undoStack().setClean();
     setFile(fileName, QFileInfo(fileName).fileName());
     Project project = snapshot();

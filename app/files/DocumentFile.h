@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/files/FileContent.h"
-#include "model/document/PreparedTree.h"
+#include "model/document/AsideDocument.h"
 #include "model/document/TreeDocument.h"
 #include "model/io/project/ProjectFile.h"
 
@@ -32,6 +32,15 @@ public:
         FileContent content;
         FileStamp stamp;
     };
+    /// A document and its file while another tree takes their place.
+    struct Aside {
+        AsideDocument document;
+        SceneLook savedLook;
+        QString fileName;
+        QString displayName;
+        FileContent content;
+        FileStamp stamp;
+    };
     enum class Overwrite {
         WhatIsKnown, ///< Nothing is written if the document's own file was changed by another program
         Anything,
@@ -46,13 +55,20 @@ public:
     /// The name of the file without its folder, for the user.
     QString displayName() const;
     /// Whether the document has changes that are in no file.
-    bool isModified() const { return !m_document.undoStack().isClean(); }
+    bool isModified() const { return !m_document.undoStack().isClean() || m_document.look() != m_savedLook; }
+    /// The document as it is now has no changes that would be lost.
+    void setUnmodified();
     bool isSaving() const { return m_isSaving; }
     /// What the document last read from its file or wrote into it; does not exist if that is not known.
     const FileContent& knownContent() const { return m_content; }
 
+    /// The look that documents have which come without one: new ones, and those of older files.
+    const SceneLook& lookOfNewTrees() const { return m_newLook; }
+    void setLookOfNewTrees(const SceneLook& look);
     /// A seedling without a file.
     void startNew(const TreeParameters& parameters = {});
+    /// The document has just got a tree that came from elsewhere, and has no file yet.
+    void startUnsaved(const QString& displayName);
     /// Reads a project and prepares all that showing it takes; may run on any thread. What it returns once @p
     /// isCancelled is set is not whole.
     static Result<Read> read(const QString& fileName, const std::atomic<bool>& isCancelled);
@@ -61,8 +77,10 @@ public:
     /// Takes over what a crash left: its changes are in no file, @p fileName (may be empty) is where saving
     /// will go, and @p content what that file held when the changes were begun (does not exist if unknown).
     void recover(Read read, const QString& fileName, const FileContent& content);
-    /// A tree that came from elsewhere, and has no file yet.
-    void forgetFile(const QString& displayName);
+    /// Takes document and file out; what is left is a seedling without a file.
+    Aside setAside();
+    /// Makes document and file again what they were.
+    void bringBack(Aside aside);
     /// The document's file has been renamed to @p fileName.
     void fileMoved(const QString& fileName);
     /// The document's file has been removed: the whole tree is a change that is in no file.
@@ -93,6 +111,8 @@ Q_SIGNALS:
 private:
     struct Outcome;
 
+    void forgetFile(const QString& displayName);
+    void showTree(PreparedTree tree);
     void setFile(const QString& fileName, const QString& displayName);
     static Outcome write(const Project& project, const QString& fileName,
                          const std::optional<FileContent>& expected);
@@ -100,6 +120,8 @@ private:
     void compareWithDisk(const FileStamp& stamp, const FileContent& content);
 
     TreeDocument& m_document;
+    SceneLook m_newLook;
+    SceneLook m_savedLook; ///< The look in the document's file, or that the document began with
     QString m_fileName;
     QString m_displayName;
     FileContent m_content;

@@ -337,7 +337,57 @@ void FileController::rememberFolder(const QString& fileName)
         m_settings.setFolder(folder);
 }
 
+void FileController::setAside()
+{
+    cancelOpening();
+    m_document.interruptEdit();
+    m_file.waitForSaving();
+    const bool isModified = m_file.isModified();
+    std::optional<Leftover> copy = m_autosave.handOut();
+    m_aside = Aside{m_file.setAside(), isModified, std::move(copy)};
+    m_autosave.clear();
+    Q_EMIT asideChanged();
+}
+
+void FileController::showAside()
+{
+    Aside aside = std::move(*m_aside);
+    m_aside.reset();
+    Q_EMIT aboutToReplace();
+    m_file.bringBack(std::move(aside.file));
+    if (aside.copy)
+        m_autosave.adopt(*aside.copy);
+    else
+        m_autosave.clear();
+    m_notice->finish();
+    Q_EMIT asideChanged();
+}
+
+bool FileController::bringBack()
+{
+    cancelOpening();
+    if (!m_aside || !mayLeaveShown())
+        return false;
+    showAside();
+    return true;
+}
+
 bool FileController::mayLeave()
+{
+    if (!mayLeaveShown())
+        return false;
+    if (!m_aside)
+        return true;
+    if (m_aside->isModified) {
+        showAside();
+        return mayLeaveShown();
+    }
+    m_aside.reset();
+    Q_EMIT asideChanged();
+    return true;
+}
+
+bool FileController::mayLeaveShown()
 {
     if (m_isAsking)
         return false;

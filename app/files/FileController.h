@@ -14,6 +14,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 
 class QMenu;
 class QWidget;
@@ -63,17 +64,31 @@ public:
     /// The suffix says the format.
     void exportTo(const QString& fileName);
 
+    /// Sets the document aside with its undo stack and its file, so that another tree can be shown for a
+    /// while. Nothing is asked, since nothing is lost. Precondition: !isAside().
+    void setAside();
+    /// Whether a document is set aside.
+    bool isAside() const { return m_aside.has_value(); }
+    /// Shows the document again that was set aside, after the question about unsaved changes of the one that
+    /// is shown. Returns false if the person would rather stay.
+    bool bringBack();
+
     /// Gives up the file that is being read; the document stays as it is. Returns false if there is none.
     bool cancelOpening();
 
     /// Asks about unsaved changes and work that is under way; false if the person would rather stay, or if
-    /// saving failed. Staying changes nothing.
+    /// saving failed. Staying changes nothing, but that a document that is set aside may have come back: it
+    /// is shown when there is a question about it.
     bool mayLeave();
+    /// The same for the document that is shown alone.
+    bool mayLeaveShown();
     /// Offers everything that crashes have left, see Recovery.
     void offerRecovery() { m_recovery.start(); }
     /// Tells if another program has changed the document's file; for a window that gets the focus.
     void lookAtDisk() { m_file.lookAtDisk(); }
     void fillRecentFiles(QMenu& menu);
+    /// What is proposed when a name is asked for.
+    QString proposedPath() const;
     /// Files that can be opened, by their names.
     static bool canOpen(const QString& fileName);
 
@@ -88,8 +103,18 @@ Q_SIGNALS:
     /// The project of this file is shown now.
     void opened(const QString& fileName);
     void kept(const QString& fileName);
+    /// A document was set aside, or is no longer.
+    void asideChanged();
 
 private:
+    struct Aside {
+        DocumentFile::Aside file;
+        bool isModified = false;
+        std::optional<Leftover> copy; ///< The safety copy
+    };
+
+    void showAside();
+
     void startWith(const TreeParameters& parameters);
     /// Calls @p read(isCancelled) on a worker thread, and with what it gives @p show(value), once the person
     /// agrees; with an Error @p failed(message). Of several that are under way only the one begun last is
@@ -101,8 +126,6 @@ private:
     void recover(const Leftover& leftover);
     void warn(const QString& sentence);
     void connectFile();
-    /// What is proposed when a name is asked for.
-    QString proposedPath() const;
     void saveTo(const QString& fileName, DocumentFile::Overwrite overwrite);
     void askAboutChanged(const QString& fileName);
     void offerOpeningAgain(const QString& fileName);
@@ -123,6 +146,7 @@ private:
         bool isShown = false; ///< As progress
     };
     std::shared_ptr<Opening> m_opening;
+    std::optional<Aside> m_aside;
     bool m_isAsking = false; ///< Whether the question about unsaved changes is open
     // These deliver to what is above.
     DocumentFile m_file;

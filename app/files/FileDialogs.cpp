@@ -65,6 +65,14 @@ QString askForRecipe(QWidget& window, const QString& start)
     return askForNew(dialog, start);
 }
 
+QString askForPicture(QWidget& window, const QString& start)
+{
+    QFileDialog dialog(&window, DialogText::tr("Save Picture"), QFileInfo(start).path(),
+                       DialogText::tr("Pictures (*.png)"));
+    dialog.setDefaultSuffix(QStringLiteral("png"));
+    return askForNew(dialog, start);
+}
+
 QString askForExport(QWidget& window, const QString& start, const Settings& settings)
 {
     const QStringList suffixes = exportSuffixes();

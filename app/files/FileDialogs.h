@@ -24,6 +24,8 @@ QString askForOpening(QWidget& window, const Settings& settings);
 QString askForSaving(QWidget& window, const QString& start);
 /// The same for a recipe.
 QString askForRecipe(QWidget& window, const QString& start);
+/// The same for a picture.
+QString askForPicture(QWidget& window, const QString& start);
 /// Proposes @p start without its suffix, in the format that was used last.
 QString askForExport(QWidget& window, const QString& start, const Settings& settings);
 /// @p isGrowing: whether growth or a gesture is under way, which saving ends.

@@ -19,6 +19,10 @@ const QString kRecentFiles = QStringLiteral("files/recent");
 const QString kFolder = QStringLiteral("files/folder");
 const QString kLibraryFolder = QStringLiteral("library/folder");
 const QString kExportSuffix = QStringLiteral("files/exportSuffix");
+const QString kPictureSize = QStringLiteral("picture/size");
+const QString kPictureView = QStringLiteral("picture/view");
+const QString kPictureTransparent = QStringLiteral("picture/transparent");
+const QString kPictureShadow = QStringLiteral("picture/shadow");
 const QString kLook = QStringLiteral("window/theme");
 const QString kToolsRight = QStringLiteral("window/toolsRight");
 const QString kPressureExponent = QStringLiteral("hand/pressureExponent");
@@ -84,21 +88,46 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/variation"), values.variation);
     visit(QStringLiteral("view/newBuds"), values.newBuds);
     visit(QStringLiteral("view/budSpacing"), values.budSpacing);
-    visit(QStringLiteral("view/groundShown"), values.groundShown);
-    visit(QStringLiteral("view/shadowsShown"), values.shadowsShown);
-    visit(QStringLiteral("view/gridShown"), values.gridShown);
-    visit(QStringLiteral("view/backdrop"), values.backdrop);
-    visit(QStringLiteral("view/backgroundColour"), values.backgroundColour);
-    visit(QStringLiteral("view/backgroundTop"), values.backgroundTop);
-    visit(QStringLiteral("view/sunAzimuth"), values.sunAzimuth);
-    visit(QStringLiteral("view/sunElevation"), values.sunElevation);
-    visit(QStringLiteral("view/sunPinned"), values.sunPinned);
-    visit(QStringLiteral("view/sunShown"), values.sunShown);
-    visit(QStringLiteral("view/tracing/file"), values.tracing.file);
-    visit(QStringLiteral("view/tracing/right"), values.tracing.right);
-    visit(QStringLiteral("view/tracing/up"), values.tracing.up);
-    visit(QStringLiteral("view/tracing/height"), values.tracing.height);
-    visit(QStringLiteral("view/tracing/opacity"), values.tracing.opacity);
+}
+
+/// Calls @p visit(key, field) for each value of a look that is stored. The picture to draw after belongs to
+/// one tree.
+template <class Look, class Visit>
+void visitLook(Look& look, Visit&& visit)
+{
+    visit(QStringLiteral("view/groundShown"), look.groundShown);
+    visit(QStringLiteral("view/shadowsShown"), look.shadowsShown);
+    visit(QStringLiteral("view/gridShown"), look.gridShown);
+    visit(QStringLiteral("view/backdrop"), look.backdrop);
+    visit(QStringLiteral("view/backgroundColour"), look.backgroundColour);
+    visit(QStringLiteral("view/backgroundTop"), look.backgroundTop);
+    visit(QStringLiteral("view/sunAzimuth"), look.sunAzimuth);
+    visit(QStringLiteral("view/sunElevation"), look.sunElevation);
+    visit(QStringLiteral("view/sunPinned"), look.sunPinned);
+    visit(QStringLiteral("view/sunShown"), look.sunShown);
+}
+
+template <class Field>
+void readField(const QSettings& store, const QString& key, Field& field)
+{
+    if constexpr (std::is_same_v<Field, Backdrop>) {
+        const int stored = store.value(key, static_cast<int>(field)).toInt();
+        if (stored >= 0 && stored < kBackdropCount)
+            field = static_cast<Backdrop>(stored);
+    } else {
+        const QVariant stored = store.value(key, QVariant::fromValue(field));
+        if (stored.canConvert<Field>())
+            field = stored.value<Field>();
+    }
+}
+
+template <class Field>
+void writeField(Store& store, const QString& key, const Field& field)
+{
+    if constexpr (std::is_same_v<Field, Backdrop>)
+        store.setValue(key, static_cast<int>(field));
+    else
+        store.setValue(key, field);
 }
 
 } // namespace
@@ -159,30 +188,28 @@ ViewValues Settings::viewValues() const
 {
     const QSettings store;
     ViewValues values;
-    visitViewValues(values, [&](const QString& key, auto& field) {
-        using Field = std::remove_reference_t<decltype(field)>;
-        if constexpr (std::is_same_v<Field, Backdrop>) {
-            const int stored = store.value(key, static_cast<int>(field)).toInt();
-            if (stored >= 0 && stored < kBackdropCount)
-                field = static_cast<Backdrop>(stored);
-        } else {
-            const QVariant stored = store.value(key, QVariant::fromValue(field));
-            if (stored.canConvert<Field>())
-                field = stored.value<Field>();
-        }
-    });
+    visitViewValues(values, [&](const QString& key, auto& field) { readField(store, key, field); });
     return values;
 }
 
 void Settings::setViewValues(const ViewValues& values)
 {
     Store store;
-    visitViewValues(values, [&](const QString& key, const auto& field) {
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(field)>, Backdrop>)
-            store.setValue(key, static_cast<int>(field));
-        else
-            store.setValue(key, field);
-    });
+    visitViewValues(values, [&](const QString& key, const auto& field) { writeField(store, key, field); });
+}
+
+SceneLook Settings::lookOfNewTrees() const
+{
+    const QSettings store;
+    SceneLook look;
+    visitLook(look, [&](const QString& key, auto& field) { readField(store, key, field); });
+    return look;
+}
+
+void Settings::setLookOfNewTrees(const SceneLook& look)
+{
+    Store store;
+    visitLook(look, [&](const QString& key, const auto& field) { writeField(store, key, field); });
 }
 
 QStringList Settings::recentFiles() const
@@ -225,6 +252,32 @@ QString Settings::libraryFolder() const
     if (!folder.isEmpty())
         return folder;
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/library");
+}
+
+PictureSettings Settings::pictureSettings() const
+{
+    const QSettings store;
+    PictureSettings picture;
+    const QSize size = store.value(kPictureSize).toSize();
+    const auto isEdge = [](int edge) {
+        return edge >= PictureSettings::kLeastEdge && edge <= PictureSettings::kMostEdge;
+    };
+    if (isEdge(size.width()) && isEdge(size.height()))
+        picture.size = size;
+    if (const int view = store.value(kPictureView).toInt(); view > 0 && view < PictureSettings::kViewCount)
+        picture.view = static_cast<PictureSettings::View>(view);
+    picture.transparent = store.value(kPictureTransparent, picture.transparent).toBool();
+    picture.shadow = store.value(kPictureShadow, picture.shadow).toBool();
+    return picture;
+}
+
+void Settings::setPictureSettings(const PictureSettings& picture)
+{
+    Store store;
+    store.setValue(kPictureSize, picture.size);
+    store.setValue(kPictureView, static_cast<int>(picture.view));
+    store.setValue(kPictureTransparent, picture.transparent);
+    store.setValue(kPictureShadow, picture.shadow);
 }
 
 QString Settings::exportSuffix() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/settings/PictureSettings.h"
 #include "model/settings/Preferences.h"
 #include "model/settings/ViewSettings.h"
 
@@ -15,8 +16,12 @@ class Settings {
 public:
     static constexpr int kMaxRecentFiles = 10;
 
+    /// Without the look of the scene, which is the document's.
     ViewValues viewValues() const;
     void setViewValues(const ViewValues& values);
+    /// The look that a new document has; without a picture to draw after.
+    SceneLook lookOfNewTrees() const;
+    void setLookOfNewTrees(const SceneLook& look);
 
     /// Recently opened projects, the latest first; only those that still exist.
     QStringList recentFiles() const;
@@ -31,6 +36,9 @@ public:
     void setPreferences(const Preferences& preferences);
     /// The library's folder that is set, or the default one.
     QString libraryFolder() const;
+    /// Those of the last picture that was saved or copied.
+    PictureSettings pictureSettings() const;
+    void setPictureSettings(const PictureSettings& settings);
     /// Suffix of the last export; at first "glb".
     QString exportSuffix() const;
     void setExportSuffix(const QString& suffix);

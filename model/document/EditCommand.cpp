@@ -3,12 +3,12 @@
 
 namespace espalier {
 
-EditCommand::EditCommand(TreeDocument& document, const QString& text, Content content)
+EditCommand::EditCommand(TreeDocument& document, const QString& text, Content content, State state)
     : QUndoCommand(text),
       m_document(document),
       m_content(std::move(content)),
-      m_applied(m_content.deltas.size()),
-      m_takenOut(m_content.replaced.size())
+      m_applied(state == State::Done ? m_content.deltas.size() : 0),
+      m_takenOut(state == State::Done ? m_content.replaced.size() : 0)
 {
 }
 
@@ -19,7 +19,7 @@ EditCommand& EditCommand::at(const QUndoStack& stack, int index)
 
 void EditCommand::undo()
 {
-    if (m_isHandedOver)
+    if (m_isHandedOver || m_isAsleep)
         return;
     while (stepBack()) {
     }
@@ -27,6 +27,8 @@ void EditCommand::undo()
 
 void EditCommand::redo()
 {
+    if (m_isAsleep)
+        return;
     while (stepForward()) {
     }
 }

@@ -23,8 +23,11 @@ public:
         Journal future;       ///< The future that ended with the first change, its last delta first
     };
 
-    /// All of @p content is applied already, so the first redo does nothing.
-    EditCommand(TreeDocument& document, const QString& text, Content content);
+    /// Whether the document is in the state after the command already, or in the one before it.
+    enum class State { Done, Undone };
+
+    /// With State::Done all of @p content is applied already, so the first redo does nothing.
+    EditCommand(TreeDocument& document, const QString& text, Content content, State state = State::Done);
     /// The command at @p index of a document's stack. (QUndoStack returns const commands, although the
     /// document may change its own.)
     static EditCommand& at(const QUndoStack& stack, int index);
@@ -43,6 +46,9 @@ public:
     /// Makes the next undo() only remove the command from the stack: its deltas belong to another command
     /// from now on.
     void handOver();
+    /// While it sleeps, undo() and redo() do nothing, so that a stack can be filled with commands of a
+    /// document that is in their state already.
+    void setAsleep(bool asleep) { m_isAsleep = asleep; }
 
 private:
     bool travelOneTowards(std::size_t position);
@@ -52,6 +58,7 @@ private:
     std::size_t m_applied;  ///< Number of content().deltas that are applied, counted from the first
     std::size_t m_takenOut; ///< Number of content().replaced out of the journal, counted from the last
     bool m_isHandedOver = false;
+    bool m_isAsleep = false;
 };
 
 } // namespace espalier

@@ -3,9 +3,12 @@
 
 #include "model/growth/GrowthModel.h"
 #include "model/picking/PickIndex.h"
+#include "model/scene/SceneLook.h"
 #include "model/tree/Tree.h"
 #include "model/tree/TreeDelta.h"
 #include "model/tree/TreeIndex.h"
+
+#include <optional>
 
 namespace espalier {
 
@@ -15,15 +18,18 @@ struct PreparedTree {
     /// @p journal: all deltas that led to @p tree. The last @p ahead of them will be the document's future.
     /// Precondition: ahead <= journal.size().
     PreparedTree(Tree tree, Journal journal, std::size_t ahead = 0);
+    /// Nothing, to be filled: not ready yet.
+    PreparedTree() = default;
     /// Also makes the index for picking, which a document otherwise makes at the first query.
     void preparePicking() { pickIndex.settle(tree, index); }
 
-    Tree tree;
+    Tree tree{};
     Journal journal;
     Journal future; ///< See TreeDocument::future()
     TreeIndex index;
     std::unique_ptr<GrowthModel> growthModel;
     PickIndex pickIndex;
+    std::optional<SceneLook> look{}; ///< None if the tree comes without one
 };
 
 } // namespace espalier

@@ -37,6 +37,7 @@ void TreeDocument::reset(PreparedTree prepared)
     m_growthModel = std::move(prepared.growthModel);
     m_pickIndex = std::move(prepared.pickIndex);
     tell({TreeChange::Kind::Reset, nullptr});
+    setLook(prepared.look.value_or(SceneLook()));
 }
 
 void TreeDocument::setEdit(const Edit* edit, EditHooks hooks)
@@ -127,6 +128,16 @@ void TreeDocument::setCompetitors(const Competitors& competitors)
         return;
     m_competitors = competitors;
     Q_EMIT competitorsChanged();
+}
+
+void TreeDocument::setLook(const SceneLook& look)
+{
+    SceneLook wanted = look;
+    keepWithinLimits(wanted);
+    if (wanted == m_look)
+        return;
+    m_look = std::move(wanted);
+    Q_EMIT lookChanged();
 }
 
 void TreeDocument::holdParameters(bool held)

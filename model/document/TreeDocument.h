@@ -4,6 +4,7 @@
 #include "model/document/EditEvent.h"
 #include "model/growth/GrowthModel.h"
 #include "model/picking/PickIndex.h"
+#include "model/scene/SceneLook.h"
 #include "model/tree/Tree.h"
 #include "model/tree/TreeDelta.h"
 #include "model/tree/TreeIndex.h"
@@ -32,6 +33,7 @@ struct TreeChange {
 };
 
 class Edit;
+struct AsideDocument;
 struct PreparedTree;
 
 /// A tree, its journal and its undo stack. An Edit is the one way to change it; views and panels listen to
@@ -74,6 +76,11 @@ public:
     /// descendants. This is a mode, not part of the tree; it ends when the bud's node dies.
     const Competitors& competitors() const { return m_competitors; }
     void setCompetitors(const Competitors& competitors);
+    /// The surroundings of the tree. They are part of the document, but not of the tree: they are not in the
+    /// journal, and a change of them is not undone.
+    const SceneLook& look() const { return m_look; }
+    /// Values out of range are set to the nearest limit. Emits lookChanged() if a value has changed.
+    void setLook(const SceneLook& look);
     /// Whether the user is trying parameters out. Growth that runs by itself waits meanwhile, so that the
     /// trials are one undo step and only later growth uses them.
     bool areParametersHeld() const { return m_parameterHolds > 0; }
@@ -82,7 +89,7 @@ public:
     QUndoStack& undoStack() { return m_undoStack; }
     const QUndoStack& undoStack() const { return m_undoStack; }
 
-    /// Replaces the tree by a seedling; clears the undo stack.
+    /// Replaces the tree by a seedling, in the default look of a scene; clears the undo stack.
     void reset(std::uint64_t seed, const TreeParameters& parameters = {});
     /// Replaces the tree by one that was read from a file, with its journal. The last @p ahead deltas of the
     /// journal become the future; clears the undo stack.
@@ -119,10 +126,12 @@ Q_SIGNALS:
     /// A delta was applied or reverted, or the tree was replaced. Tree, indices and journal are up to date.
     void changed(const espalier::TreeChange& change);
     void competitorsChanged();
+    void lookChanged();
     /// The first hold of the parameters was added, or the last one was removed.
     void parametersHeld(bool held);
 
 private:
+    friend struct AsideDocument;
     friend class Edit;
     friend class EditCommand;
 
@@ -163,6 +172,7 @@ private:
     Journal m_journal;
     Journal m_future;
     Competitors m_competitors;
+    SceneLook m_look;
     int m_parameterHolds = 0;
     QUndoStack m_undoStack;
     mutable PickIndex m_pickIndex;

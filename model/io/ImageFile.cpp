@@ -21,9 +21,36 @@ struct ImageText {
     Q_DECLARE_TR_FUNCTIONS(ImageFile)
 };
 
-Error tooManyBytes(const QString& name)
+Error tooManyBytes(const QString& name, qsizetype most)
 {
-    return inputError(name, ImageText::tr("it is larger than %1 MB").arg(imageLimits::kBytes >> 20));
+    return inputError(name, ImageText::tr("it is larger than %1 MB").arg(most >> 20));
+}
+
+Result<QByteArray> readBytes(const QString& fileName, const QString& name, qsizetype most)
+{
+    // Reading a pipe or a device might never end.
+    if (!QFileInfo(fileName).isFile())
+        return inputError(name, ImageText::tr("there is no such file"));
+    QFile file(fileName);
+    if (!file.open(QIODevice::ReadOnly))
+        return inputError(name, file.errorString());
+    if (file.size() > most)
+        return tooManyBytes(name, most);
+    return file.readAll();
+}
+
+/// The bytes of an image file with these pixels: PNG if any of them may be transparent, else JPEG.
+QByteArray packed(const QImage& pixels)
+{
+    constexpr int kQuality = 92;
+    QByteArray file;
+    QBuffer buffer(&file);
+    buffer.open(QIODevice::WriteOnly);
+    if (pixels.hasAlphaChannel())
+        pixels.save(&buffer, "png");
+    else
+        pixels.save(&buffer, "jpg", kQuality);
+    return file;
 }
 
 } // namespace
@@ -31,7 +58,7 @@ Error tooManyBytes(const QString& name)
 Result<ImageAsset> glanceAtImage(const QByteArray& file, const QString& name)
 {
     if (file.size() > imageLimits::kBytes)
-        return tooManyBytes(name);
+        return tooManyBytes(name, imageLimits::kBytes);
     const QByteArray format = imageFormat(file);
     if (format.isEmpty())
         return inputError(name, ImageText::tr("it is neither a PNG nor a JPEG image"));
@@ -63,15 +90,29 @@ Result<ImageAsset> readImage(const QByteArray& file, const QString& name)
 Result<ImageAsset> readImageFile(const QString& fileName, const QString& name)
 {
     const QString shown = name.isEmpty() ? QFileInfo(fileName).fileName() : name;
-    // Reading a pipe or a device might never end.
-    if (!QFileInfo(fileName).isFile())
-        return inputError(shown, ImageText::tr("there is no such file"));
-    QFile file(fileName);
-    if (!file.open(QIODevice::ReadOnly))
-        return inputError(shown, file.errorString());
-    if (file.size() > imageLimits::kBytes)
-        return tooManyBytes(shown);
-    return readImage(file.readAll(), shown);
+    const Result<QByteArray> file = readBytes(fileName, shown, imageLimits::kBytes);
+    return file ? readImage(*file, shown) : file.error();
+}
+
+Result<ImageAsset> readPictureFile(const QString& fileName)
+{
+    const QString name = QFileInfo(fileName).fileName();
+    Result<QByteArray> file = readBytes(fileName, name, imageLimits::kPictureBytes);
+    if (!file)
+        return file.error();
+    if (const Result<ImageAsset> image = readImage(*file, name))
+        return image;
+    QBuffer buffer(&*file);
+    QImageReader reader(&buffer);
+    reader.setDecideFormatFromContent(true);
+    reader.setAutoTransform(true);
+    if (const QSize size = reader.size(); std::max(size.width(), size.height()) > ImageAsset::kLargestEdge)
+        reader.setScaledSize(
+            size.scaled(ImageAsset::kLargestEdge, ImageAsset::kLargestEdge, Qt::KeepAspectRatio));
+    const QImage pixels = reader.read();
+    if (pixels.isNull())
+        return inputError(name, ImageText::tr("it is no picture that can be read"));
+    return readImage(packed(pixels), name);
 }
 
 MaterialFiles findMaterialFiles(const QString& fileName)

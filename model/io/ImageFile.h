@@ -7,9 +7,10 @@
 namespace espalier {
 
 namespace imageLimits {
-inline constexpr qsizetype kBytes = 64 << 20; ///< Size of the file
-inline constexpr int kEdge = 8192;            ///< px
-inline constexpr int kLeastEdge = 4;          ///< px
+inline constexpr qsizetype kBytes = 64 << 20;         ///< Size of the file
+inline constexpr qsizetype kPictureBytes = 256 << 20; ///< Size of a file that readPictureFile() reads
+inline constexpr int kEdge = 8192;                    ///< px
+inline constexpr int kLeastEdge = 4;                  ///< px
 } // namespace imageLimits
 
 /// Reads an image without trusting it: PNG or JPEG, within the limits. The format is found from the bytes,
@@ -19,6 +20,10 @@ Result<ImageAsset> readImage(const QByteArray& file, const QString& name);
 Result<ImageAsset> glanceAtImage(const QByteArray& file, const QString& name);
 /// readImage() from a file; @p name instead of the file's own if it is not empty.
 Result<ImageAsset> readImageFile(const QString& fileName, const QString& name = {});
+
+/// Reads a picture of any format that Qt reads: one that is not readImage()'s, or larger than its limits, is
+/// packed anew, at most ImageAsset::kLargestEdge px along an edge. Takes a second for large ones.
+Result<ImageAsset> readPictureFile(const QString& fileName);
 
 /// The other images of a material, which lie beside the image of its colours and have similar names.
 struct MaterialFiles {

@@ -55,15 +55,20 @@ void ViewSettings::setValues(const ViewValues& values)
     wanted.variation = std::clamp(wanted.variation, kLeastVariation, 1.0);
     wanted.variationNumber = std::round(std::clamp(wanted.variationNumber, 1.0, kMostVariations));
     wanted.budSpacing = std::clamp(wanted.budSpacing, 0.0, kMostBudSpacing);
-    wanted.sunElevation = std::clamp(wanted.sunElevation, kLeastSunElevation, radians(90));
-    TracingImage& tracing = wanted.tracing;
-    for (double* offset : {&tracing.right, &tracing.up})
-        *offset = std::clamp(*offset, -TracingImage::kMaxOffset, TracingImage::kMaxOffset);
-    tracing.height = std::clamp(tracing.height, 0.01, TracingImage::kMaxHeight);
-    tracing.opacity = std::clamp(tracing.opacity, 0.0, 1.0);
+    keepWithinLimits(wanted);
     if (wanted == m_values)
         return;
     m_values = wanted;
+    Q_EMIT changed();
+}
+
+void ViewSettings::setLook(const SceneLook& look)
+{
+    if (static_cast<const SceneLook&>(m_values) == look)
+        return;
+    static_cast<SceneLook&>(m_values) = look;
+    keepWithinLimits(m_values);
+    Q_EMIT lookReplaced();
     Q_EMIT changed();
 }
 

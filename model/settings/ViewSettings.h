@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/base/Vector.h"
+#include "model/scene/SceneLook.h"
 
-#include <QColor>
 #include <QObject>
-#include <QString>
 
 #include <type_traits>
 
@@ -60,39 +58,9 @@ inline constexpr int kBrushPlaneCount = 3;
 /// by a tenth, down to the radius 0 of a single axis and up again from it.
 double steppedBrushRadius(double radius, double notches);
 
-/// The least elevation of the sun above the horizon, rad.
-inline constexpr double kLeastSunElevation = radians(5);
-
-/// What stands behind the tree.
-enum class Backdrop : int {
-    Studio,      ///< The dark one or the light one, as the program's theme is
-    Horizon,     ///< An overcast sky over a light ground
-    Plain,       ///< One colour
-    Gradient,    ///< From one colour at the lower edge to another at the upper one
-    DarkStudio,  ///< Dark, lighter behind the tree
-    LightStudio, ///< A bright sweep of paper without an edge
-};
-inline constexpr int kBackdropCount = 6;
-
-/// A picture behind the tree to draw after. It stands upright at the seedling, parallel to the screen, so
-/// that it keeps its place beside the tree when the view is moved or magnified.
-struct TracingImage {
-    static constexpr double kMaxHeight = 100.0; ///< m
-    static constexpr double kMaxOffset = 100.0; ///< m
-
-    QString file{}; ///< Empty for none
-    /// Distance of its middle from the seedling to the right, m, −kMaxOffset...kMaxOffset.
-    double right = 0.0;
-    double up = 1.5;      ///< Height of its middle above the seedling, m, −kMaxOffset...kMaxOffset
-    double height = 3.0;  ///< m, 0.01...kMaxHeight; its width follows from the file
-    double opacity = 0.5; ///< 0...1
-
-    bool operator==(const TracingImage&) const = default;
-};
-
-/// How the tree is shown and how the brush is set. This belongs to the user, not to the tree: it is not part
-/// of the document and not undone.
-struct ViewValues {
+/// How the tree is shown and how the brush is set. Apart from the look of the scene, which is the document's,
+/// this belongs to the user; none of it is undone.
+struct ViewValues : SceneLook {
     double brushRadius = 0.5;   ///< m, 0...kMaxBrushRadius; 0 draws a single axis
     bool pressureScales = true; ///< A pen's pressure scales the radius of the brush
     bool markersShown = true;   ///< Markers of free space show while brushing
@@ -130,20 +98,8 @@ struct ViewValues {
     double depthAngle = 1.2;
     double budSpacing = 0.03; ///< Distance along the branch between them, m, 0...kMostBudSpacing
     bool leavesShown = true;
-    bool fibresShown = false; ///< Wood of strands shows as lines, one for each strand
-    bool groundShown = true;
-    bool shadowsShown = true;
-    bool gridShown = false; ///< Lines on the ground, a metre apart
-    Backdrop backdrop = Backdrop::Studio;
-    bool isThemeLight = false;            ///< Whether the theme is light; Backdrop::Studio follows it
-    QColor backgroundColour{92, 98, 104}; ///< Colour of Plain; of Gradient at the lower edge
-    QColor backgroundTop{188, 202, 214};  ///< Colour of Gradient at the upper edge
-    TracingImage tracing{};
-    /// rad from +Z (front) toward +X (right); of a pinned sun, rad from the camera toward its right.
-    double sunAzimuth = radians(58);
-    double sunElevation = radians(48); ///< rad above the horizon, kLeastSunElevation...90°
-    bool sunPinned = false;            ///< The sun stays at its place on the screen when the tree is turned
-    bool sunShown = true;              ///< The sun shows as a ball that can be dragged
+    bool fibresShown = false;  ///< Wood of strands shows as lines, one for each strand
+    bool isThemeLight = false; ///< Whether the theme is light; Backdrop::Studio follows it
 
     bool operator==(const ViewValues&) const = default;
 };
@@ -163,6 +119,9 @@ public:
     const ViewValues& values() const { return m_values; }
     /// Values out of range are set to the nearest limit. Emits changed() if a value has changed.
     void setValues(const ViewValues& values);
+    /// Shows the scene with this look, which comes from elsewhere: another document's. Emits lookReplaced()
+    /// and changed() if it differs from the one in force.
+    void setLook(const SceneLook& look);
 
     /// Sets one value: set(&ViewValues::brushRadius, 0.2).
     template <class T>
@@ -172,9 +131,16 @@ public:
         values.*field = value;
         setValues(values);
     }
+    template <class T>
+    void set(T SceneLook::*field, const std::type_identity_t<T>& value)
+    {
+        set(static_cast<T ViewValues::*>(field), value);
+    }
 
 Q_SIGNALS:
     void changed();
+    /// setLook() has put another look in force; changed() follows.
+    void lookReplaced();
 
 private:
     ViewValues m_values;

@@ -6,6 +6,8 @@
 #include "commands/ParameterGesture.h"
 #include "commands/SketchStroke.h"
 #include "commands/recipe/RecipePlayer.h"
+#include "model/io/ImageFile.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
@@ -102,6 +104,7 @@ private:
     std::set<const QWidget*> reachedByTab(QWidget& pane);
 
     QTemporaryDir m_folder;
+    ImageAsset m_picture; ///< To draw after
     std::unique_ptr<MainWindow> m_window;
     std::unique_ptr<test::WindowPanes> m_panes;
     std::unique_ptr<test::WindowHand> m_hand;
@@ -170,7 +173,9 @@ void EveryWidgetTest::initTestCase()
     preferences.libraryFolder = m_folder.path();
     Settings().setPreferences(preferences);
     Settings().setTourSeen(true);
-    QVERIFY(QImage(8, 8, QImage::Format_RGB32).save(m_folder.filePath(QStringLiteral("sketch.png"))));
+    const QString picture = m_folder.filePath(QStringLiteral("sketch.png"));
+    QVERIFY(QImage(8, 8, QImage::Format_RGB32).save(picture));
+    m_picture = *readImageFile(picture);
     m_window = std::make_unique<MainWindow>();
     m_window->resize(1024, 700);
     m_window->workspace().viewport().setBestSamples(1);
@@ -186,7 +191,7 @@ void EveryWidgetTest::initTestCase()
 void EveryWidgetTest::cleanupTestCase()
 {
     m_panes->shutAll();
-    document().undoStack().setClean();
+    m_window->files().file().setUnmodified();
     m_hand.reset();
     m_window.reset();
     QVERIFY2(m_driven > 150, qPrintable(QString::number(m_driven)));
@@ -199,7 +204,12 @@ void EveryWidgetTest::prepareDocument()
         stack.setIndex(3);
     if (stack.index() == 3 && stack.count() > 3 && !document().tree().lassoIndicesInForce().empty())
         return;
-    stack.setClean();
+    m_window->recipeRunner().stop();
+    m_window->files().file().setUnmodified();
+    if (m_window->files().isAside()) {
+        m_window->files().bringBack();
+        m_window->files().file().setUnmodified();
+    }
     action(ActionId::New)->trigger();
     LassoOperation lasso;
     lasso.stroke.points = {{-0.2, 0.3}, {0.2, 0.3}, {0.2, 0.6}, {-0.2, 0.6}, {-0.2, 0.3}};
@@ -220,7 +230,7 @@ void EveryWidgetTest::prepareDocument()
 
 void EveryWidgetTest::drawFlatTree(bool hasDepth)
 {
-    document().undoStack().setClean();
+    m_window->files().file().setUnmodified();
     action(ActionId::New)->trigger();
     for (const std::vector<Vec2>& points : std::vector<std::vector<Vec2>>{{{0.0F, 0.0F}, {0.0F, 1.6F}},
                                                                           {{0.0F, 0.5F}, {0.6F, 0.9F}},
@@ -242,7 +252,7 @@ void EveryWidgetTest::prepare(QWidget& widget)
     ViewValues view;
     view.shadowsShown = false;
     view.backdrop = Backdrop::Gradient;
-    view.tracing.file = m_folder.filePath(QStringLiteral("sketch.png"));
+    view.tracing.image = m_picture;
     m_window->viewSettings().setValues(view);
     workspace().library().showSection(LibraryPanel::Section::Species);
     workspace().library().findChild<QLineEdit*>()->clear();
@@ -259,6 +269,11 @@ void EveryWidgetTest::prepare(QWidget& widget)
     if (widget.objectName() == QLatin1String("giveDepth") ||
         widget.objectName() == QLatin1String("otherDepth"))
         drawFlatTree(widget.objectName() == QLatin1String("otherDepth"));
+    if (widget.objectName() == QLatin1String("lookForNewTrees")) {
+        // It shows in a notice only, and can be pressed while the look is another one.
+        workspace().background().setLookOfNewTrees({});
+        workspace().notice().finish();
+    }
     if (widget.objectName() == QLatin1String("lassoStop"))
         workspace().lassoPopOut().setGrowing(true);
     if (auto* sheet = qobject_cast<SettingsSheet*>(widget.window())) {

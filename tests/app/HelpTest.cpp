@@ -7,6 +7,7 @@
 #include "panels/HelpPanel.h"
 #include "panels/RadiusSlider.h"
 #include "panels/TimeSlider.h"
+#include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
@@ -49,7 +50,9 @@ private Q_SLOTS:
     void searchField_opensWhatItFinds();
     void keys_readAndFollowLinks();
     void narrowWindow_hasTheContentsInPlaceOfThePage();
-    void playing_asksAboutUnsavedWorkAndLeavesNone();
+    void playing_setsOnesOwnTreeAside();
+    void wayBack_isThereWhileTheRecipePlays();
+    void wayBack_isNotOfferedForASeedling();
     void tour_goesOnByDoing();
     void tour_showsADrawnTreeAndGoesOn();
     void tour_isSkippedAndNeverComesBack();
@@ -66,6 +69,8 @@ private:
     {
         return workspace().findChild<QPushButton*>(QString::fromLatin1(name));
     }
+    QPushButton* wayBack() { return workspace().findChild<QPushButton*>(QStringLiteral("wayBack")); }
+    void growSteps(int count);
     void click(QWidget* widget);
     void drag(const QPoint& from, const QPoint& to);
 };
@@ -262,21 +267,27 @@ void HelpTest::narrowWindow_hasTheContentsInPlaceOfThePage()
     QVERIFY(!list->isVisible() && part<HelpPage>("helpPage")->isVisible());
 }
 
-void HelpTest::playing_asksAboutUnsavedWorkAndLeavesNone()
+void HelpTest::growSteps(int count)
 {
-    action(ActionId::GrowStep)->trigger();
-    QTRY_VERIFY(m_window->isWindowModified() && !m_window->growRunner().isRunning());
+    for (int i = 0; i < count; ++i) {
+        action(ActionId::GrowStep)->trigger();
+        QTRY_COMPARE(m_window->document().undoStack().index(), i + 1);
+        QTRY_VERIFY(!m_window->growRunner().isRunning());
+    }
+}
+
+void HelpTest::playing_setsOnesOwnTreeAside()
+{
+    growSteps(3);
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(m_window->document().undoStack().index(), 2);
+    const test::DocumentState own(m_window->document());
     action(ActionId::Prune)->trigger();
     action(ActionId::Help)->trigger();
-    auto* play = part<QPushButton>("helpPlay");
-    answer(QMessageBox::Cancel);
-    click(play);
-    QVERIFY(!m_window->recipeRunner().isRunning());
-    QCOMPARE(m_window->document().tree().step(), Step{1});
-
-    answer(QMessageBox::Discard);
-    click(play);
+    // Nothing is asked, since nothing is lost.
+    click(part<QPushButton>("helpPlay"));
     QVERIFY(m_window->recipeRunner().isRunning());
+    QVERIFY(wayBack()->isVisible());
     QVERIFY(help().isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->recipeRunner().isRunning(), 60000);
     QCOMPARE(m_window->document().undoStack().count(), 5);
@@ -284,8 +295,53 @@ void HelpTest::playing_asksAboutUnsavedWorkAndLeavesNone()
     QVERIFY(!m_window->isWindowModified());
     QCOMPARE(m_window->document().undoStack().undoText(), QStringLiteral("Prune"));
     QVERIFY(action(ActionId::Prune)->isChecked());
-    action(ActionId::Undo)->trigger();
+
+    click(wayBack());
+    QVERIFY(!wayBack()->isVisible());
+    QCOMPARE(test::differenceFrom(own, m_window->document()), QString());
     QVERIFY(m_window->isWindowModified());
+    QCOMPARE(m_window->document().undoStack().count(), 3);
+    // What was undone can be redone, and all of it undone.
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE(m_window->document().tree().step(), Step{3});
+    for (int i = 0; i < 3; ++i)
+        QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(m_window->document().tree().step(), Step{0});
+    QVERIFY(!m_window->isWindowModified());
+}
+
+void HelpTest::wayBack_isThereWhileTheRecipePlays()
+{
+    growSteps(1);
+    const test::DocumentState own(m_window->document());
+    action(ActionId::Prune)->trigger();
+    action(ActionId::Help)->trigger();
+    click(part<QPushButton>("helpPlay"));
+    QVERIFY(m_window->recipeRunner().isRunning());
+    click(wayBack());
+    QVERIFY(!m_window->recipeRunner().isRunning());
+    QCOMPARE(test::differenceFrom(own, m_window->document()), QString());
+    // A tree of a recipe that the user has changed is asked about.
+    click(part<QPushButton>("helpPlay"));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->recipeRunner().isRunning(), 60000);
+    action(ActionId::Undo)->trigger();
+    QTRY_VERIFY(m_window->isWindowModified());
+    const Tree changed = m_window->document().tree();
+    answer(QMessageBox::Cancel);
+    click(wayBack());
+    QVERIFY(m_window->document().tree() == changed);
+    answer(QMessageBox::Discard);
+    click(wayBack());
+    QCOMPARE(test::differenceFrom(own, m_window->document()), QString());
+}
+
+void HelpTest::wayBack_isNotOfferedForASeedling()
+{
+    action(ActionId::Prune)->trigger();
+    action(ActionId::Help)->trigger();
+    click(part<QPushButton>("helpPlay"));
+    QVERIFY(m_window->recipeRunner().isRunning());
+    QVERIFY(!wayBack()->isVisible());
 }
 
 void HelpTest::tour_goesOnByDoing()

@@ -104,13 +104,18 @@ void LibraryPanelTest::init()
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->viewSettings().setValues({.shadowsShown = false});
+    m_window->viewSettings().setValues({});
+    SceneLook look;
+    look.shadowsShown = false;
+    m_window->files().file().setLookOfNewTrees(look);
+    m_window->document().setLook(look);
+    m_window->files().file().setUnmodified();
 }
 
 void LibraryPanelTest::cleanup()
 {
     // A question about unsaved changes would wait for an answer for ever.
-    m_window->document().undoStack().setClean();
+    m_window->files().file().setUnmodified();
     m_window->workspace().notice().finish();
     m_window->actions()[ActionId::New]->trigger();
     m_window->actions()[ActionId::Library]->setChecked(false);

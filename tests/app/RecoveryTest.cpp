@@ -23,6 +23,7 @@ private Q_SLOTS:
     void offered_areNotOfferedToAnotherProgram();
     void broughtBack_asksBeforeItReplacesAFileChangedSince();
     void originsOfOlderVersions_areRead();
+    void look_isBroughtBack();
 
 private:
     /// Leaves the files of a crash @p minutes ago: a tree of @p steps steps, opened from @p original.
@@ -269,6 +270,34 @@ void RecoveryTest::originsOfOlderVersions_areRead()
     QCOMPARE(leftovers.front().original, QStringLiteral("/home/ann/old oak.espalier"));
     QVERIFY(!leftovers.front().content.exists());
     QCOMPARE(leftovers.front().displayName(), QStringLiteral("old oak.espalier"));
+}
+
+void RecoveryTest::look_isBroughtBack()
+{
+    SceneLook look;
+    look.backdrop = Backdrop::Horizon;
+    look.sunElevation = radians(12);
+    QByteArray content;
+    {
+        test::FilesWindow window;
+        QSignalSpy written(&window.files->autosave(), &Autosave::written);
+        // A look that has changed is a change that no file has, as one of the tree.
+        window.document.setLook(look);
+        QVERIFY(window.files->file().isModified());
+        QVERIFY(written.wait(30'000));
+        QCOMPARE(copies().size(), 1);
+        content = bytesOf(Autosave::folder() + QLatin1Char('/') + copies().constFirst());
+        window.document.setLook({});
+        QVERIFY(!window.files->file().isModified());
+        QTRY_VERIFY(copies().isEmpty());
+    }
+    put(copyPath("a"), content);
+    test::FilesWindow window;
+    window.files->offerRecovery();
+    QTRY_VERIFY_WITH_TIMEOUT(asks(window, QStringLiteral("never saved")), 30'000);
+    window.press(QStringLiteral("Bring Back"));
+    QTRY_VERIFY_WITH_TIMEOUT(window.document.look() == look, 30'000);
+    QVERIFY(window.files->file().isModified());
 }
 
 static const test::TestClass<RecoveryTest> recoveryTest;

@@ -95,7 +95,12 @@ void SettingsTest::init()
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->viewSettings().setValues({.shadowsShown = false});
+    m_window->viewSettings().setValues({});
+    SceneLook look;
+    look.shadowsShown = false;
+    m_window->files().file().setLookOfNewTrees(look);
+    m_window->document().setLook(look);
+    m_window->files().file().setUnmodified();
     viewport().setFocus();
 }
 
@@ -110,7 +115,7 @@ void SettingsTest::cleanup()
         delete sheet;
     }
     m_window->recipeRunner().stop();
-    m_window->document().undoStack().setClean();
+    m_window->files().file().setUnmodified();
     action(ActionId::New)->trigger();
 }
 

@@ -3,6 +3,7 @@
 #include "app/MainWindow.h"
 #include "commands/SetParameters.h"
 #include "panels/HelpPanel.h"
+#include "panels/PictureSheet.h"
 #include "panels/RotationStrip.h"
 #include "panels/SettingsSheet.h"
 #include "panels/Sideways.h"
@@ -318,6 +319,10 @@ void WindowLayoutTest::targets_areLargeEnoughForAFinger()
     settings.show();
     QVERIFY(QTest::qWaitForWindowExposed(&settings));
     measure(settings, "settings ");
+    PictureSheet picture({}, {800, 600});
+    picture.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&picture));
+    measure(picture, "picture ");
     QMenu* menu = workspace().topBar().findChild<QMenu*>();
     menu->popup(m_window->mapToGlobal(QPoint(8, 50)));
     for (QAction* entry : menu->actions()) {

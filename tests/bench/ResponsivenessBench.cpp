@@ -211,7 +211,7 @@ public:
             live(2500);
         });
         measure("it is opened", [&] {
-            w.document().undoStack().setClean();
+            w.files().file().setUnmodified();
             w.files().openFile(folder.filePath(QStringLiteral("tree.espalier")));
             if (!QTest::qWaitFor([&] { return w.document().undoStack().count() == 0; }, 60'000))
                 qFatal("The file was not opened.");

@@ -60,6 +60,8 @@ void FuzzFilesTest::initTestCase()
         EditRecord{R"({"op":"brushStroke","samples":[[0,0,0,0,1],[1,0,2,0,1]]})", 1});
     illustrated.journal.front()->record =
         std::make_shared<const EditRecord>(EditRecord{R"({"op":"grow","steps":3})", 2});
+    withPicture.look = SceneLook();
+    withPicture.look->tracing.image = look.leaves.image;
     m_projects = {*packProject(withPicture), *packProject(sampleProject(25, 2)), *packProject({}),
                   *packProject(illustrated)};
 

@@ -53,7 +53,7 @@ public:
             qFatal("the window does not come up");
         m_window->viewSettings().set(&ViewValues::shadowsShown, false);
     }
-    ~Photographer() { m_window->document().undoStack().setClean(); }
+    ~Photographer() { m_window->files().file().setUnmodified(); }
 
     void takeAll()
     {

@@ -112,7 +112,7 @@ public:
         if (!QTest::qWaitForWindowActive(&m_window))
             qFatal("the window does not come up");
     }
-    ~Photographer() { m_window.document().undoStack().setClean(); }
+    ~Photographer() { m_window.files().file().setUnmodified(); }
 
     MainWindow& window() { return m_window; }
     Viewport& viewport() { return m_window.workspace().viewport(); }

@@ -502,17 +502,14 @@ void ParameterPanelTest::background_saysWhichPictureIsShown()
     };
     QVERIFY(!remove->isEnabled());
     QVERIFY(!panel.row("view.tracing.up")->isEnabled());
-    QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("sketch.png"));
-    QVERIFY(QImage(8, 8, QImage::Format_RGB32).save(file));
-    panel.trace(file);
-    QCOMPARE(settings.values().tracing.file, file);
+    const TracingImage tracing{.image = ImageAsset("bytes", QStringLiteral("sketch.png")), .height = 2.5};
+    settings.set(&ViewValues::tracing, tracing);
     QVERIFY(says(QStringLiteral("sketch.png")));
     QVERIFY(panel.row("view.tracing.up")->isEnabled());
-    panel.trace(folder.filePath(QStringLiteral("none.png")));
-    QVERIFY(says(QStringLiteral("none.png cannot be read.")));
     QTest::mouseClick(remove, Qt::LeftButton);
-    QVERIFY(settings.values().tracing.file.isEmpty());
+    QVERIFY(settings.values().tracing.image.isNull());
+    QCOMPARE(settings.values().tracing.height, 2.5);
+    QVERIFY(!panel.row("view.tracing.up")->isEnabled());
 }
 
 static const test::TestClass<ParameterPanelTest> parameterPanelTest;

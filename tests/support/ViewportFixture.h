@@ -51,7 +51,7 @@ inline void ViewportFixture::init()
     m_document->reset(7, smallTree());
     m_settings = std::make_unique<ViewSettings>();
     // A processor draws the pictures: shadows and smooth edges would take most of a test's time.
-    m_settings->setValues({.shadowsShown = false});
+    m_settings->set(&ViewValues::shadowsShown, false);
     m_view = std::make_unique<Viewport>(*m_document, *m_settings);
     m_view->setBestSamples(1);
     m_view->resize(640, 480);

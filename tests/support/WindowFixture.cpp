@@ -2,6 +2,7 @@
 #include "tests/support/WindowFixture.h"
 
 #include "commands/SketchStroke.h"
+#include "panels/BackgroundPanel.h"
 #include "panels/Notice.h"
 #include "panels/Theme.h"
 #include "views/Viewport.h"
@@ -41,8 +42,15 @@ void WindowFixture::init()
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->viewSettings().setValues(
-        {.groundShown = false, .shadowsShown = false, .backdrop = Backdrop::Plain});
+    m_window->viewSettings().setValues({});
+    SceneLook look;
+    look.groundShown = false;
+    look.shadowsShown = false;
+    look.backdrop = Backdrop::Plain;
+    m_window->files().file().setLookOfNewTrees(look);
+    workspace().background().setLookOfNewTrees(look);
+    m_window->document().setLook(look);
+    m_window->files().file().setUnmodified();
     action(ActionId::Brush)->trigger();
     viewport().setFocus();
 }
@@ -51,7 +59,11 @@ void WindowFixture::cleanup()
 {
     // A question about unsaved changes, or about growth, would wait for an answer for ever.
     action(ActionId::Cancel)->trigger();
-    m_window->document().undoStack().setClean();
+    m_window->files().file().setUnmodified();
+    if (m_window->files().isAside()) {
+        m_window->files().bringBack();
+        m_window->files().file().setUnmodified();
+    }
     m_window->workspace().notice().finish();
     action(ActionId::New)->trigger();
 }

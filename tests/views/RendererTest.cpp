@@ -7,6 +7,7 @@
 #include "views/render/FramePacer.h"
 #include "views/render/OffscreenRenderer.h"
 
+#include <QBuffer>
 #include <QTest>
 
 #include <array>
@@ -557,21 +558,20 @@ void RendererTest::grid_isSeenOnTheGround()
 
 void RendererTest::tracingImage_standsBehindTheTree()
 {
-    QTemporaryDir folder;
     QImage red(40, 20, QImage::Format_RGB32);
     red.fill(Qt::red);
     RenderOptions options;
     options.samples = 1;
     options.view.groundShown = false;
     options.view.leavesShown = false;
-    options.view.tracing.file = folder.filePath(QStringLiteral("red.png"));
     options.view.tracing.up = 1.0;
     options.view.tracing.height = 2.0;
     options.view.tracing.opacity = 1.0;
     const QImage none = draw(*m_scene, options);
-    QVERIFY(red.save(options.view.tracing.file));
-    // A file that could not be read is read again when it is chosen again.
-    options.view.tracing.file.prepend(QStringLiteral("/"));
+    QByteArray png;
+    QBuffer buffer(&png);
+    QVERIFY(red.save(&buffer, "png"));
+    options.view.tracing.image = ImageAsset(png, QStringLiteral("red.png"));
     const QImage image = draw(*m_scene, options);
     const Camera camera = pictureCamera(NamedView::Front, *m_scene, kSize);
     const auto at = [&](const QImage& picture, const Vec3& place) {

@@ -60,6 +60,22 @@ Result<std::unique_ptr<OffscreenRenderer>> OffscreenRenderer::create()
 
 Result<QImage> OffscreenRenderer::render(TreeScene& scene, const Camera& camera, const RenderOptions& options)
 {
+    for (int pass = 0; pass < options.samples; ++pass) {
+        if (const Result<void> drawn = renderPass(scene, camera, options, pass); !drawn)
+            return drawn.error();
+    }
+    return picture();
+}
+
+QImage OffscreenRenderer::picture() const
+{
+    m_context->makeCurrent(m_surface.get());
+    return m_target->readImage();
+}
+
+Result<void> OffscreenRenderer::renderPass(TreeScene& scene, const Camera& camera,
+                                           const RenderOptions& options, int pass)
+{
     if (!m_context->makeCurrent(m_surface.get()))
         return noOpenGl();
     GLint largest = 0;
@@ -75,8 +91,15 @@ Result<QImage> OffscreenRenderer::render(TreeScene& scene, const Camera& camera,
                          .arg(size.height())
                          .arg(largest)};
     }
-    m_renderer->render(scene, camera, options, *m_target);
-    return m_target->readImage();
+    m_renderer->renderPass(scene, camera, options, *m_target, pass);
+    return {};
+}
+
+Camera cameraFor(const PictureRequest& request, const TreeScene& scene)
+{
+    Camera camera = request.camera.value_or(pictureCamera(request.view, scene, request.size));
+    camera.setViewSize(request.size);
+    return camera;
 }
 
 Camera pictureCamera(NamedView view, const TreeScene& scene, const QSize& size)
@@ -97,9 +120,7 @@ Result<QImage> renderImage(const TreeDocument& document, const PictureRequest& r
     TreeScene scene(document);
     scene.setFibresShown(request.options.view.fibresShown);
     scene.prepareStrands();
-    Camera camera = request.camera.value_or(pictureCamera(request.view, scene, request.size));
-    camera.setViewSize(request.size);
-    return (*renderer)->render(scene, camera, request.options);
+    return (*renderer)->render(scene, cameraFor(request, scene), request.options);
 }
 
 } // namespace espalier

@@ -30,6 +30,10 @@ public:
     /// A picture of the size of @p camera's view, in pixels, 1...16,384 along each edge or up to the card's
     /// limit.
     Result<QImage> render(TreeScene& scene, const Camera& camera, const RenderOptions& options);
+    /// Draws one of the passes of such a picture, 0...options.samples − 1 in that order.
+    Result<void> renderPass(TreeScene& scene, const Camera& camera, const RenderOptions& options, int pass);
+    /// The mean of the passes drawn so far.
+    QImage picture() const;
 
 private:
     OffscreenRenderer();
@@ -48,6 +52,9 @@ struct PictureRequest {
     std::optional<Camera> camera;
     RenderOptions options;
 };
+
+/// The camera of that picture.
+Camera cameraFor(const PictureRequest& request, const TreeScene& scene);
 
 /// Draws the document's tree. Makes a renderer for this picture only: for many pictures keep an
 /// OffscreenRenderer.

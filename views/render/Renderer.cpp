@@ -157,7 +157,7 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
     m_gl.glDisable(GL_BLEND);
     drawTree(options, static_cast<float>(std::min(scene.parameters().leaves.saturation, 1.0)));
     // Pixels that the tree covers need not be drawn.
-    const bool isTracing = !options.background && !options.view.tracing.file.isEmpty();
+    const bool isTracing = !options.background && !options.view.tracing.image.isNull();
     if (!options.background)
         drawBackground();
     if (m_frame.foot[1] > 0.0F || m_frame.foot[2] > 0.0F)

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "views/render/TracingLayer.h"
 
-#include <QImageReader>
 #include <QOpenGLShaderProgram>
 
 namespace espalier {
-
-namespace {
-
-constexpr int kLargestTracingEdge = 2048; ///< px
-
-} // namespace
 
 TracingLayer::TracingLayer(Gl& gl)
     : m_gl(gl), m_texture(gl), m_noVertices(gl), m_program(loadProgram("tracing.vert", "tracing.frag"))
@@ -21,19 +14,14 @@ TracingLayer::TracingLayer(Gl& gl)
 
 TracingLayer::~TracingLayer() = default;
 
-void TracingLayer::load(const QString& file)
+void TracingLayer::load(const ImageAsset& asset)
 {
-    m_file = file;
+    m_image = asset;
     m_aspect = 0.0F;
-    QImageReader reader(file);
-    reader.setAutoTransform(true);
-    QImage image = reader.read();
+    const QImage image = asset.pixels();
     if (image.isNull())
         return;
     m_aspect = static_cast<float>(image.width()) / static_cast<float>(image.height());
-    if (std::max(image.width(), image.height()) > kLargestTracingEdge)
-        image = image.scaled(kLargestTracingEdge, kLargestTracingEdge, Qt::KeepAspectRatio,
-                             Qt::SmoothTransformation);
     // It is shown as it is, so its colours stay as they are.
     m_gl.glActiveTexture(GL_TEXTURE0);
     fillTexture(m_gl, m_texture, image, TextureContent::Data, false);
@@ -41,8 +29,8 @@ void TracingLayer::load(const QString& file)
 
 void TracingLayer::draw(const TracingImage& tracing, const Camera& camera)
 {
-    if (tracing.file != m_file)
-        load(tracing.file);
+    if (!(tracing.image == m_image))
+        load(tracing.image);
     if (m_aspect <= 0.0F || tracing.opacity <= 0.0)
         return;
     const Vec3 centre =

@@ -17,13 +17,13 @@ public:
     void draw(const TracingImage& tracing, const Camera& camera);
 
 private:
-    void load(const QString& file);
+    void load(const ImageAsset& asset);
 
     Gl& m_gl;
     GlTexture m_texture;
     GlVertexArray m_noVertices;
     std::unique_ptr<QOpenGLShaderProgram> m_program;
-    QString m_file;        ///< The file that was loaded last
+    ImageAsset m_image;    ///< The image that was loaded last
     float m_aspect = 0.0F; ///< Width / height; 0 if there is no picture
 };
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/scene/SceneLook.h"
 #include "model/tree/Tree.h"
 
 #include <QImage>
 #include <QString>
+
+#include <optional>
 
 namespace espalier {
 
@@ -16,8 +19,9 @@ struct Project {
     QImage thumbnail; ///< May be null
     /// Number of the last deltas that lie ahead of the moment that was shown.
     std::uint32_t ahead = 0;
-    /// One sentence for the user about what could not be read, such as an image that is missing in the file;
-    /// not part of a file.
+    std::optional<SceneLook> look{}; ///< None in files that are older than looks, or if it cannot be read
+    /// Sentences for the user about what could not be read, such as an image that is missing in the file; not
+    /// part of a file.
     QString warning{};
 };
 

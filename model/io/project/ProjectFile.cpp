@@ -7,6 +7,7 @@
 #include "model/io/project/JournalCheck.h"
 #include "model/io/project/JournalEntries.h"
 #include "model/io/project/KeptEntries.h"
+#include "model/io/project/LookEntry.h"
 #include "model/io/project/PositionCheck.h"
 #include "model/io/project/ProjectDescription.h"
 #include "model/io/project/ProjectImages.h"
@@ -18,6 +19,8 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QImageReader>
+
+#include <algorithm>
 
 namespace espalier {
 
@@ -42,6 +45,16 @@ Result<void> checkProject(const Tree& tree, const Journal& journal)
     return checkPositions(tree, journal);
 }
 
+/// All images that the file holds, each once.
+std::vector<ImageAsset> imagesOf(const Project& project)
+{
+    std::vector<ImageAsset> images = ProjectImages::of(project.tree.parameterSets());
+    if (project.look && !project.look->tracing.image.isNull() &&
+        std::ranges::find(images, project.look->tracing.image) == images.end())
+        images.push_back(project.look->tracing.image);
+    return images;
+}
+
 bool isWithinLimits(const Project& project)
 {
     const Tree& tree = project.tree;
@@ -58,7 +71,7 @@ bool isWithinLimits(const Project& project)
            lassoPoints <= projectLimits::kLassoPoints &&
            tree.profiles().size() <= qsizetype{projectLimits::kProfiles} &&
            profilePoints <= projectLimits::kProfilePoints &&
-           ProjectImages::areWithinLimits(ProjectImages::of(tree.parameterSets()));
+           ProjectImages::areWithinLimits(imagesOf(project));
 }
 
 Result<Project> readProject(const ZipReader& archive, JsonReader& reader)
@@ -87,8 +100,32 @@ Result<Project> readProject(const ZipReader& archive, JsonReader& reader)
     Result<Tree> tree = Tree::fromContent(std::move(content));
     if (!tree)
         return tree.error();
-    return Project{std::move(*tree),   std::move(*journal), description->name, {},
-                   description->ahead, images.lost()};
+    return Project{std::move(*tree), std::move(*journal), description->name, {}, description->ahead, {},
+                   images.lost()};
+}
+
+/// The look of a project that was read, or a sentence about what is wrong with it: the tree is of use without
+/// it.
+void takeLook(const ZipReader& archive, Project& project)
+{
+    QStringList warnings;
+    if (!project.warning.isEmpty())
+        warnings.append(
+            ProjectFileText::tr(
+                "the image “%1” is missing in it or broken; the look that was drawn for it shows instead")
+                .arg(project.warning));
+    Result<std::optional<ReadLook>> look = readLook(archive);
+    if (!look) {
+        warnings.append(ProjectFileText::tr("its background and light cannot be read (%1); those of a new "
+                                            "tree show instead")
+                            .arg(look.error().message));
+    } else if (*look) {
+        if (!(*look)->lostPicture.isEmpty())
+            warnings.append(ProjectFileText::tr("the reference picture “%1” is missing in it or broken")
+                                .arg((*look)->lostPicture));
+        project.look = std::move((*look)->look);
+    }
+    project.warning = warnings.join(QStringLiteral("; "));
 }
 
 QImage readThumbnail(const ZipReader& archive)
@@ -141,7 +178,9 @@ Result<QByteArray> packProject(const Project& project)
     KeptTable::visit([&](const auto& info, const auto& values) { addKept(archive, info.name, values); },
                      content.kept);
     addJournal(archive, project.journal);
-    ProjectImages::add(archive, ProjectImages::of(content.kept.parameters));
+    if (project.look)
+        addLook(archive, *project.look);
+    ProjectImages::add(archive, imagesOf(project));
     if (!project.thumbnail.isNull())
         archive.add(kThumbnailEntry, thumbnailPng(project.thumbnail), ZipWriter::Packing::Store);
     return archive.finish();
@@ -169,12 +208,7 @@ Result<Project> unpackProject(const QByteArray& bytes)
         return project;
     if (const Result<void> sound = checkProject(project->tree, project->journal); !sound)
         return sound.error();
-    if (!project->warning.isEmpty()) {
-        project->warning =
-            ProjectFileText::tr(
-                "the image “%1” is missing in it or broken; the look that was drawn for it shows instead")
-                .arg(project->warning);
-    }
+    takeLook(*archive, *project);
     project->thumbnail = readThumbnail(*archive);
     return project;
 }

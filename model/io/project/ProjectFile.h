@@ -29,9 +29,9 @@ Tree shownTree(const Project& project);
 /// - journal/records.deltas, .size and .json: what made the edits (EditRecord), the texts one after another;
 /// files
 ///   that are older than records have none of these;
-/// - assets/<SHA-256>.png or .jpg: the images that the parameter sets name by that hash, as they were read,
-/// each
-///   once; project.json has their files' names;
+/// - look.json: the look of the scene (SceneLook); files that are older than looks have none;
+/// - assets/<SHA-256>.png or .jpg: the images that the parameter sets and the look name by that hash, as they
+///   were read, each once; project.json and look.json have their files' names;
 /// - thumbnail.png, if there is one.
 ///
 /// Version 1, which had absent rows and no keys, is read and brought up to date (ProjectVersion1.h).
@@ -40,7 +40,7 @@ Tree shownTree(const Project& project);
 /// beyond the limits, or one whose tree or journal is not sound.
 Result<QByteArray> packProject(const Project& project);
 /// Checks all that it reads, so that the tree and its journal can be trusted. A thumbnail that cannot be read
-/// is left out; so is an image, and the project's warning says so.
+/// is left out; so is an image, or the look, and the project's warning says so.
 Result<Project> unpackProject(const QByteArray& content);
 
 /// Replaces the file whole or leaves it as it was.

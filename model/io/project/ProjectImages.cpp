@@ -15,8 +15,25 @@ QByteArray assetEntry(const QString& hash, const QString& suffix)
     return QByteArray("assets/") + hash.toLatin1() + '.' + suffix.toLatin1();
 }
 
-/// The image of that hash, if the archive has it and it is valid.
-std::optional<ImageAsset> readAsset(const ZipReader& archive, const QString& hash, const QString& name)
+} // namespace
+
+ImageAsset ProjectImages::find(const QString& hash)
+{
+    if (const auto known = m_known.constFind(hash); known != m_known.cend())
+        return *known;
+    const QString name = m_names.value(hash).toString();
+    std::optional<ImageAsset> image;
+    if (m_bytes < projectLimits::kImageBytes)
+        image = read(m_archive, hash, name);
+    if (image)
+        m_bytes += image->file().size();
+    else
+        m_lost = name.isEmpty() ? hash.first(std::min<qsizetype>(hash.size(), 8)) : name;
+    return *m_known.insert(hash, image.value_or(ImageAsset()));
+}
+
+std::optional<ImageAsset> ProjectImages::read(const ZipReader& archive, const QString& hash,
+                                              const QString& name)
 {
     for (const char* suffix : {"png", "jpg"}) {
         const QByteArray entry = assetEntry(hash, QLatin1String(suffix));
@@ -28,23 +45,6 @@ std::optional<ImageAsset> readAsset(const ZipReader& archive, const QString& has
             return *image;
     }
     return {};
-}
-
-} // namespace
-
-ImageAsset ProjectImages::find(const QString& hash)
-{
-    if (const auto known = m_known.constFind(hash); known != m_known.cend())
-        return *known;
-    const QString name = m_names.value(hash).toString();
-    std::optional<ImageAsset> image;
-    if (m_bytes < projectLimits::kImageBytes)
-        image = readAsset(m_archive, hash, name);
-    if (image)
-        m_bytes += image->file().size();
-    else
-        m_lost = name.isEmpty() ? hash.first(std::min<qsizetype>(hash.size(), 8)) : name;
-    return *m_known.insert(hash, image.value_or(ImageAsset()));
 }
 
 std::vector<ImageAsset> ProjectImages::of(const QList<TreeParameters>& sets)

@@ -7,10 +7,12 @@
 #include <QHash>
 #include <QJsonObject>
 
+#include <optional>
+
 namespace espalier {
 
-/// The images that the parameter sets of a project refer to by their hashes: entries assets/<SHA-256>.png or
-/// .jpg, each once.
+/// The images that the parameter sets of a project, and the look of its scene, refer to by their hashes:
+/// entries assets/<SHA-256>.png or .jpg, each once.
 class ProjectImages {
 public:
     /// @p names: the images' file names, by hash. @p archive must outlive this.
@@ -25,6 +27,8 @@ public:
 
     /// All images of @p sets, each once.
     static std::vector<ImageAsset> of(const QList<TreeParameters>& sets);
+    /// The image of that hash; none if @p archive has none, or none that can be read.
+    static std::optional<ImageAsset> read(const ZipReader& archive, const QString& hash, const QString& name);
     static bool areWithinLimits(const std::vector<ImageAsset>& images);
     static void add(ZipWriter& archive, const std::vector<ImageAsset>& images);
     static QJsonObject names(const std::vector<ImageAsset>& images);

@@ -64,6 +64,12 @@ private Q_SLOTS:
     void missingOrWrongImages_showTheDrawnLook_data();
     void missingOrWrongImages_showTheDrawnLook();
     void withoutImages_nothingIsSaidOfThem();
+    void look_isKeptWithItsPicture();
+    void pictureThatIsALeafToo_isKeptOnce();
+    void olderFiles_haveNoLook();
+    void lostPicture_isSaid();
+    void wrongLooks_areLeftOutAndSaid_data();
+    void wrongLooks_areLeftOutAndSaid();
     void equalProjects_giveEqualBytes();
     void reloadedJournal_revertsToTheSeedlingAndComesBack();
     void saveAndLoad_goThroughAFile();
@@ -144,6 +150,25 @@ Project illustratedProject()
     return project;
 }
 
+/// A look in which every value differs from the default.
+SceneLook sampleLook()
+{
+    SceneLook look;
+    look.groundShown = look.shadowsShown = look.sunShown = false;
+    look.gridShown = look.sunPinned = true;
+    look.backdrop = Backdrop::Gradient;
+    look.backgroundColour = QColor(0x12, 0x34, 0x56);
+    look.backgroundTop = QColor(0x65, 0x43, 0x21);
+    look.sunAzimuth = radians(-77.7);
+    look.sunElevation = 1.25;
+    look.tracing = {.image = ImageAsset(pngOf(drawnLeaf(Qt::transparent)), QStringLiteral("Älteste.png")),
+                    .right = 0.1,
+                    .up = -0.3,
+                    .height = 2.5,
+                    .opacity = 0.7};
+    return look;
+}
+
 } // namespace
 
 void ProjectFileTest::images_areKeptOnceEach()
@@ -211,6 +236,83 @@ void ProjectFileTest::withoutImages_nothingIsSaidOfThem()
         QVERIFY(!name.startsWith("assets/"));
         QVERIFY(name != "project.json" || !content.contains("mage"));
     }
+}
+
+void ProjectFileTest::look_isKeptWithItsPicture()
+{
+    Project project = sampleProject(50);
+    project.look = sampleLook();
+    const QByteArray file = *packProject(project);
+    const Result<Project> back = unpackProject(file);
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QVERIFY(back->look == project.look);
+    QCOMPARE(back->look->tracing.image.name(), QStringLiteral("Älteste.png"));
+    QCOMPARE(back->look->tracing.image.file(), pngOf(drawnLeaf(Qt::transparent)));
+    QVERIFY(back->tree == project.tree);
+    QCOMPARE(back->warning, QString());
+    QCOMPARE(*packProject(*back), file);
+}
+
+void ProjectFileTest::pictureThatIsALeafToo_isKeptOnce()
+{
+    Project project = illustratedProject();
+    project.look = sampleLook();
+    const ZipEntries entries = unpackEntries(*packProject(project));
+    QCOMPARE(std::ranges::count_if(entries, [](const auto& e) { return e.first.startsWith("assets/"); }), 2);
+}
+
+void ProjectFileTest::olderFiles_haveNoLook()
+{
+    const ZipEntries entries = unpackEntries(*packProject(sampleProject(50)));
+    QVERIFY(std::ranges::none_of(entries, [](const auto& e) { return e.first == "look.json"; }));
+    const Result<Project> back = unpackProject(packEntries(entries));
+    QVERIFY(back && !back->look && back->warning.isEmpty());
+}
+
+void ProjectFileTest::lostPicture_isSaid()
+{
+    Project project = sampleProject(50);
+    project.look = sampleLook();
+    ZipEntries entries = unpackEntries(*packProject(project));
+    std::erase_if(entries, [](const auto& e) { return e.first.startsWith("assets/"); });
+    const Result<Project> back = unpackProject(packEntries(entries));
+    QVERIFY(back && back->look);
+    project.look->tracing.image = {};
+    QVERIFY(back->look == project.look);
+    QCOMPARE(back->warning, QStringLiteral("the reference picture “Älteste.png” is missing in it or broken"));
+}
+
+void ProjectFileTest::wrongLooks_areLeftOutAndSaid_data()
+{
+    QTest::addColumn<QByteArray>("from");
+    QTest::addColumn<QByteArray>("to");
+    QTest::newRow("no JSON") << QByteArray("{") << QByteArray("");
+    QTest::newRow("unknown member") << QByteArray("\"ground\"") << QByteArray("\"floor\"");
+    QTest::newRow("no switch") << QByteArray("\"grid\": true") << QByteArray("\"grid\": 1");
+    QTest::newRow("no such backdrop") << QByteArray("gradient") << QByteArray("sunset");
+    QTest::newRow("no colour") << QByteArray("#123456") << QByteArray("#12345g");
+    QTest::newRow("another colour") << QByteArray("#123456") << QByteArray("red");
+    QTest::newRow("below the horizon")
+        << QByteArray("\"elevation\": 1.25") << QByteArray("\"elevation\": -1");
+    QTest::newRow("too high") << QByteArray("\"height\": 2.5") << QByteArray("\"height\": 1e9");
+}
+
+void ProjectFileTest::wrongLooks_areLeftOutAndSaid()
+{
+    QFETCH(const QByteArray, from);
+    QFETCH(const QByteArray, to);
+    Project project = sampleProject(50);
+    project.look = sampleLook();
+    ZipEntries entries = unpackEntries(*packProject(project));
+    QByteArray& look = entry(entries, "look.json");
+    QVERIFY2(look.contains(from), look);
+    look.replace(from, to);
+    const Result<Project> back = unpackProject(packEntries(entries));
+    QVERIFY2(back, back ? "" : qPrintable(back.error().message));
+    QVERIFY(!back->look);
+    QVERIFY(back->tree == project.tree);
+    QVERIFY2(back->warning.startsWith(QStringLiteral("its background and light cannot be read (look.json: ")),
+             qPrintable(back->warning));
 }
 
 void ProjectFileTest::equalProjects_giveEqualBytes()
