@@ -5,11 +5,13 @@
 
 #include <QUndoCommand>
 
+#include <memory>
+
 namespace espalier {
 
 /// The changes of an Edit as a step of the undo stack: a travel in time, the replacement of the journal's
 /// end, and new deltas, each of them optional. Undo reverts and redo applies deltas; nothing is computed
-/// again.
+/// again. Or the exchange of the whole tree with its history (TreeDocument::exchange()).
 ///
 /// stepBack() and stepForward() undo and redo one delta at a time (see GradualUndo); undo() and redo() do all
 /// that is left.
@@ -25,6 +27,9 @@ public:
 
     /// All of @p content is applied already, so the first redo does nothing.
     EditCommand(TreeDocument& document, const QString& text, Content content);
+    /// The document has been exchanged with @p other already, so the first redo does nothing.
+    EditCommand(TreeDocument& document, const QString& text, std::unique_ptr<PreparedTree> other);
+    ~EditCommand() override;
     /// The command at @p index of a document's stack. (QUndoStack returns const commands, although the
     /// document may change its own.)
     static EditCommand& at(const QUndoStack& stack, int index);
@@ -38,7 +43,7 @@ public:
     bool stepForward();
 
     /// Whether it only travels in time. Edit::commit() merges it with an edit at the moment that it led to.
-    bool isTravel() const { return m_content.deltas.empty() && m_content.replaced.empty(); }
+    bool isTravel() const { return !m_other && m_content.deltas.empty() && m_content.replaced.empty(); }
     const Content& content() const { return m_content; }
     /// Makes the next undo() only remove the command from the stack: its deltas belong to another command
     /// from now on.
@@ -46,12 +51,16 @@ public:
 
 private:
     bool travelOneTowards(std::size_t position);
+    /// Exchanges the trees if the document does not have the one after (@p forward) or before the command.
+    bool exchangeTowards(bool forward);
 
     TreeDocument& m_document;
     Content m_content;
     std::size_t m_applied;  ///< Number of content().deltas that are applied, counted from the first
     std::size_t m_takenOut; ///< Number of content().replaced out of the journal, counted from the last
     bool m_isHandedOver = false;
+    std::unique_ptr<PreparedTree> m_other; ///< The tree that the document does not have, of an exchange
+    bool m_isExchanged = false;            ///< The document has the tree after the command
 };
 
 } // namespace espalier
