@@ -72,9 +72,9 @@ void ProfileController::setShown(bool shown)
 void ProfileController::follow(const TreeChange& change)
 {
     ++m_stamp;
-    if (change.kind == TreeChange::Kind::Reset)
+    if (!change.delta)
         m_layouts.reset();
-    if (m_chosen && (change.kind == TreeChange::Kind::Reset || !m_document.tree().isAlive(*m_chosen)))
+    if (m_chosen && (!change.delta || !m_document.tree().isAlive(*m_chosen)))
         chooseNone();
     if (m_isShown && m_chosen) {
         m_panel.canvas().setOld(true);

@@ -3,6 +3,7 @@
 
 #include "model/texture/LeafCut.h"
 #include "model/texture/Textures.h"
+#include "model/tree/LeafShapes.h"
 #include "panels/Icon.h"
 #include "panels/Theme.h"
 
@@ -41,14 +42,11 @@ QIcon swatchOf(const QImage& texture, LookKind kind)
     return QIcon(pixmap);
 }
 
-/// The image in about the proportions of such leaves; the texture is square.
+/// The image in the proportions of such leaves; the texture is square.
 QImage inShape(const QImage& texture, LeafShape shape)
 {
-    double aspect = 0.85;
-    if (shape == LeafShape::Lanceolate || shape == LeafShape::Willow)
-        aspect = 0.3;
-    else if (shape == LeafShape::Frond || shape == LeafShape::Needles)
-        aspect = 0.55;
+    // A list has room for leaves that are about as broad as long, and shows narrow ones a little broader.
+    const double aspect = std::clamp(usualAspect(shape), 0.25, 0.85);
     return texture.scaled(static_cast<int>(aspect * texture.width()), texture.height(), Qt::IgnoreAspectRatio,
                           Qt::SmoothTransformation);
 }
@@ -113,7 +111,7 @@ void LookChoice::takeImagesAway(TreeParameters& parameters, LookKind kind)
         parameters.bark.image = parameters.bark.normalImage = parameters.bark.roughnessImage = {};
     } else if (!parameters.leaves.image.isNull()) {
         parameters.leaves.image = {};
-        parameters.leaves.aspect = LeafParameters().aspect; // that aspect belonged to the image
+        parameters.leaves.aspect = usualAspect(parameters.leaves.shape); // The image had its own
     }
 }
 

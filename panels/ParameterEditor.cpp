@@ -2,6 +2,7 @@
 #include "panels/ParameterEditor.h"
 
 #include "model/io/ParametersJson.h"
+#include "model/tree/LeafShapes.h"
 #include "panels/ParameterValue.h"
 
 #include <QScopedValueRollback>
@@ -42,9 +43,13 @@ void reconcile(GrowthParameters& growth, std::string_view changed)
 
 void setParameter(TreeParameters& parameters, const char* key, double value)
 {
+    const LeafShape shapeBefore = parameters.leaves.shape;
     visitParameter(parameters, key,
                    [&](const ParameterInfo& info, auto& field) { setSurfaceValue(info, field, value); });
     reconcile(parameters.growth, key);
+    // Another shape comes in its own proportions; the user may change them then.
+    if (parameters.leaves.shape != shapeBefore)
+        parameters.leaves.aspect = usualAspect(parameters.leaves.shape);
 }
 
 ParameterEditor::ParameterEditor(TreeDocument& document, QObject* parent)
@@ -145,6 +150,7 @@ void ParameterEditor::reset(std::span<const char* const> keys, const QString& te
     cancel();
     const TreeParameters defaults;
     TreeParameters parameters = m_shown;
+    const LeafShape shapeBefore = parameters.leaves.shape;
     for (const char* key : keys) {
         visitParameter(parameters, key, [&](const ParameterInfo&, auto& mine) {
             visitParameter(defaults, key, [&](const ParameterInfo&, const auto& original) {
@@ -156,6 +162,8 @@ void ParameterEditor::reset(std::span<const char* const> keys, const QString& te
     }
     if (!keys.empty())
         reconcile(parameters.growth, keys.back());
+    if (parameters.leaves.shape != shapeBefore)
+        parameters.leaves.aspect = usualAspect(parameters.leaves.shape);
     show(parameters);
     finish(text);
 }

@@ -12,7 +12,8 @@ namespace espalier {
 
 /// The parameters that a panel shows of a document, and the way in which the user changes them: one gesture
 /// at a time, and each gesture one undo step. Values that depend on each other stay consistent: the weights
-/// of direction sum up to 1, and the ellipse of gravimorphism contains the axis.
+/// of direction sum up to 1, the ellipse of gravimorphism contains the axis, and another shape of the leaves
+/// brings its usual breadth.
 class ParameterEditor : public QObject {
     Q_OBJECT
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/EditCommand.h"
 
+#include "model/document/PreparedTree.h"
+
 namespace espalier {
 
 EditCommand::EditCommand(TreeDocument& document, const QString& text, Content content, State state)
@@ -11,6 +13,18 @@ EditCommand::EditCommand(TreeDocument& document, const QString& text, Content co
       m_takenOut(state == State::Done ? m_content.replaced.size() : 0)
 {
 }
+
+EditCommand::EditCommand(TreeDocument& document, const QString& text, std::unique_ptr<PreparedTree> other)
+    : QUndoCommand(text),
+      m_document(document),
+      m_applied(0),
+      m_takenOut(0),
+      m_other(std::move(other)),
+      m_isExchanged(true)
+{
+}
+
+EditCommand::~EditCommand() = default;
 
 EditCommand& EditCommand::at(const QUndoStack& stack, int index)
 {
@@ -35,6 +49,8 @@ void EditCommand::redo()
 
 bool EditCommand::stepBack()
 {
+    if (m_other)
+        return exchangeTowards(false);
     if (m_applied == 0 && m_takenOut == 0)
         return travelOneTowards(m_content.from);
     if (m_applied > 0) {
@@ -51,6 +67,8 @@ bool EditCommand::stepBack()
 
 bool EditCommand::stepForward()
 {
+    if (m_other)
+        return exchangeTowards(true);
     if (m_applied == 0 && m_takenOut == 0) {
         if (travelOneTowards(m_content.to))
             return true;
@@ -66,6 +84,14 @@ bool EditCommand::stepForward()
     } else {
         return false;
     }
+    return true;
+}
+
+bool EditCommand::exchangeTowards(bool forward)
+{
+    if (std::exchange(m_isExchanged, forward) == forward)
+        return false;
+    m_document.swapWith(*m_other);
     return true;
 }
 

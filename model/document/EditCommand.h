@@ -5,11 +5,13 @@
 
 #include <QUndoCommand>
 
+#include <memory>
+
 namespace espalier {
 
 /// The changes of an Edit as a step of the undo stack: a travel in time, the replacement of the journal's
 /// end, and new deltas, each of them optional. Undo reverts and redo applies deltas; nothing is computed
-/// again.
+/// again. Or the exchange of the whole tree with its history (TreeDocument::exchange()).
 ///
 /// stepBack() and stepForward() undo and redo one delta at a time (see GradualUndo); undo() and redo() do all
 /// that is left.
@@ -28,6 +30,9 @@ public:
 
     /// With State::Done all of @p content is applied already, so the first redo does nothing.
     EditCommand(TreeDocument& document, const QString& text, Content content, State state = State::Done);
+    /// The document has been exchanged with @p other already, so the first redo does nothing.
+    EditCommand(TreeDocument& document, const QString& text, std::unique_ptr<PreparedTree> other);
+    ~EditCommand() override;
     /// The command at @p index of a document's stack. (QUndoStack returns const commands, although the
     /// document may change its own.)
     static EditCommand& at(const QUndoStack& stack, int index);
@@ -41,7 +46,7 @@ public:
     bool stepForward();
 
     /// Whether it only travels in time. Edit::commit() merges it with an edit at the moment that it led to.
-    bool isTravel() const { return m_content.deltas.empty() && m_content.replaced.empty(); }
+    bool isTravel() const { return !m_other && m_content.deltas.empty() && m_content.replaced.empty(); }
     const Content& content() const { return m_content; }
     /// Makes the next undo() only remove the command from the stack: its deltas belong to another command
     /// from now on.
@@ -52,6 +57,8 @@ public:
 
 private:
     bool travelOneTowards(std::size_t position);
+    /// Exchanges the trees if the document does not have the one after (@p forward) or before the command.
+    bool exchangeTowards(bool forward);
 
     TreeDocument& m_document;
     Content m_content;
@@ -59,6 +66,8 @@ private:
     std::size_t m_takenOut; ///< Number of content().replaced out of the journal, counted from the last
     bool m_isHandedOver = false;
     bool m_isAsleep = false;
+    std::unique_ptr<PreparedTree> m_other; ///< The tree that the document does not have, of an exchange
+    bool m_isExchanged = false;            ///< The document has the tree after the command
 };
 
 } // namespace espalier

@@ -40,6 +40,17 @@ void TreeDocument::reset(PreparedTree prepared)
     setLook(prepared.look.value_or(SceneLook()));
 }
 
+void TreeDocument::swapWith(PreparedTree& other)
+{
+    std::swap(m_tree, other.tree);
+    std::swap(m_journal, other.journal);
+    std::swap(m_future, other.future);
+    std::swap(m_index, other.index);
+    std::swap(m_growthModel, other.growthModel);
+    std::swap(m_pickIndex, other.pickIndex);
+    tell({TreeChange::Kind::Exchanged, nullptr});
+}
+
 void TreeDocument::setEdit(const Edit* edit, EditHooks hooks)
 {
     m_edit = edit;
@@ -152,7 +163,7 @@ void TreeDocument::tell(const TreeChange& change)
 {
     ++m_revision;
     const InternodeId node = m_competitors.node;
-    if (node != kNoInternode && (change.kind == TreeChange::Kind::Reset || !m_tree.isAlive(node)))
+    if (node != kNoInternode && (!change.delta || !m_tree.isAlive(node)))
         setCompetitors({});
     const QScopedValueRollback telling(m_isTelling, true);
     Q_EMIT changed(change);

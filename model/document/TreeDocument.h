@@ -23,9 +23,10 @@ namespace espalier {
 /// A change of the document's tree.
 struct TreeChange {
     enum class Kind {
-        Applied,  ///< delta was applied
-        Reverted, ///< delta was reverted
-        Reset,    ///< the tree was replaced; delta is null
+        Applied,   ///< delta was applied
+        Reverted,  ///< delta was reverted
+        Reset,     ///< another document's tree took its place; delta is null
+        Exchanged, ///< another tree with its history took its place, as an undo step; delta is null
     };
 
     Kind kind = Kind::Reset;
@@ -97,6 +98,10 @@ public:
     /// The same; apart from the listeners of changed() and the old tree's destruction, in constant time.
     void reset(PreparedTree prepared);
 
+    /// Exchanges the tree and its whole history, the future included, as one undo step named @p text, after
+    /// ending the edit that is under way. Undo brings both back as they were.
+    void exchange(PreparedTree prepared, const QString& text);
+
     /// The edit that is under way, or null.
     const Edit* edit() const { return m_edit; }
     /// A number that increases with every change of the tree.
@@ -152,6 +157,8 @@ private:
     void apply(std::shared_ptr<TreeDelta> delta);
     /// Reverts the journal's last delta and takes it out.
     void revertLast();
+    /// Swaps everything with @p other.
+    void swapWith(PreparedTree& other);
     /// Goes back or forth in the history, to where @p position deltas of it have been applied.
     /// Precondition: position <= journal().size() + future().size().
     void travelTo(std::size_t position);

@@ -2,6 +2,7 @@
 #include "model/mesh/LeafCard.h"
 
 #include "model/base/Parallel.h"
+#include "model/tree/LeafShapes.h"
 
 namespace espalier {
 
@@ -11,7 +12,7 @@ constexpr std::size_t kLeavesPerTask = 4096;
 
 /// The bend of a leaf; heights in widths out of the plane.
 struct Relief {
-    float aspect; ///< Usual width / length of the shape
+    float aspect; ///< usualAspect() of the shape
     float arch;   ///< Height of the midrib's middle above its chord
     float tip;    ///< Depth of the tip below the petiole
     float fold;   ///< Height of the edges above the midrib
@@ -128,18 +129,22 @@ void expand(const LeafInstance& leaf, const LeafMeshOptions& options, MeshVertex
 
 const LeafCard& leafCard(LeafShape shape)
 {
+    const auto relief = [](LeafShape of, float arch, float tip, float fold) {
+        return Relief{static_cast<float>(usualAspect(of)), arch, tip, fold};
+    };
+    using enum LeafShape;
     static const std::array<LeafCard, kLeafShapeCount + 1> cards{
-        foldedCard({.aspect = 0.6F, .arch = 0.06F, .tip = 0.2F, .fold = 0.1F}, 0.1F, 0.66F),
-        foldedCard({.aspect = 0.2F, .arch = 0.25F, .tip = 0.9F, .fold = 0.12F}, 0.12F, 0.7F),
-        foldedCard({.aspect = 0.65F, .arch = 0.05F, .tip = 0.16F, .fold = 0.08F}, 0.14F, 0.9F),
+        foldedCard(relief(Ovate, 0.06F, 0.2F, 0.1F), 0.1F, 0.66F),
+        foldedCard(relief(Lanceolate, 0.25F, 0.9F, 0.12F), 0.12F, 0.7F),
+        foldedCard(relief(Lobed, 0.05F, 0.16F, 0.08F), 0.14F, 0.9F),
         crossedCards(),
-        foldedCard({.aspect = 0.85F, .arch = 0.05F, .tip = 0.2F, .fold = 0.1F}, 0.0F, 0.74F),
-        wholeCard({.aspect = 1.0F, .arch = 0.05F, .tip = 0.22F, .fold = 0.06F}, 2),
-        wholeCard({.aspect = 0.62F, .arch = 0.08F, .tip = 0.3F, .fold = 0.12F}, 2),
-        foldedCard({.aspect = 0.12F, .arch = 0.4F, .tip = 1.4F, .fold = 0.1F}, 0.1F, 0.72F),
+        foldedCard(relief(Cordate, 0.05F, 0.2F, 0.1F), 0.0F, 0.74F),
+        wholeCard(relief(Palmate, 0.05F, 0.22F, 0.06F), 2),
+        wholeCard(relief(Pinnate, 0.08F, 0.3F, 0.12F), 2),
+        foldedCard(relief(Willow, 0.4F, 1.4F, 0.1F), 0.1F, 0.72F),
         crossedCards(),
-        wholeCard({.aspect = 0.42F, .arch = 0.3F, .tip = 1.1F, .fold = 0.25F}, 5),
-        wholeCard({.aspect = 0.8F, .arch = 0.06F, .tip = 0.2F, .fold = 0.08F}, 3),
+        wholeCard(relief(Frond, 0.3F, 1.1F, 0.25F), 5),
+        wholeCard(relief(Own, 0.06F, 0.2F, 0.08F), 3),
     };
     return cards[static_cast<std::size_t>(shape)];
 }

@@ -4,10 +4,12 @@
 #include "commands/SetParameters.h"
 #include "model/settings/Lengths.h"
 #include "model/texture/OwnTextures.h"
+#include "model/tree/LeafShapes.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BrushPanel.h"
 #include "panels/BrushPopOut.h"
 #include "panels/LookChoice.h"
+#include "panels/ParameterEditor.h"
 #include "panels/ParameterRow.h"
 #include "panels/ParameterValue.h"
 #include "panels/PressureCurve.h"
@@ -60,6 +62,7 @@ private Q_SLOTS:
     void typedNumber_isPutInForceAndUndone();
     void looks_areListedWithSwatchesAndAWayToChooseAnImage();
     void imageOfOnesOwn_isListedUntilADrawnLookIsChosen();
+    void leafShape_bringsItsBreadthInOneUndoStep();
     void imageDroppedOnASheet_isAskedFor();
     void typedLength_isTakenInAnyUnit_data();
     void typedLength_isTakenInAnyUnit();
@@ -283,6 +286,40 @@ void ParameterPanelTest::imageOfOnesOwn_isListedUntilADrawnLookIsChosen()
     document.undoStack().undo();
     QVERIFY(document.parameters() == parameters);
     QCOMPARE(look.currentText(), QStringLiteral("ginkgo"));
+}
+
+void ParameterPanelTest::leafShape_bringsItsBreadthInOneUndoStep()
+{
+    TreeDocument document;
+    ParameterPanel panel(document, ParameterSheet::Leaves);
+    panel.show();
+    LookChoice& look = *panel.row("leaves.shape")->look();
+    const auto leaves = [&] { return document.parameters().leaves; };
+    const TreeParameters before = document.parameters();
+    int steps = 0;
+    look.setFocus();
+    QTest::keyClick(&look, Qt::Key_Home);
+    for (int shape = 1; shape < kLeafShapeCount; ++shape) {
+        QTest::keyClick(&look, Qt::Key_Down);
+        QCOMPARE(leaves().shape, static_cast<LeafShape>(shape));
+        QCOMPARE(leaves().aspect, usualAspect(leaves().shape));
+        QCOMPARE(document.undoStack().count(), ++steps);
+    }
+    // A willow's leaf is long and narrow, a maple's as broad as long.
+    QVERIFY(usualAspect(LeafShape::Willow) < 0.2 && usualAspect(LeafShape::Palmate) > 0.9);
+    for (; steps > 0; --steps)
+        document.undoStack().undo();
+    QVERIFY(document.parameters() == before);
+
+    // A breadth of the user's own holds until another shape is chosen.
+    TreeParameters parameters = document.parameters();
+    parameters.leaves.aspect = 0.33;
+    setParameters(document, parameters);
+    setParameter(parameters, "leaves.length", 0.2);
+    QCOMPARE(parameters.leaves.aspect, 0.33);
+    QTest::keyClick(&look, Qt::Key_Down);
+    QCOMPARE(leaves().shape, LeafShape::Lanceolate);
+    QCOMPARE(leaves().aspect, usualAspect(LeafShape::Lanceolate));
 }
 
 void ParameterPanelTest::imageDroppedOnASheet_isAskedFor()

@@ -84,7 +84,7 @@ void TreeScene::prepareStrands()
 
 void TreeScene::follow(const TreeChange& change)
 {
-    if (change.kind == TreeChange::Kind::Reset) {
+    if (!change.delta) {
         rebuild();
         return;
     }

@@ -2,6 +2,7 @@
 #include "model/document/TreeDocument.h"
 
 #include "commands/SetParameters.h"
+#include "model/document/PreparedTree.h"
 #include "tests/support/Documents.h"
 #include "tests/support/Growing.h"
 #include "tests/support/TestClasses.h"
@@ -21,6 +22,7 @@ private Q_SLOTS:
     void nothingToUndo_isNoEvent();
     void reset_startsAnew();
     void resetToAJournal_revertsThroughIt();
+    void exchange_isUndoneAndRedoneWithAllThatSurroundsIt();
     void revertAndApplyOfEachDelta_passesThroughTheSameTrees();
     void memoryOfALivingInternode_isLimited();
     void journal_hasNoUnusedMemory();
@@ -172,6 +174,58 @@ void TreeDocumentTest::resetToAJournal_revertsThroughIt()
     travel(other, 0);
     QCOMPARE(other.index().livingCount(), 1U);
     QCOMPARE(indexFault(other), QString());
+}
+
+void TreeDocumentTest::exchange_isUndoneAndRedoneWithAllThatSurroundsIt()
+{
+    TreeDocument document;
+    grow(document, 4);
+    grow(document, 3);
+    travel(document, 5); // It has a future
+    const Tree before = document.tree();
+    const std::size_t future = document.future().size();
+    QVERIFY(future > 0);
+    TreeDocument other;
+    other.reset(77);
+    grow(other, 6);
+    const Tree taken = other.tree();
+    int exchanged = 0;
+    connect(&document, &TreeDocument::changed, this, [&](const TreeChange& change) {
+        if (change.kind != TreeChange::Kind::Exchanged)
+            return;
+        ++exchanged;
+        QVERIFY(change.delta == nullptr);
+        QCOMPARE(indexFault(document), QString());
+    });
+    const int steps = document.undoStack().count();
+    document.exchange(PreparedTree(other.tree(), other.journal()), QStringLiteral("Exchange"));
+    QCOMPARE(document.undoStack().count(), steps + 1);
+    QVERIFY(document.tree() == taken && document.future().empty());
+    grow(document, 2);
+    const Tree further = document.tree();
+
+    for (int round = 0; round < 2; ++round) {
+        document.undo();
+        QVERIFY(document.tree() == taken);
+        document.undo();
+        QVERIFY(document.tree() == before);
+        QCOMPARE(document.journal().size(), std::size_t{5});
+        QCOMPARE(document.future().size(), future);
+        // Further back through the own tree's steps, and all the way forward again.
+        while (document.undoStack().canUndo())
+            document.undo();
+        QCOMPARE(document.index().livingCount(), 1U);
+        QCOMPARE(document.tree().seed(), before.seed());
+        while (document.undoStack().canRedo())
+            document.redo();
+        QVERIFY(document.tree() == further);
+        QCOMPARE(indexFault(document), QString());
+    }
+    QCOMPARE(exchanged, 5);
+    // An edit after it is a step of its own, though the exchange has no deltas.
+    document.undo();
+    grow(document, 1);
+    QCOMPARE(document.undoStack().count(), steps + 2);
 }
 
 void TreeDocumentTest::revertAndApplyOfEachDelta_passesThroughTheSameTrees()
