@@ -125,7 +125,7 @@ void LookController::putInForce(const Look& look)
     if (look.normal.isNull() && look.roughness.isNull())
         m_notice.finish();
     else
-        m_notice.showInformation(tr("Maps that lie beside it were taken too."));
+        m_notice.showInformation(tr("Maps found beside it are used, too."));
     Q_EMIT taken();
 }
 

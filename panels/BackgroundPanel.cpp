@@ -65,9 +65,9 @@ enum FieldPlace : std::size_t {
 
 constexpr std::array<ViewField, FieldCount> kFields{{
     {{"view.backdrop", Quantity::Choice, 0, kBackdropCount - 1, kBackdropNames},
-     {"view.backdrop", QT_TRANSLATE_NOOP("Parameters", "Behind"), "",
+     {"view.backdrop", QT_TRANSLATE_NOOP("Parameters", "Backdrop"), "",
       QT_TRANSLATE_NOOP("Parameters",
-                        "What stands behind the tree. The studio is dark or light as the program is.")},
+                        "What stands behind the tree. The studio is dark or light, as the theme is.")},
      [](const ViewValues& values) { return static_cast<double>(values.backdrop); },
      [](ViewValues& values, double value) {
          values.backdrop = static_cast<Backdrop>(static_cast<int>(value));
@@ -82,7 +82,7 @@ constexpr std::array<ViewField, FieldCount> kFields{{
                                           QT_TRANSLATE_NOOP("Parameters", "Shadows of the sun.")),
     viewSwitch<&ViewValues::sunShown>(
         "view.sunShown", QT_TRANSLATE_NOOP("Parameters", "Show the sun"),
-        QT_TRANSLATE_NOOP("Parameters", "Show the sun as a ball that you can drag about the tree.")),
+        QT_TRANSLATE_NOOP("Parameters", "Show the sun as a ball that you can drag around the tree.")),
     viewSwitch<&ViewValues::sunPinned>(
         "view.sunPinned", QT_TRANSLATE_NOOP("Parameters", "Pin the sun"),
         QT_TRANSLATE_NOOP("Parameters", "The sun stays where it is on the screen when the tree is turned; "
@@ -100,18 +100,18 @@ constexpr std::array<ViewField, FieldCount> kFields{{
      [](const ViewValues& values) { return degrees(values.sunElevation); },
      [](ViewValues& values, double value) { values.sunElevation = radians(value); }},
     tracingField<&TracingImage::opacity>("view.tracing.opacity", QT_TRANSLATE_NOOP("Parameters", "Opacity"),
-                                         QT_TRANSLATE_NOOP("Parameters", "How much of the picture is seen."),
-                                         0, 1, kLinear, ""),
+                                         QT_TRANSLATE_NOOP("Parameters", "How opaque the picture is."), 0, 1,
+                                         kLinear, ""),
     tracingField<&TracingImage::height>("view.tracing.height", QT_TRANSLATE_NOOP("Parameters", "Height"),
                                         QT_TRANSLATE_NOOP("Parameters", "How high the picture is."), 0.1,
                                         TracingImage::kMaxHeight, kLogarithmic, "m"),
     tracingField<&TracingImage::right>(
         "view.tracing.right", QT_TRANSLATE_NOOP("Parameters", "To the right"),
-        QT_TRANSLATE_NOOP("Parameters", "Where the picture's middle is beside the seedling."), -kMostTracing,
-        kMostTracing, kLinear, "m"),
+        QT_TRANSLATE_NOOP("Parameters", "How far the picture's middle is to the right of the seedling."),
+        -kMostTracing, kMostTracing, kLinear, "m"),
     tracingField<&TracingImage::up>(
         "view.tracing.up", QT_TRANSLATE_NOOP("Parameters", "Up"),
-        QT_TRANSLATE_NOOP("Parameters", "Where the picture's middle is above the seedling."), -kMostTracing,
+        QT_TRANSLATE_NOOP("Parameters", "How far the picture's middle is above the seedling."), -kMostTracing,
         kMostTracing, kLinear, "m"),
 }};
 
@@ -199,8 +199,8 @@ void BackgroundPanel::addTracing(QVBoxLayout& column)
     auto* file = new QVBoxLayout;
     line->addLayout(file);
     QPushButton* choose = makeButton(tr("Choose…"), "tracingChoose", *file, parent);
-    choose->setToolTip(tr("Choose a picture to show behind the tree, so that you can draw after it. It is "
-                          "saved with the tree."));
+    choose->setToolTip(
+        tr("Choose a picture to show behind the tree while you draw. It is saved with the tree."));
     connect(choose, &QPushButton::clicked, this, &BackgroundPanel::pictureAsked);
     m_remove = makeButton(tr("Remove"), "tracingRemove", *file, parent);
     m_remove->setToolTip(tr("Show no picture behind the tree."));

@@ -41,7 +41,7 @@ BendPopOut::BendPopOut(ViewSettings& settings, QWidget* parent) : Bar(parent), m
     column->setSpacing(2);
     m_bending = addSlider(QStringLiteral("bendingWeight"), tr("Bending"),
                           tr("<b>Bending</b><br>How much a branch resists being bent: a stiff one bends in a "
-                             "wide curve and is sooner drawn out."),
+                             "wide curve and is stretched sooner."),
                           &ViewValues::bendingWeight);
     m_stretching =
         addSlider(QStringLiteral("stretchingWeight"), tr("Stretching"),

@@ -28,7 +28,8 @@ constexpr std::array kSwitches{
                           "Show the points of free space that the brush spreads and shoots grow toward.")),
     viewSwitch<&ViewValues::planeShown>(
         "view.planeShown", QT_TRANSLATE_NOOP("Parameters", "Drawing plane"),
-        QT_TRANSLATE_NOOP("Parameters", "Show how deep in the tree the brush draws: a faint grid about it.")),
+        QT_TRANSLATE_NOOP("Parameters",
+                          "Show how deep in the tree the brush draws: a faint grid around it.")),
 };
 
 constexpr ViewField kBrushPlane{

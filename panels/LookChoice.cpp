@@ -78,11 +78,12 @@ LookChoice::LookChoice(LookKind kind, const QStringList& drawn, QWidget* parent)
     addItems(drawn);
     addItem(icon(QStringLiteral("open")), tr("Choose an image…"));
     sizeItems();
-    setItemData(m_drawnCount,
-                kind == LookKind::Leaf
-                    ? tr("A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background")
-                    : tr("A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too"),
-                Qt::ToolTipRole);
+    setItemData(
+        m_drawnCount,
+        kind == LookKind::Leaf
+            ? tr("A PNG or JPEG of one leaf, stalk down, on a transparent or plain background")
+            : tr("A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too"),
+        Qt::ToolTipRole);
     setIconSize({kSwatch, kSwatch});
     // As wide as its place allows; the open list is as wide as its longest line.
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -129,7 +130,7 @@ void LookChoice::present(int drawn, const ImageAsset& image)
                        name.size() > kShownName ? name.first(kShownName - 1) + QChar(0x2026) : name);
             sizeItems();
             setItemData(m_drawnCount, image.name(), Qt::ToolTipRole);
-            setItemData(m_drawnCount, tr("Image of your own: %1").arg(image.name()), Qt::AccessibleTextRole);
+            setItemData(m_drawnCount, tr("Your image: %1").arg(image.name()), Qt::AccessibleTextRole);
         }
     }
     setCurrentIndex(hasOwn() ? m_drawnCount : drawn);

@@ -25,7 +25,7 @@ constexpr ViewField kPassesOnScaled = viewSwitch<&ViewValues::passesOnScaled>(
                       "size, and its distance from the tip."));
 constexpr ViewField kPassesOnAnew = viewSwitch<&ViewValues::passesOnAnew>(
     "view.passesOnAnew", QT_TRANSLATE_NOOP("Parameters", "In its place"),
-    QT_TRANSLATE_NOOP("Parameters", "What the branches carried until now goes."));
+    QT_TRANSLATE_NOOP("Parameters", "What the branches carried until now is removed."));
 
 } // namespace
 

@@ -47,8 +47,9 @@ constexpr ParameterText kVigourAxis[] = {
      QT_TRANSLATE_NOOP("Parameters", "How much an axis changes its direction from node to node."), Linear, 1,
      "°", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Standard deviation of the apical angle.")},
     {"vigour.maximumOrder", QT_TRANSLATE_NOOP("Parameters", "Orders of branches"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Branches of branches of branches: this many, and no more."), Linear, 0,
-     "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Highest order of an axis.")},
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How many orders of branches there are at most: branches, their branches, and so on."),
+     Linear, 0, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Highest order of an axis.")},
 };
 
 constexpr ParameterText kVigourBuds[] = {
@@ -69,10 +70,10 @@ constexpr ParameterText kVigourControl[] = {
      QT_TRANSLATE_NOOP("Parameters",
                        "Above 1 the trunk outgrows its branches, as in a spruce; below 1 they outgrow it."),
      Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Excurrent above 1, decurrent below.")},
-    {"vigour.distanceControl", QT_TRANSLATE_NOOP("Parameters", "Tired with distance"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How much less shoots grow that are far from the root."), Linear, 2, "",
-     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with the distance to the root.")},
-    {"vigour.heightControl", QT_TRANSLATE_NOOP("Parameters", "Tired with height"), "",
+    {"vigour.distanceControl", QT_TRANSLATE_NOOP("Parameters", "Loss with distance"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How much less shoots far from the root grow."), Linear, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with the distance to the root.")},
+    {"vigour.heightControl", QT_TRANSLATE_NOOP("Parameters", "Loss with height"), "",
      QT_TRANSLATE_NOOP("Parameters", "How much less high shoots grow: more makes flat crowns."), Linear, 2,
      "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with height.")},
 };
@@ -94,10 +95,10 @@ constexpr ParameterText kVigourWeight[] = {
     {"vigour.bending", QT_TRANSLATE_NOOP("Parameters", "Sagging"), "k",
      QT_TRANSLATE_NOOP("Parameters", "How far branches sag under their weight as they grow."), Cubic, 1, "",
      1.0, "", QT_TRANSLATE_NOOP("Parameters", "Gravimorphic bending by branch load.")},
-    {"vigour.bendingExponent", QT_TRANSLATE_NOOP("Parameters", "Stiff with age"), "p",
+    {"vigour.bendingExponent", QT_TRANSLATE_NOOP("Parameters", "Stiffness with age"), "p",
      QT_TRANSLATE_NOOP("Parameters", "How much thick wood resists: more bends only the thin ends."), Linear,
      2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Exponent of thickness in flexural stiffness.")},
-    {"vigour.bendingMaximum", QT_TRANSLATE_NOOP("Parameters", "Most sagging"), "",
+    {"vigour.bendingMaximum", QT_TRANSLATE_NOOP("Parameters", "Greatest sag"), "",
      QT_TRANSLATE_NOOP("Parameters", "At most this part of the angle to straight down, for each internode."),
      Cubic, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Limit of the bend of an internode.")},
     {"vigour.lightPruning", QT_TRANSLATE_NOOP("Parameters", "Shade pruning"), "",
@@ -130,8 +131,8 @@ constexpr ParameterText kGravimorphism[] = {
 
 constexpr ParameterText kBranching[] = {
     {"growth.branchingAngle", QT_TRANSLATE_NOOP("Parameters", "Branching angle"), "ψ",
-     QT_TRANSLATE_NOOP("Parameters", "Between a branch and what branches off it."), Linear, 0, "°", 1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "Angle of insertion of a lateral bud on its axis.")},
+     QT_TRANSLATE_NOOP("Parameters", "Between a branch and the branches that leave it."), Linear, 0, "°", 1.0,
+     "", QT_TRANSLATE_NOOP("Parameters", "Angle of insertion of a lateral bud on its axis.")},
     {"growth.deflectionAngle", QT_TRANSLATE_NOOP("Parameters", "Deflection"), "δ",
      QT_TRANSLATE_NOOP("Parameters", "How far an axis turns away from a branch that it bears: 0 keeps it "
                                      "straight, more makes it zigzag."),
@@ -171,8 +172,8 @@ constexpr ParameterText kSpace[] = {
 
 constexpr ParameterText kVigour[] = {
     {"growth.apicalDominance", QT_TRANSLATE_NOOP("Parameters", "Apical dominance"), "λ",
-     QT_TRANSLATE_NOOP("Parameters", "Who gets the vigour: above 0.5 the main axis, as in conifers; below it "
-                                     "the branches, as in shrubs."),
+     QT_TRANSLATE_NOOP("Parameters", "What gets the vigour: above 0.5 the main axis, as in conifers; below "
+                                     "it the branches, as in shrubs."),
      Linear, 2, "", 1.0, "",
      QT_TRANSLATE_NOOP("Parameters", "Excurrent forms above 0.5, decurrent ones below.")},
     {"growth.lightSensitivity", QT_TRANSLATE_NOOP("Parameters", "Light sensitivity"), "κ",
@@ -277,9 +278,8 @@ constexpr ParameterText kLeafPlace[] = {
      QT_TRANSLATE_NOOP("Parameters", "Leaf phyllotaxis: spiral, decussate or verticillate, distichous.")},
     {"leaves.maxTips", QT_TRANSLATE_NOOP("Parameters", "How far inward"), "",
      QT_TRANSLATE_NOOP("Parameters", "Branches that carry more twigs than this are bare."), Logarithmic, 0},
-    {"leaves.reach", QT_TRANSLATE_NOOP("Parameters", "Only near the tips"), "",
-     QT_TRANSLATE_NOOP("Parameters",
-                       "Leaves grow so many internodes down from the tip of a shoot, and no further."),
+    {"leaves.reach", QT_TRANSLATE_NOOP("Parameters", "Leafy internodes"), "",
+     QT_TRANSLATE_NOOP("Parameters", "How many internodes of a shoot bear leaves, counted from its tip."),
      Logarithmic, 0},
     {"leaves.angle", QT_TRANSLATE_NOOP("Parameters", "Angle"), "",
      QT_TRANSLATE_NOOP("Parameters", "Between a shoot and the leaf's stalk."), Linear, 0, "°"},
@@ -331,16 +331,16 @@ constexpr ParameterText kStrands[] = {
      Linear, 0},
     {"wood.strandRadius", QT_TRANSLATE_NOOP("Parameters", "Strand radius"), "",
      QT_TRANSLATE_NOOP("Parameters", "How thick each strand is. The trunk then gets as thick as its strands "
-                                     "want it; at 0 it keeps the width that it has."),
+                                     "make it; at 0 it keeps the width that it has."),
      Cubic, 1, "mm", 1000.0, QT_TRANSLATE_NOOP("Parameters", "automatic")},
     {"wood.alpha", QT_TRANSLATE_NOOP("Parameters", "Cohesion"), "α",
      QT_TRANSLATE_NOOP("Parameters", "Branches separate at a fork where their strands are further apart than "
-                                     "so many strand radii: low early, high late."),
+                                     "this many strand radii: low values part them early, high ones late."),
      Logarithmic, 1},
     {"wood.packing", QT_TRANSLATE_NOOP("Parameters", "Packing"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How the strands of a section are pressed together. At rest: until none "
-                                     "overlaps. As published: by the paper's simulation, which stops on the "
-                                     "way there.")},
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How the strands of a section are pressed together. At rest: until none overlaps. As "
+                       "published: by the paper's simulation, which stops before that.")},
     {"wood.steps", QT_TRANSLATE_NOOP("Parameters", "Packing steps"), "",
      QT_TRANSLATE_NOOP("Parameters", "How long strands are pressed together at each node. Few steps keep the "
                                      "shape of a fork further down the trunk; many make it round at once."),

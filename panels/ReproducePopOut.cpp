@@ -28,7 +28,7 @@ constexpr ViewField kVariationNumber{
     {"view.variationNumber", Quantity::Count, 1.0, kMostVariations},
     {"view.variationNumber", QT_TRANSLATE_NOOP("Parameters", "Number"), "",
      QT_TRANSLATE_NOOP("Parameters",
-                       "Which variation it is: the same number makes the same tree of the same one."),
+                       "Which variation it is: the same number always gives the same variation of a tree."),
      ParameterText::Scale::Linear, 0},
     [](const ViewValues& values) { return values.variationNumber; },
     [](ViewValues& values, double value) { values.variationNumber = value; }};

@@ -45,18 +45,16 @@ QString mouseNote(MouseScheme scheme)
 {
     switch (scheme) {
     case MouseScheme::Blender:
-        return SettingsSheet::tr(
-            "Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and "
-            "the left button turn, too.");
+        return SettingsSheet::tr("The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and "
+                                 "the left button turn, too.");
     case MouseScheme::Maya:
         return SettingsSheet::tr(
-            "Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.");
+            "Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.");
     case MouseScheme::Espalier:
         break;
     }
-    return SettingsSheet::tr(
-        "Right or middle button turns, Shift and the middle button move. Alt and the left "
-        "button turn, too.");
+    return SettingsSheet::tr("The right or middle button turns, Shift and the middle button pan. Alt and the "
+                             "left button turn, too.");
 }
 
 } // namespace
@@ -180,7 +178,7 @@ QLayout* SettingsSheet::makeAppearance()
     for (const int percent : scales())
         m_scale->addItem(tr("%L1 %").arg(percent), percent);
     m_scale->setObjectName(QStringLiteral("scale"));
-    m_scale->setToolTip(tr("From the next start of Espalier on."));
+    m_scale->setToolTip(tr("Applies from the next start of Espalier."));
     form->addRow(makeLabel(tr("Size of the interface"), m_scale), m_scale);
     return form;
 }
@@ -259,7 +257,7 @@ QLayout* SettingsSheet::makeWork()
     form->addRow(barHeading(tr("Work"), this));
     form->addRow(makeLabel(tr("Safety copy every"), m_autosave), m_autosave);
     form->addRow(makeLabel(tr("Steps to undo"), m_undo), m_undo);
-    form->addRow(makeNote(tr("The number of steps counts from the next tree on that you begin or open.")));
+    form->addRow(makeNote(tr("A new number of steps applies from the next tree that you begin or open.")));
     form->addRow(makeLabel(tr("Library"), change), change);
     form->addRow(m_folder);
     return form;
@@ -297,7 +295,7 @@ void SettingsSheet::display(const Preferences& preferences)
     m_undo->setValue(preferences.undoSteps);
     const QString folder = QDir::toNativeSeparators(preferences.libraryFolder);
     m_folder->setText(folder.isEmpty()
-                          ? tr("In a folder of Espalier's own")
+                          ? tr("In Espalier's own folder")
                           : m_folder->fontMetrics().elidedText(folder, Qt::ElideMiddle, kColumn));
     m_folder->setToolTip(folder);
     m_isShowing = false;

@@ -72,7 +72,7 @@
         <translation>Pinsel</translation>
     </message>
     <message>
-        <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
+        <source>Drag from the tree outward: it grows into the space that the brush passes through.</source>
         <translation>Vom Baum nach außen ziehen: Er wächst in den Raum, den der Pinsel durchstreift.</translation>
     </message>
     <message>
@@ -88,7 +88,7 @@
         <translation>Schneiden</translation>
     </message>
     <message>
-        <source>Tap a branch to take it off, or draw across all that shall fall.</source>
+        <source>Tap a branch to cut it off, or draw across all the branches to cut.</source>
         <translation>Einen Ast antippen, um ihn abzunehmen, oder quer über alles ziehen, was fallen soll.</translation>
     </message>
     <message>
@@ -96,7 +96,7 @@
         <translation>Knospe</translation>
     </message>
     <message>
-        <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
+        <source>Tap a bud: from now on only it grows, and what grows from it.</source>
         <translation>Eine Knospe antippen: Von nun an wächst nur sie, mit allem, was aus ihr entsteht.</translation>
     </message>
     <message>
@@ -112,7 +112,7 @@
         <translation>Dicke</translation>
     </message>
     <message>
-        <source>Tap a branch to hold its width, and draw the handle to change it.</source>
+        <source>Tap a branch to fix its width, and drag the handle to change it.</source>
         <translation>Einen Ast antippen, um seine Dicke festzuhalten, und am Griff ziehen, um sie zu ändern.</translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
         <translation>Kleinerer Pinsel</translation>
     </message>
     <message>
-        <source>Make the brush smaller, while brushing too.</source>
+        <source>Make the brush smaller, even while brushing.</source>
         <translation>Den Pinsel verkleinern, auch während des Pinselns.</translation>
     </message>
     <message>
@@ -144,7 +144,7 @@
         <translation>Größerer Pinsel</translation>
     </message>
     <message>
-        <source>Make the brush larger, while brushing too.</source>
+        <source>Make the brush larger, even while brushing.</source>
         <translation>Den Pinsel vergrößern, auch während des Pinselns.</translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
         <translation>Hintergrund</translation>
     </message>
     <message>
-        <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
+        <source>What is around the tree: background, ground, sun, reference picture.</source>
         <translation>Was um den Baum herum ist: Hintergrund, Boden, Sonne, eine Bildvorlage.</translation>
     </message>
     <message>
@@ -244,15 +244,15 @@
         <translation>Verlauf</translation>
     </message>
     <message>
-        <source>All that you did, step by step; a click goes there.</source>
+        <source>Everything you did, step by step; click a step to go back to it.</source>
         <translation>Alles Getane, Schritt für Schritt; ein Klick führt dorthin.</translation>
     </message>
     <message>
-        <source>To the Panels and Back</source>
+        <source>Focus Panels or Tree</source>
         <translation>Zu den Bedienfeldern und zurück</translation>
     </message>
     <message>
-        <source>Give the keys to the panels, or back to the tree.</source>
+        <source>Move the keyboard focus to the panels, or back to the tree.</source>
         <translation>Die Tastatur den Bedienfeldern geben oder zurück dem Baum.</translation>
     </message>
     <message>
@@ -276,7 +276,7 @@
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>About the tool in hand, and about everything else.</source>
+        <source>Help on the current tool, and on everything else.</source>
         <translation>Über das Werkzeug in der Hand und über alles andere.</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Bibliothek</translation>
     </message>
     <message>
-        <source>Species to start from, and the trees that you keep.</source>
+        <source>Species to start from, and the trees you keep.</source>
         <translation>Arten zum Beginnen und die eigenen Bäume.</translation>
     </message>
     <message>
@@ -312,11 +312,11 @@
         <translation>Einstellungen…</translation>
     </message>
     <message>
-        <source>How Espalier looks, and how it takes your hand.</source>
+        <source>How Espalier looks, and how it responds to your hand.</source>
         <translation>Wie Espalier aussieht und wie es auf die Hand reagiert.</translation>
     </message>
     <message>
-        <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
+        <source>Size of the brush, pressure of the pen, and what is shown of them.</source>
         <translation>Größe des Pinsels, Druck des Stifts und der Wuchsraum, den der Pinsel verteilt.</translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation>Als Rezept speichern …</translation>
     </message>
     <message>
-        <source>Write down what was done to the tree, so that it can be done again.</source>
+        <source>Save everything that was done to the tree, so that it can be done again.</source>
         <translation>Aufschreiben, was mit dem Baum gemacht wurde, damit es sich wiederholen lässt.</translation>
     </message>
     <message>
@@ -364,7 +364,7 @@
         <translation>Einkürzen</translation>
     </message>
     <message>
-        <source>Press a branch and hold: its youngest growth goes, step by step.</source>
+        <source>Press a branch and hold: its youngest growth disappears, step by step.</source>
         <translation>Auf einen Ast drücken und halten: Sein jüngster Zuwachs verschwindet, Schritt für Schritt.</translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation>Vermehren</translation>
     </message>
     <message>
-        <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
+        <source>Tap a branch: it gets more branches like those it carries, or passes them on.</source>
         <translation>Auf einen Ast tippen: er bekommt mehr von dem, was er trägt, oder gibt es weiter.</translation>
     </message>
     <message>
@@ -406,6 +406,22 @@
     <message>
         <source>Drag a branch along the wood, around it, or to other wood, with all it carries.</source>
         <translation>Einen Ast am Holz entlang ziehen, um es herum oder an anderes Holz, mit allem, was er trägt.</translation>
+    </message>
+    <message>
+        <source>Save Picture…</source>
+        <translation>Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Save a picture of the tree, in any size and from any side.</source>
+        <translation>Ein Bild des Baums speichern, in jeder Größe und von jeder Seite.</translation>
+    </message>
+    <message>
+        <source>Copy Picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Put a picture of the tree as it is shown on the clipboard.</source>
+        <translation>Ein Bild des Baums, wie er gezeigt wird, in die Zwischenablage legen.</translation>
     </message>
 </context>
 <context>
@@ -427,6 +443,25 @@
     <message>
         <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
         <translation>Ziehen, um einen Baum zu pinseln; an einem Ast beginnen, um in dessen Tiefe fortzufahren</translation>
+    </message>
+    <message>
+        <source>No bud sees this place: draw on, or begin at a branch</source>
+        <translation>Keine Knospe sieht diese Stelle: weiterziehen oder an einem Ast beginnen</translation>
+    </message>
+    <message>
+        <source>Only the chosen bud grows, and it does not see this place</source>
+        <translation>Nur die gewählte Knospe wächst, und sie sieht diese Stelle nicht</translation>
+    </message>
+</context>
+<context>
+    <name>ClearTool</name>
+    <message>
+        <source>buds may shoot</source>
+        <translation>Knospen dürfen treiben</translation>
+    </message>
+    <message>
+        <source>Drag up along a trunk or a branch: below your hand, nothing shoots any more</source>
+        <translation>An einem Stamm oder Ast hinaufziehen: Unterhalb der Hand treibt nichts mehr aus</translation>
     </message>
 </context>
 <context>
@@ -460,11 +495,11 @@
         <translation>%1 kennt keine Option %2</translation>
     </message>
     <message>
-        <source>%1 wants no value</source>
+        <source>%1 takes no value</source>
         <translation>%1 verlangt keinen Wert</translation>
     </message>
     <message>
-        <source>%1 wants a value after it</source>
+        <source>%1 needs a value after it</source>
         <translation>%1 verlangt einen Wert dahinter</translation>
     </message>
     <message>
@@ -790,6 +825,62 @@ geschrieben werden konnte.
         <source>Move Branch</source>
         <translation>Ast versetzen</translation>
     </message>
+    <message numerus="yes">
+        <source>Brush Stroke, %n branches</source>
+        <translation>
+            <numerusform>Pinselstrich, %n Ast</numerusform>
+            <numerusform>Pinselstrich, %n Äste</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Thin Out</source>
+        <translation>Auslichten</translation>
+    </message>
+    <message>
+        <source>Keep Clear</source>
+        <translation>Freihalten</translation>
+    </message>
+    <message>
+        <source>Let Buds Shoot</source>
+        <translation>Knospen treiben lassen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Prune, %n branches</source>
+        <translation>
+            <numerusform>Schneiden, %n Ast</numerusform>
+            <numerusform>Schneiden, %n Äste</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Grow, %n steps</source>
+        <translation>
+            <numerusform>Wachsen, %n Schritt</numerusform>
+            <numerusform>Wachsen, %n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Regrow</source>
+        <translation>Neuwuchs</translation>
+    </message>
+    <message>
+        <source>Remove Envelope</source>
+        <translation>Hülle entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Tap a branch to cut it off, or draw across the branches to cut</source>
+        <translation>Einen Ast antippen, um ihn abzuschneiden, oder quer über die Äste ziehen, die fallen sollen</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -813,11 +904,11 @@ geschrieben werden konnte.
         <translation>sie hat keine Zeichnung %1</translation>
     </message>
     <message>
-        <source>a stroke has not as many x as y</source>
+        <source>the x and y of a stroke differ in number</source>
         <translation>ein Strich hat nicht so viele x wie y</translation>
     </message>
     <message>
-        <source>a stroke has a point that is no number</source>
+        <source>a stroke has a point that is not a number</source>
         <translation>ein Strich hat einen Punkt, der keine Zahl ist</translation>
     </message>
     <message>
@@ -857,6 +948,17 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>EraserTool</name>
+    <message>
+        <source>Brush over twigs to take some of them, evenly; what goes turns red</source>
+        <translation>Über Zweige streichen, um einige gleichmäßig herauszunehmen; was fällt, wird rot</translation>
+    </message>
+    <message>
+        <source>Brush over twigs and leaves to take them away, however deep in the crown they are</source>
+        <translation>Über Zweige und Blätter streichen, um sie wegzunehmen, so tief sie auch in der Krone sind</translation>
+    </message>
+</context>
+<context>
     <name>ExportFormat</name>
     <message>
         <source>FBX</source>
@@ -882,7 +984,7 @@ geschrieben werden konnte.
         <translation>die Netze konnten nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>there is no export to “.%1”; there are %2</source>
+        <source>“.%1” is not an export format; the formats are %2</source>
         <translation>es gibt keinen Export nach „.%1“; es gibt %2</translation>
     </message>
     <message>
@@ -905,7 +1007,7 @@ geschrieben werden konnte.
 <context>
     <name>FbxRepair</name>
     <message>
-        <source>this is no sound binary FBX file</source>
+        <source>this is not a valid binary FBX file</source>
         <translation>dies ist keine einwandfreie binäre FBX-Datei</translation>
     </message>
 </context>
@@ -944,14 +1046,6 @@ geschrieben werden konnte.
         <translation>%1 wurde von einem anderen Fenster oder Programm geändert, seit es hier geöffnet oder gespeichert wurde. Beim Überschreiben gehen diese Änderungen verloren.</translation>
     </message>
     <message>
-        <source>Save As…</source>
-        <translation>Speichern unter…</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>Überschreiben</translation>
-    </message>
-    <message>
         <source>Save as Recipe</source>
         <translation>Als Rezept speichern</translation>
     </message>
@@ -963,6 +1057,34 @@ geschrieben werden konnte.
         <source>Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;Recipes (*.json);;Skeletons (*.csv);;All files (*)</source>
         <translation>Bäume, Rezepte und gemessene Skelette (*.espalier *.json *.csv);;Bäume (*.espalier);;Rezepte (*.json);;Skelette (*.csv);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Save As…</source>
+        <translation>&amp;Speichern unter …</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>Ü&amp;berschreiben</translation>
+    </message>
 </context>
 <context>
     <name>FileWriter</name>
@@ -971,7 +1093,7 @@ geschrieben werden konnte.
         <translation>den Ordner %1 gibt es nicht</translation>
     </message>
     <message>
-        <source>%1 is no folder</source>
+        <source>%1 is not a folder</source>
         <translation>%1 ist kein Ordner</translation>
     </message>
     <message>
@@ -995,7 +1117,7 @@ geschrieben werden konnte.
         <translation>der zugeteilte Anteil am Datenträger ist voll</translation>
     </message>
     <message>
-        <source>the disk can only be read</source>
+        <source>the disk is read-only</source>
         <translation>der Datenträger kann nur gelesen werden</translation>
     </message>
     <message>
@@ -1059,6 +1181,10 @@ geschrieben werden konnte.
     <message>
         <source>there is no such file</source>
         <translation>eine solche Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>it is not a picture that can be read</source>
+        <translation>es ist kein lesbares Bild</translation>
     </message>
 </context>
 <context>
@@ -1305,6 +1431,14 @@ geschrieben werden konnte.
         <source>%1 cannot be moved to the trash: %2</source>
         <translation>%1 kann nicht in den Papierkorb verschoben werden: %2</translation>
     </message>
+    <message>
+        <source>There is another tree named %1 now.</source>
+        <translation>Es gibt jetzt einen anderen Baum namens %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be taken out of the trash: %2</source>
+        <translation>%1 lässt sich nicht aus dem Papierkorb holen: %2</translation>
+    </message>
 </context>
 <context>
     <name>MoveTool</name>
@@ -1324,7 +1458,7 @@ geschrieben werden konnte.
         <translation>Auf einen Ast tippen: er bekommt einen Ast mehr wie die, die er trägt</translation>
     </message>
     <message>
-        <source>Tap a branch: the others get what it carries; drag from it across those that shall get it</source>
+        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which get it</source>
         <translation>Auf einen Ast tippen: Die anderen bekommen, was er trägt; oder von ihm über die ziehen, die es bekommen sollen</translation>
     </message>
 </context>
@@ -1376,7 +1510,7 @@ geschrieben werden konnte.
         <translation>Verzweigungswinkel</translation>
     </message>
     <message>
-        <source>Between a branch and what branches off it.</source>
+        <source>Between a branch and the branches that leave it.</source>
         <translation>Zwischen einem Ast und dem, was von ihm abzweigt.</translation>
     </message>
     <message>
@@ -1456,7 +1590,7 @@ geschrieben werden konnte.
         <translation>Apikaldominanz</translation>
     </message>
     <message>
-        <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
+        <source>What gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
         <translation>Wer die Wuchskraft bekommt: über 0,5 die Hauptachse, wie bei Nadelbäumen; darunter die Äste, wie bei Sträuchern.</translation>
     </message>
     <message>
@@ -1804,7 +1938,7 @@ geschrieben werden konnte.
         <translation>Birke</translation>
     </message>
     <message>
-        <source>Behind</source>
+        <source>Backdrop</source>
         <translation>Dahinter</translation>
     </message>
     <message>
@@ -1836,7 +1970,7 @@ geschrieben werden konnte.
         <translation>Sonne zeigen</translation>
     </message>
     <message>
-        <source>Show the sun as a ball that you can drag about the tree.</source>
+        <source>Show the sun as a ball that you can drag around the tree.</source>
         <translation>Die Sonne als Kugel zeigen, die sich um den Baum ziehen lässt.</translation>
     </message>
     <message>
@@ -1864,7 +1998,7 @@ geschrieben werden konnte.
         <translation>Deckkraft</translation>
     </message>
     <message>
-        <source>How much of the picture is seen.</source>
+        <source>How opaque the picture is.</source>
         <translation>Wie deutlich das Bild zu sehen ist.</translation>
     </message>
     <message>
@@ -1876,7 +2010,7 @@ geschrieben werden konnte.
         <translation>Nach rechts</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is beside the seedling.</source>
+        <source>How far the picture&apos;s middle is to the right of the seedling.</source>
         <translation>Wo die Mitte des Bilds neben dem Sämling liegt.</translation>
     </message>
     <message>
@@ -1884,7 +2018,7 @@ geschrieben werden konnte.
         <translation>Nach oben</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is above the seedling.</source>
+        <source>How far the picture&apos;s middle is above the seedling.</source>
         <translation>Wo die Mitte des Bilds über dem Sämling liegt.</translation>
     </message>
     <message>
@@ -2028,11 +2162,11 @@ geschrieben werden konnte.
         <translation>In jedem Wahrnehmungsraum erzeugte Marker.</translation>
     </message>
     <message>
-        <source>Only near the tips</source>
+        <source>Leafy internodes</source>
         <translation>Nur an den Spitzen</translation>
     </message>
     <message>
-        <source>Leaves grow so many internodes down from the tip of a shoot, and no further.</source>
+        <source>How many internodes of a shoot bear leaves, counted from its tip.</source>
         <translation>Blätter wachsen von der Spitze eines Triebs so viele Internodien abwärts und nicht weiter.</translation>
     </message>
     <message>
@@ -2128,7 +2262,7 @@ geschrieben werden konnte.
         <translation>geringelt</translation>
     </message>
     <message>
-        <source>What stands behind the tree. The studio is dark or light as the program is.</source>
+        <source>What stands behind the tree. The studio is dark or light, as the theme is.</source>
         <translation>Was hinter dem Baum steht. Das Studio ist dunkel oder hell, wie das Programm.</translation>
     </message>
     <message>
@@ -2160,7 +2294,7 @@ geschrieben werden konnte.
         <translation>Zeichenebene</translation>
     </message>
     <message>
-        <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
+        <source>Show how deep in the tree the brush draws: a faint grid around it.</source>
         <translation>Zeigen, in welcher Tiefe des Baums der Pinsel zeichnet: ein blasses Gitter um ihn herum.</translation>
     </message>
     <message>
@@ -2296,7 +2430,7 @@ geschrieben werden konnte.
         <translation>Astordnungen</translation>
     </message>
     <message>
-        <source>Branches of branches of branches: this many, and no more.</source>
+        <source>How many orders of branches there are at most: branches, their branches, and so on.</source>
         <translation>Äste von Ästen von Ästen: so viele Ordnungen und nicht mehr.</translation>
     </message>
     <message>
@@ -2344,11 +2478,11 @@ geschrieben werden konnte.
         <translation>Exkurrent über 1, dekurrent darunter.</translation>
     </message>
     <message>
-        <source>Tired with distance</source>
+        <source>Loss with distance</source>
         <translation>Müde in der Ferne</translation>
     </message>
     <message>
-        <source>How much less shoots grow that are far from the root.</source>
+        <source>How much less shoots far from the root grow.</source>
         <translation>Wie viel weniger Triebe wachsen, die weit von der Wurzel entfernt sind.</translation>
     </message>
     <message>
@@ -2356,7 +2490,7 @@ geschrieben werden konnte.
         <translation>Abnahme des Potenzials mit der Entfernung zur Wurzel.</translation>
     </message>
     <message>
-        <source>Tired with height</source>
+        <source>Loss with height</source>
         <translation>Müde in der Höhe</translation>
     </message>
     <message>
@@ -2416,7 +2550,7 @@ geschrieben werden konnte.
         <translation>Gravimorphe Biegung durch die Last der Äste.</translation>
     </message>
     <message>
-        <source>Stiff with age</source>
+        <source>Stiffness with age</source>
         <translation>Steif im Alter</translation>
     </message>
     <message>
@@ -2428,7 +2562,7 @@ geschrieben werden konnte.
         <translation>Exponent der Dicke in der Biegesteifigkeit.</translation>
     </message>
     <message>
-        <source>Most sagging</source>
+        <source>Greatest sag</source>
         <translation>Größter Durchhang</translation>
     </message>
     <message>
@@ -2472,7 +2606,7 @@ geschrieben werden konnte.
         <translation>Strangradius</translation>
     </message>
     <message>
-        <source>How thick each strand is. The trunk then gets as thick as its strands want it; at 0 it keeps the width that it has.</source>
+        <source>How thick each strand is. The trunk then gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
         <translation>Wie dick jeder Strang ist. Der Stamm wird dann so dick, wie seine Stränge es verlangen; bei 0 behält er seine Dicke.</translation>
     </message>
     <message>
@@ -2480,7 +2614,7 @@ geschrieben werden konnte.
         <translation>Zusammenhalt</translation>
     </message>
     <message>
-        <source>Branches separate at a fork where their strands are further apart than so many strand radii: low early, high late.</source>
+        <source>Branches separate at a fork where their strands are further apart than this many strand radii: low values part them early, high ones late.</source>
         <translation>Äste trennen sich an einer Gabel dort, wo ihre Stränge mehr als so viele Strangradien auseinanderliegen: niedrig früh, hoch spät.</translation>
     </message>
     <message>
@@ -2488,7 +2622,7 @@ geschrieben werden konnte.
         <translation>Packung</translation>
     </message>
     <message>
-        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops on the way there.</source>
+        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops before that.</source>
         <translation>Wie die Stränge eines Querschnitts aneinandergedrückt werden. In Ruhe: bis sich keine mehr überlappen. Wie publiziert: mit der Simulation des Fachartikels, die auf dem Weg dorthin stehen bleibt.</translation>
     </message>
     <message>
@@ -2660,7 +2794,7 @@ geschrieben werden konnte.
         <translation>An seiner Stelle</translation>
     </message>
     <message>
-        <source>What the branches carried until now goes.</source>
+        <source>What the branches carried until now is removed.</source>
         <translation>Was die Äste bisher trugen, verschwindet.</translation>
     </message>
     <message>
@@ -2676,7 +2810,7 @@ geschrieben werden konnte.
         <translation>Nummer</translation>
     </message>
     <message>
-        <source>Which variation it is: the same number makes the same tree of the same one.</source>
+        <source>Which variation it is: the same number always gives the same variation of a tree.</source>
         <translation>Welche Abwandlung es ist: dieselbe Nummer macht aus demselben Baum denselben.</translation>
     </message>
     <message>
@@ -2690,6 +2824,66 @@ geschrieben werden konnte.
     <message>
         <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
         <translation>Die Zeichnung wird zweimal eingesetzt, das zweite Mal um 90° um den Stamm gedreht, sodass der Baum von der Seite so voll ist wie von vorn. Ohne dies laufen die Äste selbst auf Sie zu und von Ihnen weg.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Where strokes go in depth. Screen: as deep as the branch that they begin at. Trunk: in the plane through the trunk and the branch that they begin at. Spread: each limb that begins at the trunk is turned into the widest gap, as long and as steep as you draw it.</source>
+        <translation>Wohin Striche in der Tiefe gehen. Bildschirm: so tief wie der Ast, an dem sie beginnen. Stamm: in der Ebene durch den Stamm und den Ast, an dem sie beginnen. Verteilt: Jeder Ast, der am Stamm beginnt, dreht sich in die breiteste Lücke, so lang und so steil wie gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <translation>Ringsum</translation>
+    </message>
+    <message>
+        <source>How many strokes are made around the trunk for each one that you draw.</source>
+        <translation>Wie viele Striche rings um den Stamm entstehen für jeden, der gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation>Bildschirm</translation>
+    </message>
+    <message>
+        <source>trunk</source>
+        <translation>Stamm</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>verteilt</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius of the brush, the same as that of the brush that paints.</source>
+        <translation>Radius des Pinsels, derselbe wie der des malenden Pinsels.</translation>
+    </message>
+    <message>
+        <source>Up to</source>
+        <translation>Bis zu</translation>
+    </message>
+    <message>
+        <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
+        <translation>Das dickste Holz, das fällt, als Anteil der Stammdicke. Dickere Äste bleiben, so oft man auch darüberstreicht.</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Nimmt</translation>
+    </message>
+    <message>
+        <source>The share of the twigs under the brush that a stroke takes. They are chosen evenly along each limb.</source>
+        <translation>Der Anteil der Zweige unter dem Pinsel, den ein Strich nimmt. Sie werden gleichmäßig entlang jedes Astes gewählt.</translation>
+    </message>
+    <message>
+        <source>Far side too</source>
+        <translation>Auch hinten</translation>
+    </message>
+    <message>
+        <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
+        <translation>Ein Strich reicht durch den ganzen Baum. Sonst nimmt er nur, was diesseits des Stamms ist.</translation>
     </message>
 </context>
 <context>
@@ -2873,12 +3067,25 @@ geschrieben werden konnte.
         <source>there are too many</source>
         <translation>es sind zu viele</translation>
     </message>
-</context>
-<context>
-    <name>PruneTool</name>
     <message>
-        <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
-        <translation>Einen Ast antippen, um ihn abzunehmen, oder quer über die Äste ziehen, die fallen sollen</translation>
+        <source>true or false is expected</source>
+        <translation>true oder false wird erwartet</translation>
+    </message>
+    <message>
+        <source>a colour such as #5c6268 is expected</source>
+        <translation>eine Farbe wie #5c6268 wird erwartet</translation>
+    </message>
+    <message>
+        <source>there is no backdrop of this name</source>
+        <translation>einen Hintergrund dieses Namens gibt es nicht</translation>
+    </message>
+    <message>
+        <source>its background and light cannot be read (%1); those of a new tree show instead</source>
+        <translation>Hintergrund und Licht darin lassen sich nicht lesen (%1); stattdessen zeigen sich die eines neuen Baums</translation>
+    </message>
+    <message>
+        <source>the reference picture “%1” is missing in it or broken</source>
+        <translation>das Vorlagenbild „%1“ fehlt darin oder ist beschädigt</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3390,30 @@ geschrieben werden konnte.
         <source>true or false is expected</source>
         <translation>true oder false wird erwartet</translation>
     </message>
+    <message>
+        <source>nothing under the brush could be erased</source>
+        <translation>unter dem Pinsel ließ sich nichts wegnehmen</translation>
+    </message>
+    <message>
+        <source>there were no twigs under the brush to take</source>
+        <translation>unter dem Pinsel waren keine Zweige</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 is kept clear like that already</source>
+        <translation>der Ast des Internodiums %1 wird schon so freigehalten</translation>
+    </message>
+    <message>
+        <source>three numbers within ±%1 are expected: x, y, z, in m</source>
+        <translation>drei Zahlen innerhalb ±%1 werden erwartet: x, y, z, in m</translation>
+    </message>
+    <message>
+        <source>four numbers are expected: x, y, z within ±%1 m, and a radius within 0…%2 m</source>
+        <translation>vier Zahlen werden erwartet: x, y, z innerhalb ±%1 m und ein Radius innerhalb 0…%2 m</translation>
+    </message>
+    <message>
+        <source>one stroke or more is expected</source>
+        <translation>mindestens ein Strich wird erwartet</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3255,6 +3486,14 @@ geschrieben werden konnte.
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
         <translation>Eine Knospe antippen, und nur sie wächst von nun an; neben den Baum tippen, um wieder alle wachsen zu lassen</translation>
     </message>
+    <message>
+        <source>There is no bud here. Buds that are near the pointer show as dots.</source>
+        <translation>Hier ist keine Knospe. Knospen in der Nähe des Zeigers erscheinen als Punkte.</translation>
+    </message>
+    <message>
+        <source>No bud is that near. Tap one of the dots, or go nearer with the wheel.</source>
+        <translation>So nah ist keine Knospe. Einen der Punkte antippen oder mit dem Rad näher herangehen.</translation>
+    </message>
 </context>
 <context>
     <name>Skeleton</name>
@@ -3271,7 +3510,7 @@ geschrieben werden konnte.
         <translation>%1 Zahlen werden erwartet</translation>
     </message>
     <message>
-        <source>“%1” is no number for %2</source>
+        <source>“%1” is not a number for %2</source>
         <translation>„%1“ ist keine Zahl für %2</translation>
     </message>
     <message>
@@ -3617,6 +3856,10 @@ geschrieben werden konnte.
         <source>its added vigour is out of range</source>
         <translation>die hinzugefügte Wuchskraft liegt außerhalb des Bereichs</translation>
     </message>
+    <message>
+        <source>the length that is kept clear is out of range</source>
+        <translation>die freigehaltene Länge liegt außerhalb des Bereichs</translation>
+    </message>
 </context>
 <context>
     <name>TwistTool</name>
@@ -3632,7 +3875,7 @@ geschrieben werden konnte.
 <context>
     <name>WidthTool</name>
     <message>
-        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <source>Tap a branch to fix its width; drag the ends of the handle to change it</source>
         <translation>Einen Ast antippen, um seine Dicke festzuhalten; an den Enden des Griffs ziehen, um sie zu ändern</translation>
     </message>
 </context>
@@ -3647,11 +3890,11 @@ geschrieben werden konnte.
         <translation>ist beschädigt</translation>
     </message>
     <message>
-        <source>it is no project file, or a damaged one (%1)</source>
+        <source>it is not a project file, or a damaged one (%1)</source>
         <translation>keine Projektdatei, oder eine beschädigte (%1)</translation>
     </message>
     <message>
-        <source>it is no project file: it is empty</source>
+        <source>it is not a project file: it is empty</source>
         <translation>keine Projektdatei: sie ist leer</translation>
     </message>
     <message>
@@ -3678,7 +3921,7 @@ geschrieben werden konnte.
         <translation>Mehr ›</translation>
     </message>
     <message>
-        <source>The rest of what steers growth: shoots, shade, room to grow</source>
+        <source>Everything else that steers growth: shoots, shade, room to grow</source>
         <translation>Was das Wachstum sonst noch lenkt: Triebe, Beschattung, Wuchsraum</translation>
     </message>
     <message>
@@ -3690,7 +3933,7 @@ geschrieben werden konnte.
         <translation>Baumart</translation>
     </message>
     <message>
-        <source>Sets all that the vigour model goes by, as a species grows</source>
+        <source>Sets all parameters of the vigour model to those of a species</source>
         <translation>Stellt alles, wonach sich das Wuchskraft-Modell richtet, so ein, wie eine Baumart wächst</translation>
     </message>
     <message>
@@ -3728,16 +3971,8 @@ geschrieben werden konnte.
         <translation>Sonne</translation>
     </message>
     <message>
-        <source>Picture to draw after</source>
-        <translation>Bildvorlage</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Wählen…</translation>
-    </message>
-    <message>
-        <source>Choose a picture to show behind the tree, so that you can draw after it.</source>
-        <translation>Ein Bild wählen, das hinter dem Baum erscheint, um danach zu zeichnen.</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3746,14 +3981,6 @@ geschrieben werden konnte.
     <message>
         <source>Show no picture behind the tree.</source>
         <translation>Kein Bild hinter dem Baum zeigen.</translation>
-    </message>
-    <message>
-        <source>Picture to Draw After</source>
-        <translation>Bildvorlage</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>Bilder (%1)</translation>
     </message>
     <message>
         <source>Lower colour</source>
@@ -3768,8 +3995,20 @@ geschrieben werden konnte.
         <translation>Farbe oben</translation>
     </message>
     <message>
-        <source>%1 cannot be read.</source>
-        <translation>%1 kann nicht gelesen werden.</translation>
+        <source>Use for New Trees</source>
+        <translation>Für neue Bäume verwenden</translation>
+    </message>
+    <message>
+        <source>New trees begin with this background, ground and light. The picture stays with this tree.</source>
+        <translation>Neue Bäume beginnen mit diesem Hintergrund, Boden und Licht. Das Bild bleibt bei diesem Baum.</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>Vorlagenbild</translation>
+    </message>
+    <message>
+        <source>Choose a picture to show behind the tree while you draw. It is saved with the tree.</source>
+        <translation>Ein Bild wählen, das beim Zeichnen hinter dem Baum steht. Es wird mit dem Baum gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -3779,7 +4018,7 @@ geschrieben werden konnte.
         <translation>Biegung</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
+        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
         <translation>&lt;b&gt;Biegung&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Biegen widersetzt: ein steifer biegt sich in weitem Bogen und wird eher in die Länge gezogen.</translation>
     </message>
     <message>
@@ -3789,6 +4028,10 @@ geschrieben werden konnte.
     <message>
         <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
         <translation>&lt;b&gt;Dehnung&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Dehnen widersetzt: er behält seine Länge, oder er folgt der Hand weiter.</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
     </message>
 </context>
 <context>
@@ -3825,12 +4068,16 @@ geschrieben werden konnte.
         <translation>Stift</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Draw the curve, or press here with your pen to try it.</source>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Drag the curve, or press here with your pen to try it.</source>
         <translation>&lt;b&gt;Druckkurve&lt;/b&gt;&lt;br&gt;Wie fest der Stift für den ganzen Radius drücken muss. Die Kurve ziehen, oder zum Ausprobieren hier mit dem Stift drücken.</translation>
     </message>
     <message>
         <source>Shown</source>
         <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
     </message>
 </context>
 <context>
@@ -3920,7 +4167,7 @@ geschrieben werden konnte.
         <translation>Nicht gespeichert. %1</translation>
     </message>
     <message>
-        <source>The tree cannot be kept safe from a crash: %1</source>
+        <source>No safety copy can be saved: %1</source>
         <translation>Der Baum kann nicht gegen einen Absturz gesichert werden: %1</translation>
     </message>
     <message>
@@ -3936,7 +4183,7 @@ geschrieben werden konnte.
         <translation>Noch keine</translation>
     </message>
     <message>
-        <source>Forget Them</source>
+        <source>Clear List</source>
         <translation>Liste leeren</translation>
     </message>
     <message>
@@ -3998,10 +4245,6 @@ geschrieben werden konnte.
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
-        <translation>Zurück: Der Baum bildet sich zurück, durch alles Getane hindurch. Vor: Er kommt wieder, und jenseits der Marke wächst er.</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Abspielen</translation>
     </message>
@@ -4030,12 +4273,20 @@ geschrieben werden konnte.
         <translation>So viele Schritte wachsen, rückgängig zu machen in einem Schritt. Esc hält an.</translation>
     </message>
     <message>
-        <source>step %L1</source>
-        <translation>Schritt %L1</translation>
+        <source>Back: the tree ungrows, through all that you did. Forth: it comes back. Pull the handle well past the mark, and the tree grows. Far from the slider, or with Shift, a drag is finer.</source>
+        <translation>Zurück: Der Baum wächst rückwärts, durch alles, was getan wurde. Vor: Er kommt wieder. Den Griff deutlich über die Marke ziehen, und der Baum wächst. Weit vom Regler, oder mit Umschalt, zieht es sich feiner.</translation>
     </message>
     <message>
-        <source>step %L1, %L2 edits and steps back</source>
-        <translation>Schritt %L1, %L2 Änderungen und Schritte zurück</translation>
+        <source>New steps: %L1</source>
+        <translation>Neue Schritte: %L1</translation>
+    </message>
+    <message>
+        <source>Moment %L1 of %L2</source>
+        <translation>Zeitpunkt %L1 von %L2</translation>
+    </message>
+    <message>
+        <source>Seedling</source>
+        <translation>Sämling</translation>
     </message>
 </context>
 <context>
@@ -4214,6 +4465,10 @@ geschrieben werden konnte.
         <source>The system has no trash here. %1 is in %2 now.</source>
         <translation>Das System hat hier keinen Papierkorb. %1 ist jetzt in %2.</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>espalier::LibraryPanel</name>
@@ -4242,7 +4497,7 @@ geschrieben werden konnte.
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Save the tree that is open into the library.</source>
+        <source>Save the open tree in the library.</source>
         <translation>Den geöffneten Baum in der Bibliothek speichern.</translation>
     </message>
     <message>
@@ -4266,11 +4521,11 @@ geschrieben werden konnte.
         <translation>Eigene Bäume</translation>
     </message>
     <message>
-        <source>None of them is called that.</source>
+        <source>No tree has a name like that.</source>
         <translation>Nichts davon heißt so.</translation>
     </message>
     <message>
-        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <source>No trees yet. “Keep This Tree” saves the open tree here.</source>
         <translation>Noch keine. „Baum behalten“ speichert den Baum, der hier geöffnet ist.</translation>
     </message>
     <message>
@@ -4293,15 +4548,15 @@ geschrieben werden konnte.
         <translation>Bild wählen…</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background</source>
+        <source>A PNG or JPEG of one leaf, stalk down, on a transparent or plain background</source>
         <translation>Ein PNG oder JPEG eines einzelnen Blatts, der Stiel unten, ohne Hintergrund oder vor einem einfarbigen</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
+        <source>A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too</source>
         <translation>Ein PNG oder JPEG von Rinde; Karten der Normalen und der Rauheit, die danebenliegen, werden mit übernommen</translation>
     </message>
     <message>
-        <source>Image of your own: %1</source>
+        <source>Your image: %1</source>
         <translation>Eigenes Bild: %1</translation>
     </message>
 </context>
@@ -4320,10 +4575,6 @@ geschrieben werden konnte.
         <translation>Bilder (*.png *.jpg *.jpeg)</translation>
     </message>
     <message>
-        <source>What shall %1 be?</source>
-        <translation>Was soll %1 werden?</translation>
-    </message>
-    <message>
         <source>Leaves</source>
         <translation>Blätter</translation>
     </message>
@@ -4332,8 +4583,16 @@ geschrieben werden konnte.
         <translation>Rinde</translation>
     </message>
     <message>
-        <source>Maps that lie beside it were taken too.</source>
+        <source>Maps found beside it are used, too.</source>
         <translation>Karten, die daneben liegen, wurden mit übernommen.</translation>
+    </message>
+    <message>
+        <source>What is %1 for?</source>
+        <translation>Wofür ist %1?</translation>
+    </message>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Vorlagenbild</translation>
     </message>
 </context>
 <context>
@@ -4390,6 +4649,132 @@ geschrieben werden konnte.
     <message>
         <source>airy</source>
         <translation>luftig</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PictureController</name>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Das Bild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard.</source>
+        <translation>Das Bild ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Nicht gespeichert. %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PictureSheet</name>
+    <message>
+        <source>As the window, %1 × %2</source>
+        <translation>Wie das Fenster, %1 × %2</translation>
+    </message>
+    <message>
+        <source>Full HD, 1920 × 1080</source>
+        <translation>Full HD, 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K, 3840 × 2160</source>
+        <translation>4K, 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square, 1080 × 1080</source>
+        <translation>Quadrat, 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Large square, 2048 × 2048</source>
+        <translation>Großes Quadrat, 2048 × 2048</translation>
+    </message>
+    <message>
+        <source>Portrait, 1080 × 1350</source>
+        <translation>Hochformat, 1080 × 1350</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>Andere Größe</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>With the shadow on the ground</source>
+        <translation>Mit dem Schatten auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>As shown now</source>
+        <translation>Wie jetzt gezeigt</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Von der Seite</translation>
+    </message>
+    <message>
+        <source>From the top</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Three-quarter</source>
+        <translation>Schräg</translation>
+    </message>
+    <message>
+        <source>Nothing is behind the tree, so that it can be laid over other pictures.</source>
+        <translation>Hinter dem Baum ist nichts, sodass er sich über andere Bilder legen lässt.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Put the picture on the clipboard.</source>
+        <translation>Das Bild in die Zwischenablage legen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
     </message>
 </context>
 <context>
@@ -4584,6 +4969,41 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::PrunePopOut</name>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Tap a branch to take it off, or draw a line across several.</source>
+        <translation>Einen Ast antippen, um ihn abzunehmen, oder eine Linie quer über mehrere ziehen.</translation>
+    </message>
+    <message>
+        <source>Keep clear</source>
+        <translation>Freihalten</translation>
+    </message>
+    <message>
+        <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
+        <translation>An einem Stamm oder Ast hinaufziehen: Die Triebe unterhalb der Hand fallen, und neue kommen nicht. Den Ring wieder hinunterziehen, um Knospen treiben zu lassen.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Radieren</translation>
+    </message>
+    <message>
+        <source>Brush over twigs and leaves to take them away, however deep in the crown they are. Limbs stay.</source>
+        <translation>Über Zweige und Blätter streichen, um sie wegzunehmen, so tief sie auch in der Krone sind. Dicke Äste bleiben.</translation>
+    </message>
+    <message>
+        <source>Thin out</source>
+        <translation>Auslichten</translation>
+    </message>
+    <message>
+        <source>Brush over the crown to take some of its twigs, evenly.</source>
+        <translation>Über die Krone streichen, um einige ihrer Zweige gleichmäßig herauszunehmen.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -4651,17 +5071,32 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::SceneController</name>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Vorlagenbild</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>New trees will have this background, ground and light.</source>
+        <translation>Neue Bäume bekommen diesen Hintergrund, Boden und dieses Licht.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SettingsSheet</name>
     <message>
-        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and the left button turn, too.</source>
         <translation>Mittlere Taste dreht, mit Umschalt verschiebt sie, mit Strg geht sie näher. Auch Alt und die linke Taste drehen.</translation>
     </message>
     <message>
-        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <source>Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.</source>
         <translation>Alt und die linke Taste drehen, Alt und die mittlere verschieben, Alt und die rechte gehen näher.</translation>
     </message>
     <message>
-        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <source>The right or middle button turns, Shift and the middle button pan. Alt and the left button turn, too.</source>
         <translation>Rechte oder mittlere Taste dreht, Umschalt und die mittlere verschieben. Auch Alt und die linke Taste drehen.</translation>
     </message>
     <message>
@@ -4761,7 +5196,7 @@ geschrieben werden konnte.
         <translation>Schritte zurück</translation>
     </message>
     <message>
-        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <source>A new number of steps applies from the next tree that you begin or open.</source>
         <translation>Die Zahl der Schritte gilt ab dem nächsten Baum, der begonnen oder geöffnet wird.</translation>
     </message>
     <message>
@@ -4769,7 +5204,7 @@ geschrieben werden konnte.
         <translation>Bibliothek</translation>
     </message>
     <message>
-        <source>In a folder of Espalier&apos;s own</source>
+        <source>In Espalier&apos;s own folder</source>
         <translation>In Espaliers eigenem Ordner</translation>
     </message>
     <message>
@@ -4791,6 +5226,50 @@ geschrieben werden konnte.
     <message>
         <source>Lengths</source>
         <translation>Längen</translation>
+    </message>
+    <message>
+        <source>%L1 %</source>
+        <translation>%L1 %</translation>
+    </message>
+    <message>
+        <source>Size of the interface</source>
+        <translation>Größe der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Stroke stabiliser</source>
+        <translation>Strichberuhigung</translation>
+    </message>
+    <message>
+        <source>A stroke follows the pointer at this distance, like a stone on a string: it does not tremble.</source>
+        <translation>Ein Strich folgt dem Zeiger in diesem Abstand, wie ein Stein an der Schnur: Er zittert nicht.</translation>
+    </message>
+    <message>
+        <source>A stroke comes this much later than the pointer, and more smoothly.</source>
+        <translation>Ein Strich kommt so viel später als der Zeiger, und ruhiger.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Applies from the next start of Espalier.</source>
+        <translation>Gilt ab dem nächsten Start von Espalier.</translation>
     </message>
 </context>
 <context>
@@ -4971,6 +5450,14 @@ geschrieben werden konnte.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>%L1 Internodien · %L2 Blätter · Schritt %L3</translation>
+    </message>
+    <message>
+        <source>Back to My Tree</source>
+        <translation>Zurück zu meinem Baum</translation>
+    </message>
+    <message>
+        <source>Show your own tree again, as it was before this recipe was played</source>
+        <translation>Wieder den eigenen Baum zeigen, wie er vor diesem Rezept war</translation>
     </message>
 </context>
 </TS>

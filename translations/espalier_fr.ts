@@ -72,7 +72,7 @@
         <translation>Pinceau</translation>
     </message>
     <message>
-        <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
+        <source>Drag from the tree outward: it grows into the space that the brush passes through.</source>
         <translation>Faire glisser depuis l’arbre vers l’extérieur&#xa0;: il pousse dans l’espace où passe le pinceau.</translation>
     </message>
     <message>
@@ -88,7 +88,7 @@
         <translation>Tailler</translation>
     </message>
     <message>
-        <source>Tap a branch to take it off, or draw across all that shall fall.</source>
+        <source>Tap a branch to cut it off, or draw across all the branches to cut.</source>
         <translation>Toucher une branche pour l’ôter, ou tracer à travers tout ce qui doit tomber.</translation>
     </message>
     <message>
@@ -96,7 +96,7 @@
         <translation>Bourgeon</translation>
     </message>
     <message>
-        <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
+        <source>Tap a bud: from now on only it grows, and what grows from it.</source>
         <translation>Toucher un bourgeon&#xa0;: lui seul pousse désormais, avec ce qui en naît.</translation>
     </message>
     <message>
@@ -112,7 +112,7 @@
         <translation>Épaisseur</translation>
     </message>
     <message>
-        <source>Tap a branch to hold its width, and draw the handle to change it.</source>
+        <source>Tap a branch to fix its width, and drag the handle to change it.</source>
         <translation>Toucher une branche pour fixer son épaisseur, et tirer la poignée pour la changer.</translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
         <translation>Pinceau plus petit</translation>
     </message>
     <message>
-        <source>Make the brush smaller, while brushing too.</source>
+        <source>Make the brush smaller, even while brushing.</source>
         <translation>Réduire le pinceau, même en cours de trait.</translation>
     </message>
     <message>
@@ -144,7 +144,7 @@
         <translation>Pinceau plus grand</translation>
     </message>
     <message>
-        <source>Make the brush larger, while brushing too.</source>
+        <source>Make the brush larger, even while brushing.</source>
         <translation>Agrandir le pinceau, même en cours de trait.</translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
         <translation>Fond</translation>
     </message>
     <message>
-        <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
+        <source>What is around the tree: background, ground, sun, reference picture.</source>
         <translation>Ce qui entoure l’arbre&#xa0;: fond, sol, soleil, image modèle.</translation>
     </message>
     <message>
@@ -244,15 +244,15 @@
         <translation>Historique</translation>
     </message>
     <message>
-        <source>All that you did, step by step; a click goes there.</source>
+        <source>Everything you did, step by step; click a step to go back to it.</source>
         <translation>Tout ce qui a été fait, étape par étape&#xa0;; un clic y ramène.</translation>
     </message>
     <message>
-        <source>To the Panels and Back</source>
+        <source>Focus Panels or Tree</source>
         <translation>Vers les panneaux et retour</translation>
     </message>
     <message>
-        <source>Give the keys to the panels, or back to the tree.</source>
+        <source>Move the keyboard focus to the panels, or back to the tree.</source>
         <translation>Donner le clavier aux panneaux, ou le rendre à l’arbre.</translation>
     </message>
     <message>
@@ -276,7 +276,7 @@
         <translation>Aide</translation>
     </message>
     <message>
-        <source>About the tool in hand, and about everything else.</source>
+        <source>Help on the current tool, and on everything else.</source>
         <translation>L’outil en main, et tout le reste.</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Bibliothèque</translation>
     </message>
     <message>
-        <source>Species to start from, and the trees that you keep.</source>
+        <source>Species to start from, and the trees you keep.</source>
         <translation>Des espèces pour commencer, et les arbres gardés.</translation>
     </message>
     <message>
@@ -312,11 +312,11 @@
         <translation>Réglages…</translation>
     </message>
     <message>
-        <source>How Espalier looks, and how it takes your hand.</source>
+        <source>How Espalier looks, and how it responds to your hand.</source>
         <translation>L’aspect d’Espalier, et sa façon de répondre à la main.</translation>
     </message>
     <message>
-        <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
+        <source>Size of the brush, pressure of the pen, and what is shown of them.</source>
         <translation>Taille du pinceau, pression du stylet, et place que répand le pinceau.</translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation>Enregistrer comme recette…</translation>
     </message>
     <message>
-        <source>Write down what was done to the tree, so that it can be done again.</source>
+        <source>Save everything that was done to the tree, so that it can be done again.</source>
         <translation>Noter ce qui a été fait à l’arbre, pour pouvoir le refaire.</translation>
     </message>
     <message>
@@ -364,7 +364,7 @@
         <translation>Réduire</translation>
     </message>
     <message>
-        <source>Press a branch and hold: its youngest growth goes, step by step.</source>
+        <source>Press a branch and hold: its youngest growth disappears, step by step.</source>
         <translation>Appuyer sur une branche et maintenir&#xa0;: ce qui a poussé en dernier s’en va, étape par étape.</translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation>Multiplier</translation>
     </message>
     <message>
-        <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
+        <source>Tap a branch: it gets more branches like those it carries, or passes them on.</source>
         <translation>Toucher une branche : elle en reçoit d’autres comme celles qu’elle porte, ou les transmet.</translation>
     </message>
     <message>
@@ -406,6 +406,22 @@
     <message>
         <source>Drag a branch along the wood, around it, or to other wood, with all it carries.</source>
         <translation>Tirer une branche le long du bois, autour de lui ou sur un autre bois, avec tout ce qu’elle porte.</translation>
+    </message>
+    <message>
+        <source>Save Picture…</source>
+        <translation>Enregistrer une image…</translation>
+    </message>
+    <message>
+        <source>Save a picture of the tree, in any size and from any side.</source>
+        <translation>Enregistrer une image de l’arbre, de toute taille et de tout côté.</translation>
+    </message>
+    <message>
+        <source>Copy Picture</source>
+        <translation>Copier l’image</translation>
+    </message>
+    <message>
+        <source>Put a picture of the tree as it is shown on the clipboard.</source>
+        <translation>Placer dans le presse-papiers une image de l’arbre tel qu’il est affiché.</translation>
     </message>
 </context>
 <context>
@@ -427,6 +443,25 @@
     <message>
         <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
         <translation>Faire glisser pour peindre un arbre&#xa0;; partir d’une branche pour continuer à sa profondeur</translation>
+    </message>
+    <message>
+        <source>No bud sees this place: draw on, or begin at a branch</source>
+        <translation>Aucun bourgeon ne voit cet endroit : continuez le trait, ou partez d’une branche</translation>
+    </message>
+    <message>
+        <source>Only the chosen bud grows, and it does not see this place</source>
+        <translation>Seul le bourgeon choisi pousse, et il ne voit pas cet endroit</translation>
+    </message>
+</context>
+<context>
+    <name>ClearTool</name>
+    <message>
+        <source>buds may shoot</source>
+        <translation>les bourgeons peuvent pousser</translation>
+    </message>
+    <message>
+        <source>Drag up along a trunk or a branch: below your hand, nothing shoots any more</source>
+        <translation>Glissez vers le haut le long d’un tronc ou d’une branche : plus rien ne pousse au-dessous de votre main</translation>
     </message>
 </context>
 <context>
@@ -460,11 +495,11 @@
         <translation>%1 ne connaît pas l’option %2</translation>
     </message>
     <message>
-        <source>%1 wants no value</source>
+        <source>%1 takes no value</source>
         <translation>%1 n’attend pas de valeur</translation>
     </message>
     <message>
-        <source>%1 wants a value after it</source>
+        <source>%1 needs a value after it</source>
         <translation>%1 attend une valeur à sa suite</translation>
     </message>
     <message>
@@ -789,6 +824,62 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>Move Branch</source>
         <translation>Déplacer la branche</translation>
     </message>
+    <message numerus="yes">
+        <source>Brush Stroke, %n branches</source>
+        <translation>
+            <numerusform>Coup de pinceau, %n branche</numerusform>
+            <numerusform>Coup de pinceau, %n branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Thin Out</source>
+        <translation>Éclaircir</translation>
+    </message>
+    <message>
+        <source>Keep Clear</source>
+        <translation>Dégager</translation>
+    </message>
+    <message>
+        <source>Let Buds Shoot</source>
+        <translation>Laisser pousser les bourgeons</translation>
+    </message>
+    <message numerus="yes">
+        <source>Prune, %n branches</source>
+        <translation>
+            <numerusform>Taille, %n branche</numerusform>
+            <numerusform>Taille, %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Grow, %n steps</source>
+        <translation>
+            <numerusform>Croissance, %n étape</numerusform>
+            <numerusform>Croissance, %n étapes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Regrow</source>
+        <translation>Repousse</translation>
+    </message>
+    <message>
+        <source>Remove Envelope</source>
+        <translation>Retirer l’enveloppe</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Tap a branch to cut it off, or draw across the branches to cut</source>
+        <translation>Touchez une branche pour la couper, ou tracez en travers des branches à couper</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -812,11 +903,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>il n’a pas de dessin %1</translation>
     </message>
     <message>
-        <source>a stroke has not as many x as y</source>
+        <source>the x and y of a stroke differ in number</source>
         <translation>un trait n’a pas autant de x que de y</translation>
     </message>
     <message>
-        <source>a stroke has a point that is no number</source>
+        <source>a stroke has a point that is not a number</source>
         <translation>un trait a un point qui n’est pas un nombre</translation>
     </message>
     <message>
@@ -856,6 +947,17 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>EraserTool</name>
+    <message>
+        <source>Brush over twigs to take some of them, evenly; what goes turns red</source>
+        <translation>Passez sur les rameaux pour en retirer une partie, régulièrement ; ce qui part devient rouge</translation>
+    </message>
+    <message>
+        <source>Brush over twigs and leaves to take them away, however deep in the crown they are</source>
+        <translation>Passez sur les rameaux et les feuilles pour les retirer, si profond qu’ils soient dans la couronne</translation>
+    </message>
+</context>
+<context>
     <name>ExportFormat</name>
     <message>
         <source>FBX</source>
@@ -881,7 +983,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>les maillages n’ont pas pu être écrits&#xa0;: %1</translation>
     </message>
     <message>
-        <source>there is no export to “.%1”; there are %2</source>
+        <source>“.%1” is not an export format; the formats are %2</source>
         <translation>il n’y a pas d’exportation vers «&#xa0;.%1&#xa0;»&#xa0;; il y a %2</translation>
     </message>
     <message>
@@ -904,7 +1006,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>FbxRepair</name>
     <message>
-        <source>this is no sound binary FBX file</source>
+        <source>this is not a valid binary FBX file</source>
         <translation>ce n’est pas un fichier FBX binaire correct</translation>
     </message>
 </context>
@@ -943,14 +1045,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1 a été modifié par une autre fenêtre ou un autre programme depuis son ouverture ou son enregistrement ici. L’écraser fait perdre ces modifications.</translation>
     </message>
     <message>
-        <source>Save As…</source>
-        <translation>Enregistrer sous…</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>Écraser</translation>
-    </message>
-    <message>
         <source>Save as Recipe</source>
         <translation>Enregistrer comme recette</translation>
     </message>
@@ -962,6 +1056,34 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;Recipes (*.json);;Skeletons (*.csv);;All files (*)</source>
         <translation>Arbres, recettes et squelettes mesurés (*.espalier *.json *.csv);;Arbres (*.espalier);;Recettes (*.json);;Squelettes (*.csv);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Images (*.png)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Save As…</source>
+        <translation>&amp;Enregistrer sous…</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Remplacer</translation>
+    </message>
 </context>
 <context>
     <name>FileWriter</name>
@@ -970,7 +1092,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>le dossier %1 n’existe pas</translation>
     </message>
     <message>
-        <source>%1 is no folder</source>
+        <source>%1 is not a folder</source>
         <translation>%1 n’est pas un dossier</translation>
     </message>
     <message>
@@ -994,7 +1116,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>la part attribuée du disque est pleine</translation>
     </message>
     <message>
-        <source>the disk can only be read</source>
+        <source>the disk is read-only</source>
         <translation>le disque est en lecture seule</translation>
     </message>
     <message>
@@ -1058,6 +1180,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>there is no such file</source>
         <translation>ce fichier n’existe pas</translation>
+    </message>
+    <message>
+        <source>it is not a picture that can be read</source>
+        <translation>ce n’est pas une image lisible</translation>
     </message>
 </context>
 <context>
@@ -1304,6 +1430,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>%1 cannot be moved to the trash: %2</source>
         <translation>Impossible de mettre %1 à la corbeille&#xa0;: %2</translation>
     </message>
+    <message>
+        <source>There is another tree named %1 now.</source>
+        <translation>Il y a maintenant un autre arbre nommé %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be taken out of the trash: %2</source>
+        <translation>%1 ne peut être retiré de la corbeille : %2</translation>
+    </message>
 </context>
 <context>
     <name>MoveTool</name>
@@ -1323,7 +1457,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Touchez une branche : elle en reçoit une de plus comme celles qu’elle porte</translation>
     </message>
     <message>
-        <source>Tap a branch: the others get what it carries; drag from it across those that shall get it</source>
+        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which get it</source>
         <translation>Toucher une branche&#xa0;: les autres reçoivent ce qu’elle porte&#xa0;; ou tirer d’elle à travers celles qui doivent le recevoir</translation>
     </message>
 </context>
@@ -1355,7 +1489,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>Parameters</name>
     <message>
-        <source>Behind</source>
+        <source>Backdrop</source>
         <translation>Derrière</translation>
     </message>
     <message>
@@ -1387,7 +1521,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Afficher le soleil</translation>
     </message>
     <message>
-        <source>Show the sun as a ball that you can drag about the tree.</source>
+        <source>Show the sun as a ball that you can drag around the tree.</source>
         <translation>Afficher le soleil comme une boule que l’on peut faire glisser autour de l’arbre.</translation>
     </message>
     <message>
@@ -1419,7 +1553,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Opacité</translation>
     </message>
     <message>
-        <source>How much of the picture is seen.</source>
+        <source>How opaque the picture is.</source>
         <translation>À quel point l’image est visible.</translation>
     </message>
     <message>
@@ -1431,7 +1565,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Vers la droite</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is beside the seedling.</source>
+        <source>How far the picture&apos;s middle is to the right of the seedling.</source>
         <translation>Où se trouve le milieu de l’image à côté de la plantule.</translation>
     </message>
     <message>
@@ -1439,7 +1573,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Vers le haut</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is above the seedling.</source>
+        <source>How far the picture&apos;s middle is above the seedling.</source>
         <translation>Où se trouve le milieu de l’image au-dessus de la plantule.</translation>
     </message>
     <message>
@@ -1511,7 +1645,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Angle d’insertion</translation>
     </message>
     <message>
-        <source>Between a branch and what branches off it.</source>
+        <source>Between a branch and the branches that leave it.</source>
         <translation>Entre une branche et ce qui s’en détache.</translation>
     </message>
     <message>
@@ -1607,7 +1741,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Dom. apicale</translation>
     </message>
     <message>
-        <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
+        <source>What gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
         <translation>Qui reçoit la vigueur&#xa0;: au-dessus de 0,5 l’axe principal, comme chez les conifères&#xa0;; en dessous les branches, comme chez les arbustes.</translation>
     </message>
     <message>
@@ -1879,11 +2013,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Les branches qui portent plus de rameaux que cela sont nues.</translation>
     </message>
     <message>
-        <source>Only near the tips</source>
+        <source>Leafy internodes</source>
         <translation>Seulement au bout</translation>
     </message>
     <message>
-        <source>Leaves grow so many internodes down from the tip of a shoot, and no further.</source>
+        <source>How many internodes of a shoot bear leaves, counted from its tip.</source>
         <translation>Les feuilles poussent sur ce nombre d’entre-nœuds depuis le bout d’une pousse, pas plus loin.</translation>
     </message>
     <message>
@@ -2127,7 +2261,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>annelée</translation>
     </message>
     <message>
-        <source>What stands behind the tree. The studio is dark or light as the program is.</source>
+        <source>What stands behind the tree. The studio is dark or light, as the theme is.</source>
         <translation>Ce qui se trouve derrière l’arbre. Le studio est sombre ou clair, comme le programme.</translation>
     </message>
     <message>
@@ -2159,7 +2293,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Plan de dessin</translation>
     </message>
     <message>
-        <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
+        <source>Show how deep in the tree the brush draws: a faint grid around it.</source>
         <translation>Montrer à quelle profondeur de l’arbre le pinceau dessine&#xa0;: une grille pâle autour de lui.</translation>
     </message>
     <message>
@@ -2295,7 +2429,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Ordres de ramification</translation>
     </message>
     <message>
-        <source>Branches of branches of branches: this many, and no more.</source>
+        <source>How many orders of branches there are at most: branches, their branches, and so on.</source>
         <translation>Des branches sur des branches sur des branches&#xa0;: autant d’ordres, pas plus.</translation>
     </message>
     <message>
@@ -2343,11 +2477,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Excurrent au-dessus de 1, décurrent en dessous.</translation>
     </message>
     <message>
-        <source>Tired with distance</source>
+        <source>Loss with distance</source>
         <translation>Fatigue au loin</translation>
     </message>
     <message>
-        <source>How much less shoots grow that are far from the root.</source>
+        <source>How much less shoots far from the root grow.</source>
         <translation>À quel point les pousses éloignées de la racine poussent moins.</translation>
     </message>
     <message>
@@ -2355,7 +2489,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Décroissance du potentiel avec la distance à la racine.</translation>
     </message>
     <message>
-        <source>Tired with height</source>
+        <source>Loss with height</source>
         <translation>Fatigue en hauteur</translation>
     </message>
     <message>
@@ -2415,7 +2549,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Courbure gravimorphique due au poids des branches.</translation>
     </message>
     <message>
-        <source>Stiff with age</source>
+        <source>Stiffness with age</source>
         <translation>Raideur avec l’âge</translation>
     </message>
     <message>
@@ -2427,7 +2561,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Exposant de l’épaisseur dans la rigidité à la flexion.</translation>
     </message>
     <message>
-        <source>Most sagging</source>
+        <source>Greatest sag</source>
         <translation>Affaissement max.</translation>
     </message>
     <message>
@@ -2471,7 +2605,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Rayon des brins</translation>
     </message>
     <message>
-        <source>How thick each strand is. The trunk then gets as thick as its strands want it; at 0 it keeps the width that it has.</source>
+        <source>How thick each strand is. The trunk then gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
         <translation>L’épaisseur de chaque brin. Le tronc devient alors aussi épais que ses brins le demandent&#xa0;; à 0, il garde l’épaisseur qu’il a.</translation>
     </message>
     <message>
@@ -2479,7 +2613,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Cohésion</translation>
     </message>
     <message>
-        <source>Branches separate at a fork where their strands are further apart than so many strand radii: low early, high late.</source>
+        <source>Branches separate at a fork where their strands are further apart than this many strand radii: low values part them early, high ones late.</source>
         <translation>Les branches se séparent à une fourche là où leurs brins sont plus éloignés que ce nombre de rayons de brin&#xa0;: tôt si la valeur est basse, tard si elle est haute.</translation>
     </message>
     <message>
@@ -2487,7 +2621,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Tassement</translation>
     </message>
     <message>
-        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops on the way there.</source>
+        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops before that.</source>
         <translation>Comment les brins d’une section sont serrés les uns contre les autres. Au repos&#xa0;: jusqu’à ce qu’aucun n’en recouvre un autre. Publié&#xa0;: par la simulation de l’article, qui s’arrête en chemin.</translation>
     </message>
     <message>
@@ -2659,7 +2793,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À la place</translation>
     </message>
     <message>
-        <source>What the branches carried until now goes.</source>
+        <source>What the branches carried until now is removed.</source>
         <translation>Ce que les branches portaient jusqu’ici disparaît.</translation>
     </message>
     <message>
@@ -2675,7 +2809,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Numéro</translation>
     </message>
     <message>
-        <source>Which variation it is: the same number makes the same tree of the same one.</source>
+        <source>Which variation it is: the same number always gives the same variation of a tree.</source>
         <translation>De quelle variation il s’agit&#xa0;: le même numéro fait du même arbre le même.</translation>
     </message>
     <message>
@@ -2689,6 +2823,66 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
         <translation>Le dessin est placé deux fois, la seconde tourné de 90° autour du tronc, pour que l’arbre soit aussi fourni de côté que de face. Sans cela, les branches elles-mêmes viennent vers vous et s’éloignent.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Where strokes go in depth. Screen: as deep as the branch that they begin at. Trunk: in the plane through the trunk and the branch that they begin at. Spread: each limb that begins at the trunk is turned into the widest gap, as long and as steep as you draw it.</source>
+        <translation>Où vont les traits en profondeur. Écran : à la profondeur de la branche dont ils partent. Tronc : dans le plan du tronc et de la branche dont ils partent. Réparti : chaque branche qui part du tronc est tournée vers le plus grand vide, aussi longue et inclinée que vous la tracez.</translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <translation>Autour</translation>
+    </message>
+    <message>
+        <source>How many strokes are made around the trunk for each one that you draw.</source>
+        <translation>Combien de traits naissent autour du tronc pour chacun que vous tracez.</translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation>écran</translation>
+    </message>
+    <message>
+        <source>trunk</source>
+        <translation>tronc</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>réparti</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Radius of the brush, the same as that of the brush that paints.</source>
+        <translation>Rayon du pinceau, le même que celui du pinceau qui peint.</translation>
+    </message>
+    <message>
+        <source>Up to</source>
+        <translation>Jusqu’à</translation>
+    </message>
+    <message>
+        <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
+        <translation>Le bois le plus épais qui part, en part de l’épaisseur du tronc. Les branches plus grosses restent, même en repassant.</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Retire</translation>
+    </message>
+    <message>
+        <source>The share of the twigs under the brush that a stroke takes. They are chosen evenly along each limb.</source>
+        <translation>La part des rameaux sous le pinceau qu’un trait retire. Ils sont choisis régulièrement le long de chaque branche.</translation>
+    </message>
+    <message>
+        <source>Far side too</source>
+        <translation>Côté caché aussi</translation>
+    </message>
+    <message>
+        <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
+        <translation>Un trait traverse tout l’arbre. Sinon, il ne prend que ce qui est de votre côté du tronc.</translation>
     </message>
 </context>
 <context>
@@ -2872,12 +3066,25 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>there are too many</source>
         <translation>il y en a trop</translation>
     </message>
-</context>
-<context>
-    <name>PruneTool</name>
     <message>
-        <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
-        <translation>Toucher une branche pour l’ôter, ou tracer à travers les branches qui doivent tomber</translation>
+        <source>true or false is expected</source>
+        <translation>true ou false est attendu</translation>
+    </message>
+    <message>
+        <source>a colour such as #5c6268 is expected</source>
+        <translation>une couleur comme #5c6268 est attendue</translation>
+    </message>
+    <message>
+        <source>there is no backdrop of this name</source>
+        <translation>il n’y a pas d’arrière-plan de ce nom</translation>
+    </message>
+    <message>
+        <source>its background and light cannot be read (%1); those of a new tree show instead</source>
+        <translation>son arrière-plan et sa lumière sont illisibles (%1) ; ceux d’un nouvel arbre les remplacent</translation>
+    </message>
+    <message>
+        <source>the reference picture “%1” is missing in it or broken</source>
+        <translation>l’image de référence « %1 » y manque ou est endommagée</translation>
     </message>
 </context>
 <context>
@@ -3182,6 +3389,30 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>true or false is expected</source>
         <translation>true ou false est attendu</translation>
     </message>
+    <message>
+        <source>nothing under the brush could be erased</source>
+        <translation>rien sous le pinceau ne pouvait être effacé</translation>
+    </message>
+    <message>
+        <source>there were no twigs under the brush to take</source>
+        <translation>il n’y avait aucun rameau à retirer sous le pinceau</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 is kept clear like that already</source>
+        <translation>la branche de l’entre-nœud %1 est déjà dégagée ainsi</translation>
+    </message>
+    <message>
+        <source>three numbers within ±%1 are expected: x, y, z, in m</source>
+        <translation>trois nombres dans ±%1 sont attendus : x, y, z, en m</translation>
+    </message>
+    <message>
+        <source>four numbers are expected: x, y, z within ±%1 m, and a radius within 0…%2 m</source>
+        <translation>quatre nombres sont attendus : x, y, z dans ±%1 m, et un rayon dans 0…%2 m</translation>
+    </message>
+    <message>
+        <source>one stroke or more is expected</source>
+        <translation>au moins un trait est attendu</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3254,6 +3485,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
         <translation>Toucher un bourgeon, et lui seul pousse désormais&#xa0;; toucher à côté de l’arbre pour que tous poussent à nouveau</translation>
     </message>
+    <message>
+        <source>There is no bud here. Buds that are near the pointer show as dots.</source>
+        <translation>Il n’y a pas de bourgeon ici. Les bourgeons proches du pointeur apparaissent comme des points.</translation>
+    </message>
+    <message>
+        <source>No bud is that near. Tap one of the dots, or go nearer with the wheel.</source>
+        <translation>Aucun bourgeon n’est aussi proche. Touchez l’un des points, ou approchez-vous avec la molette.</translation>
+    </message>
 </context>
 <context>
     <name>Skeleton</name>
@@ -3270,7 +3509,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1 nombres sont attendus</translation>
     </message>
     <message>
-        <source>“%1” is no number for %2</source>
+        <source>“%1” is not a number for %2</source>
         <translation>« %1 » n’est pas un nombre pour %2</translation>
     </message>
     <message>
@@ -3616,6 +3855,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>its added vigour is out of range</source>
         <translation>sa vigueur ajoutée est hors limites</translation>
     </message>
+    <message>
+        <source>the length that is kept clear is out of range</source>
+        <translation>la longueur dégagée est hors limites</translation>
+    </message>
 </context>
 <context>
     <name>TwistTool</name>
@@ -3631,7 +3874,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>WidthTool</name>
     <message>
-        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <source>Tap a branch to fix its width; drag the ends of the handle to change it</source>
         <translation>Toucher une branche pour fixer son épaisseur&#xa0;; tirer les bouts de la poignée pour la changer</translation>
     </message>
 </context>
@@ -3646,11 +3889,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>le contenu est endommagé</translation>
     </message>
     <message>
-        <source>it is no project file, or a damaged one (%1)</source>
+        <source>it is not a project file, or a damaged one (%1)</source>
         <translation>ce n’est pas un fichier de projet, ou il est endommagé (%1)</translation>
     </message>
     <message>
-        <source>it is no project file: it is empty</source>
+        <source>it is not a project file: it is empty</source>
         <translation>ce n’est pas un fichier de projet&#xa0;: il est vide</translation>
     </message>
     <message>
@@ -3677,7 +3920,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Plus ›</translation>
     </message>
     <message>
-        <source>The rest of what steers growth: shoots, shade, room to grow</source>
+        <source>Everything else that steers growth: shoots, shade, room to grow</source>
         <translation>Le reste de ce qui guide la croissance&#xa0;: pousses, ombrage, place disponible</translation>
     </message>
     <message>
@@ -3689,7 +3932,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Espèce</translation>
     </message>
     <message>
-        <source>Sets all that the vigour model goes by, as a species grows</source>
+        <source>Sets all parameters of the vigour model to those of a species</source>
         <translation>Règle tout ce que suit le modèle de vigueur, comme pousse une espèce</translation>
     </message>
     <message>
@@ -3727,16 +3970,8 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Soleil</translation>
     </message>
     <message>
-        <source>Picture to draw after</source>
-        <translation>Image modèle</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Choisir…</translation>
-    </message>
-    <message>
-        <source>Choose a picture to show behind the tree, so that you can draw after it.</source>
-        <translation>Choisir une image à montrer derrière l’arbre, pour dessiner d’après elle.</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3745,14 +3980,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Show no picture behind the tree.</source>
         <translation>Ne montrer aucune image derrière l’arbre.</translation>
-    </message>
-    <message>
-        <source>Picture to Draw After</source>
-        <translation>Image modèle</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>Images (%1)</translation>
     </message>
     <message>
         <source>Lower colour</source>
@@ -3767,8 +3994,20 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Couleur du haut</translation>
     </message>
     <message>
-        <source>%1 cannot be read.</source>
-        <translation>Impossible de lire %1.</translation>
+        <source>Use for New Trees</source>
+        <translation>Utiliser pour les nouveaux arbres</translation>
+    </message>
+    <message>
+        <source>New trees begin with this background, ground and light. The picture stays with this tree.</source>
+        <translation>Les nouveaux arbres commencent avec cet arrière-plan, ce sol et cette lumière. L’image reste avec cet arbre.</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>Image de référence</translation>
+    </message>
+    <message>
+        <source>Choose a picture to show behind the tree while you draw. It is saved with the tree.</source>
+        <translation>Choisir une image à montrer derrière l’arbre pendant que vous dessinez. Elle est enregistrée avec l’arbre.</translation>
     </message>
 </context>
 <context>
@@ -3778,7 +4017,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Courbure</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
+        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
         <translation>&lt;b&gt;Courbure&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à la courbure&#xa0;: raide, elle fait une large courbe et s’étire plus tôt.</translation>
     </message>
     <message>
@@ -3788,6 +4027,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
         <translation>&lt;b&gt;Étirement&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement&#xa0;: elle garde sa longueur, ou suit la main plus loin.</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
     </message>
 </context>
 <context>
@@ -3824,12 +4067,16 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Stylet</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Draw the curve, or press here with your pen to try it.</source>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Drag the curve, or press here with your pen to try it.</source>
         <translation>&lt;b&gt;Courbe de pression&lt;/b&gt;&lt;br&gt;Avec quelle fermeté le stylet doit appuyer pour atteindre le rayon entier. Faire glisser la courbe, ou appuyer ici avec le stylet pour essayer.</translation>
     </message>
     <message>
         <source>Shown</source>
         <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profondeur</translation>
     </message>
 </context>
 <context>
@@ -3919,7 +4166,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Non enregistré. %1</translation>
     </message>
     <message>
-        <source>The tree cannot be kept safe from a crash: %1</source>
+        <source>No safety copy can be saved: %1</source>
         <translation>L’arbre ne peut pas être protégé d’un plantage&#xa0;: %1</translation>
     </message>
     <message>
@@ -3935,7 +4182,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Aucun encore</translation>
     </message>
     <message>
-        <source>Forget Them</source>
+        <source>Clear List</source>
         <translation>Les oublier</translation>
     </message>
     <message>
@@ -3997,10 +4244,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Temps</translation>
     </message>
     <message>
-        <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
-        <translation>En arrière&#xa0;: l’arbre décroît, à travers tout ce qui a été fait. En avant&#xa0;: il revient, et au-delà du repère il pousse.</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Jouer</translation>
     </message>
@@ -4029,12 +4272,20 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Croître d’autant d’étapes, en une seule étape d’annulation. Échap arrête.</translation>
     </message>
     <message>
-        <source>step %L1</source>
-        <translation>étape %L1</translation>
+        <source>Back: the tree ungrows, through all that you did. Forth: it comes back. Pull the handle well past the mark, and the tree grows. Far from the slider, or with Shift, a drag is finer.</source>
+        <translation>En arrière : l’arbre décroît, à travers tout ce que vous avez fait. En avant : il revient. Tirez la poignée bien au-delà du repère, et l’arbre pousse. Loin du curseur, ou avec Maj, le réglage est plus fin.</translation>
     </message>
     <message>
-        <source>step %L1, %L2 edits and steps back</source>
-        <translation>étape %L1, %L2 modifications et étapes en arrière</translation>
+        <source>New steps: %L1</source>
+        <translation>Nouvelles étapes : %L1</translation>
+    </message>
+    <message>
+        <source>Moment %L1 of %L2</source>
+        <translation>Moment %L1 sur %L2</translation>
+    </message>
+    <message>
+        <source>Seedling</source>
+        <translation>Jeune plant</translation>
     </message>
 </context>
 <context>
@@ -4213,6 +4464,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>The system has no trash here. %1 is in %2 now.</source>
         <translation>Le système n’a pas de corbeille ici. %1 est maintenant dans %2.</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
 </context>
 <context>
     <name>espalier::LibraryPanel</name>
@@ -4241,7 +4496,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Rechercher</translation>
     </message>
     <message>
-        <source>Save the tree that is open into the library.</source>
+        <source>Save the open tree in the library.</source>
         <translation>Enregistrer l’arbre ouvert dans la bibliothèque.</translation>
     </message>
     <message>
@@ -4265,11 +4520,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Mes arbres</translation>
     </message>
     <message>
-        <source>None of them is called that.</source>
+        <source>No tree has a name like that.</source>
         <translation>Aucun ne porte ce nom.</translation>
     </message>
     <message>
-        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <source>No trees yet. “Keep This Tree” saves the open tree here.</source>
         <translation>Aucun encore. «&#xa0;Garder cet arbre&#xa0;» enregistre ici l’arbre ouvert.</translation>
     </message>
     <message>
@@ -4292,15 +4547,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Choisir une image…</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background</source>
+        <source>A PNG or JPEG of one leaf, stalk down, on a transparent or plain background</source>
         <translation>Un PNG ou un JPEG d’une seule feuille, pétiole en bas, sans fond ou sur un fond uni</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
+        <source>A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too</source>
         <translation>Un PNG ou un JPEG d’écorce&#xa0;; les cartes de normales et de rugosité placées à côté sont prises aussi</translation>
     </message>
     <message>
-        <source>Image of your own: %1</source>
+        <source>Your image: %1</source>
         <translation>Image personnelle&#xa0;: %1</translation>
     </message>
 </context>
@@ -4319,10 +4574,6 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Images (*.png *.jpg *.jpeg)</translation>
     </message>
     <message>
-        <source>What shall %1 be?</source>
-        <translation>Que doit devenir %1&#xa0;?</translation>
-    </message>
-    <message>
         <source>Leaves</source>
         <translation>Feuilles</translation>
     </message>
@@ -4331,8 +4582,16 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Écorce</translation>
     </message>
     <message>
-        <source>Maps that lie beside it were taken too.</source>
+        <source>Maps found beside it are used, too.</source>
         <translation>Les cartes qui se trouvent à côté ont été prises aussi.</translation>
+    </message>
+    <message>
+        <source>What is %1 for?</source>
+        <translation>À quoi sert %1 ?</translation>
+    </message>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Image de référence</translation>
     </message>
 </context>
 <context>
@@ -4389,6 +4648,132 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>airy</source>
         <translation>aéré</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PictureController</name>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Dessin de l’image</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard.</source>
+        <translation>L’image est dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Non enregistré. %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PictureSheet</name>
+    <message>
+        <source>As the window, %1 × %2</source>
+        <translation>Comme la fenêtre, %1 × %2</translation>
+    </message>
+    <message>
+        <source>Full HD, 1920 × 1080</source>
+        <translation>Full HD, 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K, 3840 × 2160</source>
+        <translation>4K, 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square, 1080 × 1080</source>
+        <translation>Carré, 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Large square, 2048 × 2048</source>
+        <translation>Grand carré, 2048 × 2048</translation>
+    </message>
+    <message>
+        <source>Portrait, 1080 × 1350</source>
+        <translation>Portrait, 1080 × 1350</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>Autre taille</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Fond transparent</translation>
+    </message>
+    <message>
+        <source>With the shadow on the ground</source>
+        <translation>Avec l’ombre au sol</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>As shown now</source>
+        <translation>Comme affiché</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>De face</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>De côté</translation>
+    </message>
+    <message>
+        <source>From the top</source>
+        <translation>Du dessus</translation>
+    </message>
+    <message>
+        <source>Three-quarter</source>
+        <translation>De trois quarts</translation>
+    </message>
+    <message>
+        <source>Nothing is behind the tree, so that it can be laid over other pictures.</source>
+        <translation>Il n’y a rien derrière l’arbre, pour pouvoir le poser sur d’autres images.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Arrière-plan</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Put the picture on the clipboard.</source>
+        <translation>Placer l’image dans le presse-papiers.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
     </message>
 </context>
 <context>
@@ -4583,6 +4968,41 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::PrunePopOut</name>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Tap a branch to take it off, or draw a line across several.</source>
+        <translation>Touchez une branche pour la retirer, ou tracez une ligne en travers de plusieurs.</translation>
+    </message>
+    <message>
+        <source>Keep clear</source>
+        <translation>Dégager</translation>
+    </message>
+    <message>
+        <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
+        <translation>Glissez vers le haut le long d’un tronc ou d’une branche : les pousses au-dessous de votre main partent, et il n’en vient plus. Redescendez l’anneau pour laisser pousser les bourgeons.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Effacer</translation>
+    </message>
+    <message>
+        <source>Brush over twigs and leaves to take them away, however deep in the crown they are. Limbs stay.</source>
+        <translation>Passez sur les rameaux et les feuilles pour les retirer, si profond qu’ils soient dans la couronne. Les grosses branches restent.</translation>
+    </message>
+    <message>
+        <source>Thin out</source>
+        <translation>Éclaircir</translation>
+    </message>
+    <message>
+        <source>Brush over the crown to take some of its twigs, evenly.</source>
+        <translation>Passez sur la couronne pour retirer une partie de ses rameaux, régulièrement.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -4650,17 +5070,32 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::SceneController</name>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Image de référence</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Images (%1)</translation>
+    </message>
+    <message>
+        <source>New trees will have this background, ground and light.</source>
+        <translation>Les nouveaux arbres auront cet arrière-plan, ce sol et cette lumière.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SettingsSheet</name>
     <message>
-        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and the left button turn, too.</source>
         <translation>Le bouton du milieu tourne, avec Maj il déplace, avec Ctrl il approche. Alt et le bouton gauche tournent aussi.</translation>
     </message>
     <message>
-        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <source>Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.</source>
         <translation>Alt et le bouton gauche tournent, Alt et celui du milieu déplacent, Alt et le droit approchent.</translation>
     </message>
     <message>
-        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <source>The right or middle button turns, Shift and the middle button pan. Alt and the left button turn, too.</source>
         <translation>Le bouton droit ou du milieu tourne, Maj et celui du milieu déplacent. Alt et le bouton gauche tournent aussi.</translation>
     </message>
     <message>
@@ -4760,7 +5195,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Étapes annulables</translation>
     </message>
     <message>
-        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <source>A new number of steps applies from the next tree that you begin or open.</source>
         <translation>Le nombre d’étapes vaut à partir du prochain arbre commencé ou ouvert.</translation>
     </message>
     <message>
@@ -4768,7 +5203,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Bibliothèque</translation>
     </message>
     <message>
-        <source>In a folder of Espalier&apos;s own</source>
+        <source>In Espalier&apos;s own folder</source>
         <translation>Dans un dossier propre à Espalier</translation>
     </message>
     <message>
@@ -4790,6 +5225,50 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Lengths</source>
         <translation>Longueurs</translation>
+    </message>
+    <message>
+        <source>%L1 %</source>
+        <translation>%L1 %</translation>
+    </message>
+    <message>
+        <source>Size of the interface</source>
+        <translation>Taille de l’interface</translation>
+    </message>
+    <message>
+        <source>Stroke stabiliser</source>
+        <translation>Stabilisateur</translation>
+    </message>
+    <message>
+        <source>A stroke follows the pointer at this distance, like a stone on a string: it does not tremble.</source>
+        <translation>Le trait suit le pointeur à cette distance, comme une pierre au bout d’un fil : il ne tremble pas.</translation>
+    </message>
+    <message>
+        <source>A stroke comes this much later than the pointer, and more smoothly.</source>
+        <translation>Le trait suit le pointeur avec ce retard, et plus doucement.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Retard</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>Applies from the next start of Espalier.</source>
+        <translation>Prend effet au prochain démarrage d’Espalier.</translation>
     </message>
 </context>
 <context>
@@ -4970,6 +5449,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>%L1 entre-nœuds · %L2 feuilles · étape %L3</translation>
+    </message>
+    <message>
+        <source>Back to My Tree</source>
+        <translation>Revenir à mon arbre</translation>
+    </message>
+    <message>
+        <source>Show your own tree again, as it was before this recipe was played</source>
+        <translation>Montrer de nouveau votre arbre, tel qu’il était avant cette recette</translation>
     </message>
 </context>
 </TS>

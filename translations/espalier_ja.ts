@@ -72,7 +72,7 @@
         <translation>ブラシ</translation>
     </message>
     <message>
-        <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
+        <source>Drag from the tree outward: it grows into the space that the brush passes through.</source>
         <translation>木から外へドラッグすると、ブラシが通った空間に木が伸びます。</translation>
     </message>
     <message>
@@ -88,7 +88,7 @@
         <translation>剪定</translation>
     </message>
     <message>
-        <source>Tap a branch to take it off, or draw across all that shall fall.</source>
+        <source>Tap a branch to cut it off, or draw across all the branches to cut.</source>
         <translation>枝をタップして切り落とすか、落とす枝を横切る線を引きます。</translation>
     </message>
     <message>
@@ -96,7 +96,7 @@
         <translation>芽</translation>
     </message>
     <message>
-        <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
+        <source>Tap a bud: from now on only it grows, and what grows from it.</source>
         <translation>芽をタップすると、その芽とそこから出る枝だけが成長します。</translation>
     </message>
     <message>
@@ -112,7 +112,7 @@
         <translation>太さ</translation>
     </message>
     <message>
-        <source>Tap a branch to hold its width, and draw the handle to change it.</source>
+        <source>Tap a branch to fix its width, and drag the handle to change it.</source>
         <translation>枝をタップすると太さを固定し、ハンドルをドラッグすると変えられます。</translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
         <translation>ブラシを小さく</translation>
     </message>
     <message>
-        <source>Make the brush smaller, while brushing too.</source>
+        <source>Make the brush smaller, even while brushing.</source>
         <translation>ブラシを小さくします。描いている途中でも使えます。</translation>
     </message>
     <message>
@@ -144,7 +144,7 @@
         <translation>ブラシを大きく</translation>
     </message>
     <message>
-        <source>Make the brush larger, while brushing too.</source>
+        <source>Make the brush larger, even while brushing.</source>
         <translation>ブラシを大きくします。描いている途中でも使えます。</translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
         <translation>背景</translation>
     </message>
     <message>
-        <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
+        <source>What is around the tree: background, ground, sun, reference picture.</source>
         <translation>木のまわりのもの。背景、地面、太陽、下絵です。</translation>
     </message>
     <message>
@@ -244,15 +244,15 @@
         <translation>履歴</translation>
     </message>
     <message>
-        <source>All that you did, step by step; a click goes there.</source>
+        <source>Everything you did, step by step; click a step to go back to it.</source>
         <translation>これまでの操作の一覧です。クリックするとその時点に移ります。</translation>
     </message>
     <message>
-        <source>To the Panels and Back</source>
+        <source>Focus Panels or Tree</source>
         <translation>パネルと木の切り替え</translation>
     </message>
     <message>
-        <source>Give the keys to the panels, or back to the tree.</source>
+        <source>Move the keyboard focus to the panels, or back to the tree.</source>
         <translation>キー操作の対象をパネルに移すか、木に戻します。</translation>
     </message>
     <message>
@@ -276,7 +276,7 @@
         <translation>ヘルプ</translation>
     </message>
     <message>
-        <source>About the tool in hand, and about everything else.</source>
+        <source>Help on the current tool, and on everything else.</source>
         <translation>手にしているツールの説明と、そのほかすべてのヘルプです。</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>ライブラリ</translation>
     </message>
     <message>
-        <source>Species to start from, and the trees that you keep.</source>
+        <source>Species to start from, and the trees you keep.</source>
         <translation>出発点にする樹種と、保存してある木です。</translation>
     </message>
     <message>
@@ -312,11 +312,11 @@
         <translation>設定…</translation>
     </message>
     <message>
-        <source>How Espalier looks, and how it takes your hand.</source>
+        <source>How Espalier looks, and how it responds to your hand.</source>
         <translation>Espalier の見た目と、手の動きの受け取り方です。</translation>
     </message>
     <message>
-        <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
+        <source>Size of the brush, pressure of the pen, and what is shown of them.</source>
         <translation>ブラシの大きさ、筆圧、ブラシが広げる余地を決めます。</translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation>レシピとして保存…</translation>
     </message>
     <message>
-        <source>Write down what was done to the tree, so that it can be done again.</source>
+        <source>Save everything that was done to the tree, so that it can be done again.</source>
         <translation>木に対して行ったことを書き留めて、もう一度行えるようにします。</translation>
     </message>
     <message>
@@ -364,7 +364,7 @@
         <translation>縮小</translation>
     </message>
     <message>
-        <source>Press a branch and hold: its youngest growth goes, step by step.</source>
+        <source>Press a branch and hold: its youngest growth disappears, step by step.</source>
         <translation>枝を押し続けると、新しく伸びた部分から 1 ステップずつ消えていきます。</translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation>増やす</translation>
     </message>
     <message>
-        <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
+        <source>Tap a branch: it gets more branches like those it carries, or passes them on.</source>
         <translation>枝をタップすると、付いている枝が増えるか、ほかの枝に広まります。</translation>
     </message>
     <message>
@@ -406,6 +406,22 @@
     <message>
         <source>Drag a branch along the wood, around it, or to other wood, with all it carries.</source>
         <translation>枝を、木に沿って、木のまわりに、または別の木へ、付いているものごとドラッグします。</translation>
+    </message>
+    <message>
+        <source>Save Picture…</source>
+        <translation>画像を保存…</translation>
+    </message>
+    <message>
+        <source>Save a picture of the tree, in any size and from any side.</source>
+        <translation>木の画像を、好きな大きさと向きで保存します。</translation>
+    </message>
+    <message>
+        <source>Copy Picture</source>
+        <translation>画像をコピー</translation>
+    </message>
+    <message>
+        <source>Put a picture of the tree as it is shown on the clipboard.</source>
+        <translation>表示されているとおりの木の画像をクリップボードに入れます。</translation>
     </message>
 </context>
 <context>
@@ -427,6 +443,25 @@
     <message>
         <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
         <translation>ドラッグして木を描きます。枝から始めると、その奥行きで続きます</translation>
+    </message>
+    <message>
+        <source>No bud sees this place: draw on, or begin at a branch</source>
+        <translation>この場所が見える芽がありません。さらに描くか、枝から始めてください</translation>
+    </message>
+    <message>
+        <source>Only the chosen bud grows, and it does not see this place</source>
+        <translation>選んだ芽だけが伸びますが、その芽からはこの場所が見えません</translation>
+    </message>
+</context>
+<context>
+    <name>ClearTool</name>
+    <message>
+        <source>buds may shoot</source>
+        <translation>芽が伸びられます</translation>
+    </message>
+    <message>
+        <source>Drag up along a trunk or a branch: below your hand, nothing shoots any more</source>
+        <translation>幹や枝に沿って上へドラッグすると、手より下からは何も伸びなくなります</translation>
     </message>
 </context>
 <context>
@@ -460,11 +495,11 @@
         <translation>%1 に %2 というオプションはありません</translation>
     </message>
     <message>
-        <source>%1 wants no value</source>
+        <source>%1 takes no value</source>
         <translation>%1 に値は付けられません</translation>
     </message>
     <message>
-        <source>%1 wants a value after it</source>
+        <source>%1 needs a value after it</source>
         <translation>%1 の後に値が必要です</translation>
     </message>
     <message>
@@ -785,6 +820,59 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>Move Branch</source>
         <translation>枝を移す</translation>
     </message>
+    <message numerus="yes">
+        <source>Brush Stroke, %n branches</source>
+        <translation>
+            <numerusform>ブラシ、枝 %n 本</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>消す</translation>
+    </message>
+    <message>
+        <source>Thin Out</source>
+        <translation>間引き</translation>
+    </message>
+    <message>
+        <source>Keep Clear</source>
+        <translation>下枝なし</translation>
+    </message>
+    <message>
+        <source>Let Buds Shoot</source>
+        <translation>芽を伸ばす</translation>
+    </message>
+    <message numerus="yes">
+        <source>Prune, %n branches</source>
+        <translation>
+            <numerusform>剪定、枝 %n 本</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Grow, %n steps</source>
+        <translation>
+            <numerusform>成長、%n ステップ</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>投げ縄</translation>
+    </message>
+    <message>
+        <source>Regrow</source>
+        <translation>育て直し</translation>
+    </message>
+    <message>
+        <source>Remove Envelope</source>
+        <translation>外形を除く</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Tap a branch to cut it off, or draw across the branches to cut</source>
+        <translation>枝をタップして切るか、切る枝を横切るように描きます</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -808,11 +896,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 番の絵がありません</translation>
     </message>
     <message>
-        <source>a stroke has not as many x as y</source>
+        <source>the x and y of a stroke differ in number</source>
         <translation>線の x と y の数が違います</translation>
     </message>
     <message>
-        <source>a stroke has a point that is no number</source>
+        <source>a stroke has a point that is not a number</source>
         <translation>線に数でない点があります</translation>
     </message>
     <message>
@@ -852,6 +940,17 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>EraserTool</name>
+    <message>
+        <source>Brush over twigs to take some of them, evenly; what goes turns red</source>
+        <translation>小枝の上をなぞると、むらなく一部が取れます。取れるものは赤くなります</translation>
+    </message>
+    <message>
+        <source>Brush over twigs and leaves to take them away, however deep in the crown they are</source>
+        <translation>小枝や葉の上をなぞると、樹冠の奥にあるものまで取り除けます</translation>
+    </message>
+</context>
+<context>
     <name>ExportFormat</name>
     <message>
         <source>FBX</source>
@@ -877,7 +976,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>メッシュを書き出せませんでした: %1</translation>
     </message>
     <message>
-        <source>there is no export to “.%1”; there are %2</source>
+        <source>“.%1” is not an export format; the formats are %2</source>
         <translation>「.%1」には書き出せません。使える形式は %2 です</translation>
     </message>
     <message>
@@ -900,7 +999,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>FbxRepair</name>
     <message>
-        <source>this is no sound binary FBX file</source>
+        <source>this is not a valid binary FBX file</source>
         <translation>正しいバイナリ FBX ファイルではありません</translation>
     </message>
 </context>
@@ -939,14 +1038,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 は、ここで開くか保存した後に、別のウィンドウかプログラムで変更されました。上書きすると、その変更は失われます。</translation>
     </message>
     <message>
-        <source>Save As…</source>
-        <translation>別名で保存…</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>上書き</translation>
-    </message>
-    <message>
         <source>Save as Recipe</source>
         <translation>レシピとして保存</translation>
     </message>
@@ -958,6 +1049,34 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;Recipes (*.json);;Skeletons (*.csv);;All files (*)</source>
         <translation>木、レシピ、計測したスケルトン (*.espalier *.json *.csv);;木 (*.espalier);;レシピ (*.json);;スケルトン (*.csv);;すべてのファイル (*)</translation>
     </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>画像 (*.png)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>破棄(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Save As…</source>
+        <translation>名前を付けて保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>上書き(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>FileWriter</name>
@@ -966,7 +1085,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>フォルダー %1 がありません</translation>
     </message>
     <message>
-        <source>%1 is no folder</source>
+        <source>%1 is not a folder</source>
         <translation>%1 はフォルダーではありません</translation>
     </message>
     <message>
@@ -990,7 +1109,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ディスクの割り当て分がいっぱいです</translation>
     </message>
     <message>
-        <source>the disk can only be read</source>
+        <source>the disk is read-only</source>
         <translation>ディスクは読み取り専用です</translation>
     </message>
     <message>
@@ -1054,6 +1173,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>there is no such file</source>
         <translation>そのようなファイルはありません</translation>
+    </message>
+    <message>
+        <source>it is not a picture that can be read</source>
+        <translation>読み込める画像ではありません</translation>
     </message>
 </context>
 <context>
@@ -1300,6 +1423,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>%1 cannot be moved to the trash: %2</source>
         <translation>%1 をゴミ箱に移動できません: %2</translation>
     </message>
+    <message>
+        <source>There is another tree named %1 now.</source>
+        <translation>%1 という名前の別の木ができています。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be taken out of the trash: %2</source>
+        <translation>%1 をごみ箱から戻せません：%2</translation>
+    </message>
 </context>
 <context>
     <name>MoveTool</name>
@@ -1319,7 +1450,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝をタップすると、付いている枝に似た枝が一本増えます</translation>
     </message>
     <message>
-        <source>Tap a branch: the others get what it carries; drag from it across those that shall get it</source>
+        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which get it</source>
         <translation>枝をタップすると、ほかの枝に広がります。一部の枝だけなら、その枝から相手の枝の上をドラッグします</translation>
     </message>
 </context>
@@ -1351,7 +1482,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>Parameters</name>
     <message>
-        <source>Behind</source>
+        <source>Backdrop</source>
         <translation>背後</translation>
     </message>
     <message>
@@ -1383,7 +1514,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>太陽を表示</translation>
     </message>
     <message>
-        <source>Show the sun as a ball that you can drag about the tree.</source>
+        <source>Show the sun as a ball that you can drag around the tree.</source>
         <translation>太陽を球で表示します。木のまわりをドラッグして動かせます。</translation>
     </message>
     <message>
@@ -1415,7 +1546,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>不透明度</translation>
     </message>
     <message>
-        <source>How much of the picture is seen.</source>
+        <source>How opaque the picture is.</source>
         <translation>下絵がどれだけ濃く見えるかです。</translation>
     </message>
     <message>
@@ -1427,7 +1558,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>右へ</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is beside the seedling.</source>
+        <source>How far the picture&apos;s middle is to the right of the seedling.</source>
         <translation>苗から見た下絵の中心の左右位置です。</translation>
     </message>
     <message>
@@ -1435,7 +1566,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>上へ</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is above the seedling.</source>
+        <source>How far the picture&apos;s middle is above the seedling.</source>
         <translation>苗から見た下絵の中心の高さです。</translation>
     </message>
     <message>
@@ -1507,7 +1638,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>分枝角</translation>
     </message>
     <message>
-        <source>Between a branch and what branches off it.</source>
+        <source>Between a branch and the branches that leave it.</source>
         <translation>枝と、そこから分かれる枝との間の角度です。</translation>
     </message>
     <message>
@@ -1603,7 +1734,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>頂芽優勢</translation>
     </message>
     <message>
-        <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
+        <source>What gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
         <translation>勢いの配分です。0.5 より上では針葉樹のように主軸に、下では低木のように枝に向かいます。</translation>
     </message>
     <message>
@@ -1875,11 +2006,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>これより多くの小枝をつけた枝には葉がつきません。</translation>
     </message>
     <message>
-        <source>Only near the tips</source>
+        <source>Leafy internodes</source>
         <translation>枝先のみ</translation>
     </message>
     <message>
-        <source>Leaves grow so many internodes down from the tip of a shoot, and no further.</source>
+        <source>How many internodes of a shoot bear leaves, counted from its tip.</source>
         <translation>葉はシュートの先からこの数の節間までにつき、それより下にはつきません。</translation>
     </message>
     <message>
@@ -2123,7 +2254,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>環状</translation>
     </message>
     <message>
-        <source>What stands behind the tree. The studio is dark or light as the program is.</source>
+        <source>What stands behind the tree. The studio is dark or light, as the theme is.</source>
         <translation>木の後ろに見えるものです。スタジオの明暗はプログラムのテーマに従います。</translation>
     </message>
     <message>
@@ -2155,7 +2286,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>描画面</translation>
     </message>
     <message>
-        <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
+        <source>Show how deep in the tree the brush draws: a faint grid around it.</source>
         <translation>ブラシが木のどの奥行きに描くかを、まわりの薄いグリッドで示します。</translation>
     </message>
     <message>
@@ -2291,7 +2422,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝の次数</translation>
     </message>
     <message>
-        <source>Branches of branches of branches: this many, and no more.</source>
+        <source>How many orders of branches there are at most: branches, their branches, and so on.</source>
         <translation>枝の枝、そのまた枝と、何段まで分かれるかです。</translation>
     </message>
     <message>
@@ -2339,11 +2470,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>1 より上で主幹型、下で分散型の樹形。</translation>
     </message>
     <message>
-        <source>Tired with distance</source>
+        <source>Loss with distance</source>
         <translation>距離による衰え</translation>
     </message>
     <message>
-        <source>How much less shoots grow that are far from the root.</source>
+        <source>How much less shoots far from the root grow.</source>
         <translation>根から遠いシュートの伸びがどれだけ弱まるかです。</translation>
     </message>
     <message>
@@ -2351,7 +2482,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>根からの距離に伴う成長力の減衰。</translation>
     </message>
     <message>
-        <source>Tired with height</source>
+        <source>Loss with height</source>
         <translation>高さによる衰え</translation>
     </message>
     <message>
@@ -2411,7 +2542,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝の荷重による重力形態形成的な曲がり。</translation>
     </message>
     <message>
-        <source>Stiff with age</source>
+        <source>Stiffness with age</source>
         <translation>太い枝の硬さ</translation>
     </message>
     <message>
@@ -2423,7 +2554,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>曲げ剛性における太さの指数。</translation>
     </message>
     <message>
-        <source>Most sagging</source>
+        <source>Greatest sag</source>
         <translation>たわみの上限</translation>
     </message>
     <message>
@@ -2467,7 +2598,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ストランドの半径</translation>
     </message>
     <message>
-        <source>How thick each strand is. The trunk then gets as thick as its strands want it; at 0 it keeps the width that it has.</source>
+        <source>How thick each strand is. The trunk then gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
         <translation>ストランド 1 本の太さです。幹の太さはストランドの量で決まります。0 では今の太さを保ちます。</translation>
     </message>
     <message>
@@ -2475,7 +2606,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>結びつき</translation>
     </message>
     <message>
-        <source>Branches separate at a fork where their strands are further apart than so many strand radii: low early, high late.</source>
+        <source>Branches separate at a fork where their strands are further apart than this many strand radii: low values part them early, high ones late.</source>
         <translation>ストランドどうしがストランド半径のこの倍数より離れたところで、枝が分かれます。小さいと早く、大きいと遅く分かれます。</translation>
     </message>
     <message>
@@ -2483,7 +2614,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>詰め方</translation>
     </message>
     <message>
-        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops on the way there.</source>
+        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops before that.</source>
         <translation>断面のストランドをどう押し詰めるかです。静止まで: 重なりがなくなるまで。論文どおり: 論文のシミュレーションで、その途中で止まります。</translation>
     </message>
     <message>
@@ -2655,7 +2786,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>置き換える</translation>
     </message>
     <message>
-        <source>What the branches carried until now goes.</source>
+        <source>What the branches carried until now is removed.</source>
         <translation>枝にそれまで付いていたものはなくなります。</translation>
     </message>
     <message>
@@ -2671,7 +2802,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>番号</translation>
     </message>
     <message>
-        <source>Which variation it is: the same number makes the same tree of the same one.</source>
+        <source>Which variation it is: the same number always gives the same variation of a tree.</source>
         <translation>どの変化か。同じ木からは、同じ番号で同じ木ができます。</translation>
     </message>
     <message>
@@ -2685,6 +2816,66 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
         <translation>絵を二度置き、二度目は幹のまわりに 90° 回します。横から見ても正面と同じくらい茂ります。切ると、枝そのものが手前と奥へ伸びます。</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>Where strokes go in depth. Screen: as deep as the branch that they begin at. Trunk: in the plane through the trunk and the branch that they begin at. Spread: each limb that begins at the trunk is turned into the widest gap, as long and as steep as you draw it.</source>
+        <translation>線の奥行きの決め方。画面：始点の枝と同じ奥行き。幹：幹と始点の枝を通る面。分散：幹から出る枝は、描いたとおりの長さと傾きのまま、いちばん広いすき間へ向けられます。</translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <translation>まわり</translation>
+    </message>
+    <message>
+        <source>How many strokes are made around the trunk for each one that you draw.</source>
+        <translation>描いた線 1 本につき、幹のまわりに何本できるか。</translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation>画面</translation>
+    </message>
+    <message>
+        <source>trunk</source>
+        <translation>幹</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>分散</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Radius of the brush, the same as that of the brush that paints.</source>
+        <translation>ブラシの半径。描くブラシと同じです。</translation>
+    </message>
+    <message>
+        <source>Up to</source>
+        <translation>太さの上限</translation>
+    </message>
+    <message>
+        <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
+        <translation>取り除く枝の太さの上限（幹の太さに対する割合）。それより太い枝は、何度なぞっても残ります。</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>取る割合</translation>
+    </message>
+    <message>
+        <source>The share of the twigs under the brush that a stroke takes. They are chosen evenly along each limb.</source>
+        <translation>ひとなぞりで取れる小枝の割合。枝ごとにむらなく選ばれます。</translation>
+    </message>
+    <message>
+        <source>Far side too</source>
+        <translation>裏側も</translation>
+    </message>
+    <message>
+        <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
+        <translation>線が木の向こう側まで届きます。オフのときは、幹の手前側だけを取ります。</translation>
     </message>
 </context>
 <context>
@@ -2868,12 +3059,25 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>there are too many</source>
         <translation>多すぎます</translation>
     </message>
-</context>
-<context>
-    <name>PruneTool</name>
     <message>
-        <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
-        <translation>枝をタップして切り落とすか、落とす枝を横切る線を引きます</translation>
+        <source>true or false is expected</source>
+        <translation>true か false が必要です</translation>
+    </message>
+    <message>
+        <source>a colour such as #5c6268 is expected</source>
+        <translation>#5c6268 のような色が必要です</translation>
+    </message>
+    <message>
+        <source>there is no backdrop of this name</source>
+        <translation>その名前の背景はありません</translation>
+    </message>
+    <message>
+        <source>its background and light cannot be read (%1); those of a new tree show instead</source>
+        <translation>背景と光を読み込めません（%1）。代わりに新しい木のものを表示します</translation>
+    </message>
+    <message>
+        <source>the reference picture “%1” is missing in it or broken</source>
+        <translation>下絵「%1」がないか、壊れています</translation>
     </message>
 </context>
 <context>
@@ -3178,6 +3382,30 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>true or false is expected</source>
         <translation>true か false が必要です</translation>
     </message>
+    <message>
+        <source>nothing under the brush could be erased</source>
+        <translation>ブラシの下に消せるものがありませんでした</translation>
+    </message>
+    <message>
+        <source>there were no twigs under the brush to take</source>
+        <translation>ブラシの下に取れる小枝がありませんでした</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 is kept clear like that already</source>
+        <translation>節間 %1 の枝はすでにその状態です</translation>
+    </message>
+    <message>
+        <source>three numbers within ±%1 are expected: x, y, z, in m</source>
+        <translation>±%1 の範囲の 3 つの数（x、y、z、単位 m）が必要です</translation>
+    </message>
+    <message>
+        <source>four numbers are expected: x, y, z within ±%1 m, and a radius within 0…%2 m</source>
+        <translation>4 つの数が必要です：±%1 m の x、y、z と、0…%2 m の半径</translation>
+    </message>
+    <message>
+        <source>one stroke or more is expected</source>
+        <translation>1 つ以上の線が必要です</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3250,6 +3478,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
         <translation>芽をタップすると、その芽だけが成長します。木の外をタップすると、すべての芽に戻ります</translation>
     </message>
+    <message>
+        <source>There is no bud here. Buds that are near the pointer show as dots.</source>
+        <translation>ここに芽はありません。ポインターの近くの芽は点で示されます。</translation>
+    </message>
+    <message>
+        <source>No bud is that near. Tap one of the dots, or go nearer with the wheel.</source>
+        <translation>そこまで近い芽はありません。点のどれかをタップするか、ホイールで近づいてください。</translation>
+    </message>
 </context>
 <context>
     <name>Skeleton</name>
@@ -3266,7 +3502,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>数値が %1 個必要です</translation>
     </message>
     <message>
-        <source>“%1” is no number for %2</source>
+        <source>“%1” is not a number for %2</source>
         <translation>「%1」は %2 の数値ではありません</translation>
     </message>
     <message>
@@ -3612,6 +3848,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>its added vigour is out of range</source>
         <translation>加えた勢いが範囲外です</translation>
     </message>
+    <message>
+        <source>the length that is kept clear is out of range</source>
+        <translation>下枝を止める長さが範囲外です</translation>
+    </message>
 </context>
 <context>
     <name>TwistTool</name>
@@ -3627,7 +3867,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>WidthTool</name>
     <message>
-        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <source>Tap a branch to fix its width; drag the ends of the handle to change it</source>
         <translation>枝をタップして太さを固定し、ハンドルの端をドラッグして変えます</translation>
     </message>
 </context>
@@ -3642,11 +3882,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>壊れています</translation>
     </message>
     <message>
-        <source>it is no project file, or a damaged one (%1)</source>
+        <source>it is not a project file, or a damaged one (%1)</source>
         <translation>プロジェクトファイルではないか、壊れています (%1)</translation>
     </message>
     <message>
-        <source>it is no project file: it is empty</source>
+        <source>it is not a project file: it is empty</source>
         <translation>プロジェクトファイルではありません。中身が空です</translation>
     </message>
     <message>
@@ -3673,7 +3913,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>詳細 ›</translation>
     </message>
     <message>
-        <source>The rest of what steers growth: shoots, shade, room to grow</source>
+        <source>Everything else that steers growth: shoots, shade, room to grow</source>
         <translation>成長を左右する残りの項目: シュート、日陰、成長の余地</translation>
     </message>
     <message>
@@ -3685,7 +3925,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>樹種</translation>
     </message>
     <message>
-        <source>Sets all that the vigour model goes by, as a species grows</source>
+        <source>Sets all parameters of the vigour model to those of a species</source>
         <translation>樹勢モデルの値をすべて、その樹種の育ち方に合わせます</translation>
     </message>
     <message>
@@ -3723,16 +3963,8 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>太陽</translation>
     </message>
     <message>
-        <source>Picture to draw after</source>
-        <translation>下絵</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>選択…</translation>
-    </message>
-    <message>
-        <source>Choose a picture to show behind the tree, so that you can draw after it.</source>
-        <translation>木の後ろに表示する下絵を選びます。なぞって描けます。</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3741,14 +3973,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Show no picture behind the tree.</source>
         <translation>木の後ろに下絵を表示しません。</translation>
-    </message>
-    <message>
-        <source>Picture to Draw After</source>
-        <translation>下絵</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>画像 (%1)</translation>
     </message>
     <message>
         <source>Lower colour</source>
@@ -3763,8 +3987,20 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>上の色</translation>
     </message>
     <message>
-        <source>%1 cannot be read.</source>
-        <translation>%1 を読み込めません。</translation>
+        <source>Use for New Trees</source>
+        <translation>新しい木に使う</translation>
+    </message>
+    <message>
+        <source>New trees begin with this background, ground and light. The picture stays with this tree.</source>
+        <translation>新しい木はこの背景、地面、光で始まります。下絵はこの木だけのものです。</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>下絵</translation>
+    </message>
+    <message>
+        <source>Choose a picture to show behind the tree while you draw. It is saved with the tree.</source>
+        <translation>描くときに木の後ろに表示する画像を選びます。木と一緒に保存されます。</translation>
     </message>
 </context>
 <context>
@@ -3774,7 +4010,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>曲げにくさ</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
+        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
         <translation>&lt;b&gt;曲げにくさ&lt;/b&gt;&lt;br&gt;枝がどれだけ曲げに逆らうかです。硬い枝はゆるやかな弧を描き、そのぶん早く引き伸ばされます。</translation>
     </message>
     <message>
@@ -3784,6 +4020,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
         <translation>&lt;b&gt;伸びにくさ&lt;/b&gt;&lt;br&gt;枝がどれだけ伸びに逆らうかです。長さを保つか、手に遠くまでついてくるかが決まります。</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
     </message>
 </context>
 <context>
@@ -3820,12 +4060,16 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ペン</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Draw the curve, or press here with your pen to try it.</source>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Drag the curve, or press here with your pen to try it.</source>
         <translation>&lt;b&gt;筆圧カーブ&lt;/b&gt;&lt;br&gt;半径いっぱいにするのに、ペンをどれだけ強く押すかです。カーブをドラッグして変えるか、ここをペンで押して試せます。</translation>
     </message>
     <message>
         <source>Shown</source>
         <translation>表示</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>奥行き</translation>
     </message>
 </context>
 <context>
@@ -3915,7 +4159,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>保存できませんでした。%1</translation>
     </message>
     <message>
-        <source>The tree cannot be kept safe from a crash: %1</source>
+        <source>No safety copy can be saved: %1</source>
         <translation>クラッシュに備えた控えを保存できません: %1</translation>
     </message>
     <message>
@@ -3931,7 +4175,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>まだありません</translation>
     </message>
     <message>
-        <source>Forget Them</source>
+        <source>Clear List</source>
         <translation>一覧を消去</translation>
     </message>
     <message>
@@ -3993,10 +4237,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>時間</translation>
     </message>
     <message>
-        <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
-        <translation>左へ: すべての操作をさかのぼり、木の成長が巻き戻ります。右へ: 元に戻り、目印を越えると成長します。</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>再生</translation>
     </message>
@@ -4025,12 +4265,20 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>この数だけ成長します。元に戻すときは 1 回分です。Esc で止まります。</translation>
     </message>
     <message>
-        <source>step %L1</source>
-        <translation>ステップ %L1</translation>
+        <source>Back: the tree ungrows, through all that you did. Forth: it comes back. Pull the handle well past the mark, and the tree grows. Far from the slider, or with Shift, a drag is finer.</source>
+        <translation>戻すと、行った操作をさかのぼって木が縮みます。進めると元に戻ります。つまみを印よりずっと先まで引くと木が育ちます。スライダーから離れるか Shift を押すと、細かく動かせます。</translation>
     </message>
     <message>
-        <source>step %L1, %L2 edits and steps back</source>
-        <translation>ステップ %L1、%L2 手ぶん前</translation>
+        <source>New steps: %L1</source>
+        <translation>新しいステップ：%L1</translation>
+    </message>
+    <message>
+        <source>Moment %L1 of %L2</source>
+        <translation>時点 %L1 / %L2</translation>
+    </message>
+    <message>
+        <source>Seedling</source>
+        <translation>苗</translation>
     </message>
 </context>
 <context>
@@ -4209,6 +4457,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>The system has no trash here. %1 is in %2 now.</source>
         <translation>ここではシステムのゴミ箱を使えません。%1 を %2 に移しました。</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
+    </message>
 </context>
 <context>
     <name>espalier::LibraryPanel</name>
@@ -4237,7 +4489,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>検索</translation>
     </message>
     <message>
-        <source>Save the tree that is open into the library.</source>
+        <source>Save the open tree in the library.</source>
         <translation>開いている木をライブラリに保存します。</translation>
     </message>
     <message>
@@ -4261,11 +4513,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>自分の木</translation>
     </message>
     <message>
-        <source>None of them is called that.</source>
+        <source>No tree has a name like that.</source>
         <translation>その名前のものはありません。</translation>
     </message>
     <message>
-        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <source>No trees yet. “Keep This Tree” saves the open tree here.</source>
         <translation>まだありません。「この木を保存」で、開いている木をここに保存します。</translation>
     </message>
     <message>
@@ -4288,15 +4540,15 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>画像を選択…</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background</source>
+        <source>A PNG or JPEG of one leaf, stalk down, on a transparent or plain background</source>
         <translation>葉 1 枚の PNG か JPEG。葉柄を下にし、背景は透明か無地のもの</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
+        <source>A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too</source>
         <translation>樹皮の PNG か JPEG。同じ場所にある法線マップと粗さマップも取り込みます</translation>
     </message>
     <message>
-        <source>Image of your own: %1</source>
+        <source>Your image: %1</source>
         <translation>自分の画像: %1</translation>
     </message>
 </context>
@@ -4315,10 +4567,6 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>画像 (*.png *.jpg *.jpeg)</translation>
     </message>
     <message>
-        <source>What shall %1 be?</source>
-        <translation>%1 を何に使いますか？</translation>
-    </message>
-    <message>
         <source>Leaves</source>
         <translation>葉</translation>
     </message>
@@ -4327,8 +4575,16 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>樹皮</translation>
     </message>
     <message>
-        <source>Maps that lie beside it were taken too.</source>
+        <source>Maps found beside it are used, too.</source>
         <translation>隣にあるマップも取り込みました。</translation>
+    </message>
+    <message>
+        <source>What is %1 for?</source>
+        <translation>%1 を何に使いますか？</translation>
+    </message>
+    <message>
+        <source>Reference Picture</source>
+        <translation>下絵</translation>
     </message>
 </context>
 <context>
@@ -4385,6 +4641,132 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>airy</source>
         <translation>疎</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PictureController</name>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>画像を描いています</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard.</source>
+        <translation>画像をクリップボードに入れました。</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 を保存しました</translation>
+    </message>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>保存されていません。%1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PictureSheet</name>
+    <message>
+        <source>As the window, %1 × %2</source>
+        <translation>ウィンドウと同じ、%1 × %2</translation>
+    </message>
+    <message>
+        <source>Full HD, 1920 × 1080</source>
+        <translation>フル HD、1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K, 3840 × 2160</source>
+        <translation>4K、3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square, 1080 × 1080</source>
+        <translation>正方形、1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Large square, 2048 × 2048</source>
+        <translation>大きな正方形、2048 × 2048</translation>
+    </message>
+    <message>
+        <source>Portrait, 1080 × 1350</source>
+        <translation>縦長、1080 × 1350</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>その他の大きさ</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>幅</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>透明な背景</translation>
+    </message>
+    <message>
+        <source>With the shadow on the ground</source>
+        <translation>地面の影も含める</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>画像を保存</translation>
+    </message>
+    <message>
+        <source>As shown now</source>
+        <translation>今の表示のまま</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>正面から</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>横から</translation>
+    </message>
+    <message>
+        <source>From the top</source>
+        <translation>上から</translation>
+    </message>
+    <message>
+        <source>Three-quarter</source>
+        <translation>斜めから</translation>
+    </message>
+    <message>
+        <source>Nothing is behind the tree, so that it can be laid over other pictures.</source>
+        <translation>木の後ろに何もないので、ほかの画像に重ねられます。</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大きさ</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>視点</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>コピー</translation>
+    </message>
+    <message>
+        <source>Put the picture on the clipboard.</source>
+        <translation>画像をクリップボードに入れます。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>キャンセル</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
     </message>
 </context>
 <context>
@@ -4578,6 +4960,41 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>espalier::PrunePopOut</name>
+    <message>
+        <source>Cut</source>
+        <translation>切る</translation>
+    </message>
+    <message>
+        <source>Tap a branch to take it off, or draw a line across several.</source>
+        <translation>枝をタップして取るか、何本かを横切る線を描きます。</translation>
+    </message>
+    <message>
+        <source>Keep clear</source>
+        <translation>下枝なし</translation>
+    </message>
+    <message>
+        <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
+        <translation>幹や枝に沿って上へドラッグすると、手より下の枝が取れ、新しい枝も出なくなります。輪を下へ戻すと、また芽が伸びます。</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>消す</translation>
+    </message>
+    <message>
+        <source>Brush over twigs and leaves to take them away, however deep in the crown they are. Limbs stay.</source>
+        <translation>小枝や葉の上をなぞると、樹冠の奥にあるものまで取り除けます。太い枝は残ります。</translation>
+    </message>
+    <message>
+        <source>Thin out</source>
+        <translation>間引く</translation>
+    </message>
+    <message>
+        <source>Brush over the crown to take some of its twigs, evenly.</source>
+        <translation>樹冠の上をなぞると、小枝の一部がむらなく取れます。</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -4645,17 +5062,32 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>espalier::SceneController</name>
+    <message>
+        <source>Reference Picture</source>
+        <translation>下絵</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>画像 (%1)</translation>
+    </message>
+    <message>
+        <source>New trees will have this background, ground and light.</source>
+        <translation>これからの新しい木は、この背景、地面、光になります。</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SettingsSheet</name>
     <message>
-        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and the left button turn, too.</source>
         <translation>中ボタンで回転、Shift と中ボタンで移動、Ctrl と中ボタンで近づきます。Alt と左ボタンでも回転します。</translation>
     </message>
     <message>
-        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <source>Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.</source>
         <translation>Alt と左ボタンで回転、Alt と中ボタンで移動、Alt と右ボタンで近づきます。</translation>
     </message>
     <message>
-        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <source>The right or middle button turns, Shift and the middle button pan. Alt and the left button turn, too.</source>
         <translation>右ボタンか中ボタンで回転、Shift と中ボタンで移動します。Alt と左ボタンでも回転します。</translation>
     </message>
     <message>
@@ -4755,7 +5187,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>元に戻す回数</translation>
     </message>
     <message>
-        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <source>A new number of steps applies from the next tree that you begin or open.</source>
         <translation>回数は、次に新しく始める木、または開く木から有効になります。</translation>
     </message>
     <message>
@@ -4763,7 +5195,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ライブラリ</translation>
     </message>
     <message>
-        <source>In a folder of Espalier&apos;s own</source>
+        <source>In Espalier&apos;s own folder</source>
         <translation>Espalier 専用のフォルダー</translation>
     </message>
     <message>
@@ -4785,6 +5217,50 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Lengths</source>
         <translation>長さ</translation>
+    </message>
+    <message>
+        <source>%L1 %</source>
+        <translation>%L1 %</translation>
+    </message>
+    <message>
+        <source>Size of the interface</source>
+        <translation>画面の拡大率</translation>
+    </message>
+    <message>
+        <source>Stroke stabiliser</source>
+        <translation>手ぶれ補正</translation>
+    </message>
+    <message>
+        <source>A stroke follows the pointer at this distance, like a stone on a string: it does not tremble.</source>
+        <translation>線は、糸に引かれる石のように、ポインターからこの距離だけ離れてついてきます。震えません。</translation>
+    </message>
+    <message>
+        <source>A stroke comes this much later than the pointer, and more smoothly.</source>
+        <translation>線はポインターよりこれだけ遅れて、なめらかについてきます。</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距離</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>遅れ</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>Applies from the next start of Espalier.</source>
+        <translation>次に Espalier を起動したときから有効です。</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5441,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>節間 %L1 · 葉 %L2 · ステップ %L3</translation>
+    </message>
+    <message>
+        <source>Back to My Tree</source>
+        <translation>自分の木に戻る</translation>
+    </message>
+    <message>
+        <source>Show your own tree again, as it was before this recipe was played</source>
+        <translation>このレシピの前の、自分の木をもう一度表示します</translation>
     </message>
 </context>
 </TS>

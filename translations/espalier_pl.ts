@@ -72,7 +72,7 @@
         <translation>Pędzel</translation>
     </message>
     <message>
-        <source>Drag from the tree outward: it grows into the space that the brush passes.</source>
+        <source>Drag from the tree outward: it grows into the space that the brush passes through.</source>
         <translation>Przeciągnąć od drzewa na zewnątrz: wrasta ono w przestrzeń, którą przechodzi pędzel.</translation>
     </message>
     <message>
@@ -88,7 +88,7 @@
         <translation>Cięcie</translation>
     </message>
     <message>
-        <source>Tap a branch to take it off, or draw across all that shall fall.</source>
+        <source>Tap a branch to cut it off, or draw across all the branches to cut.</source>
         <translation>Stuknąć gałąź, aby ją odciąć, albo przeciągnąć przez wszystkie, które mają spaść.</translation>
     </message>
     <message>
@@ -96,7 +96,7 @@
         <translation>Pąk</translation>
     </message>
     <message>
-        <source>Tap a bud: it alone grows from now on, with what comes of it.</source>
+        <source>Tap a bud: from now on only it grows, and what grows from it.</source>
         <translation>Stuknąć pąk: odtąd rośnie tylko on i to, co z niego powstanie.</translation>
     </message>
     <message>
@@ -112,7 +112,7 @@
         <translation>Grubość</translation>
     </message>
     <message>
-        <source>Tap a branch to hold its width, and draw the handle to change it.</source>
+        <source>Tap a branch to fix its width, and drag the handle to change it.</source>
         <translation>Stuknąć gałąź, aby ustalić jej grubość, a potem przeciągnąć uchwyt, aby ją zmienić.</translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
         <translation>Mniejszy pędzel</translation>
     </message>
     <message>
-        <source>Make the brush smaller, while brushing too.</source>
+        <source>Make the brush smaller, even while brushing.</source>
         <translation>Zmniejsza pędzel, także podczas malowania.</translation>
     </message>
     <message>
@@ -144,7 +144,7 @@
         <translation>Większy pędzel</translation>
     </message>
     <message>
-        <source>Make the brush larger, while brushing too.</source>
+        <source>Make the brush larger, even while brushing.</source>
         <translation>Powiększa pędzel, także podczas malowania.</translation>
     </message>
     <message>
@@ -236,7 +236,7 @@
         <translation>Tło</translation>
     </message>
     <message>
-        <source>What is around the tree: background, ground, sun, a picture to draw after.</source>
+        <source>What is around the tree: background, ground, sun, reference picture.</source>
         <translation>Otoczenie drzewa: tło, podłoże, słońce, obraz do odrysowania.</translation>
     </message>
     <message>
@@ -244,15 +244,15 @@
         <translation>Historia</translation>
     </message>
     <message>
-        <source>All that you did, step by step; a click goes there.</source>
+        <source>Everything you did, step by step; click a step to go back to it.</source>
         <translation>Wszystko, co zrobiono, krok po kroku; kliknięcie przenosi w dane miejsce.</translation>
     </message>
     <message>
-        <source>To the Panels and Back</source>
+        <source>Focus Panels or Tree</source>
         <translation>Do paneli i z powrotem</translation>
     </message>
     <message>
-        <source>Give the keys to the panels, or back to the tree.</source>
+        <source>Move the keyboard focus to the panels, or back to the tree.</source>
         <translation>Przekazuje klawisze panelom albo z powrotem drzewu.</translation>
     </message>
     <message>
@@ -276,7 +276,7 @@
         <translation>Pomoc</translation>
     </message>
     <message>
-        <source>About the tool in hand, and about everything else.</source>
+        <source>Help on the current tool, and on everything else.</source>
         <translation>O wybranym narzędziu i o wszystkim innym.</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Biblioteka</translation>
     </message>
     <message>
-        <source>Species to start from, and the trees that you keep.</source>
+        <source>Species to start from, and the trees you keep.</source>
         <translation>Gatunki na początek oraz zachowane drzewa.</translation>
     </message>
     <message>
@@ -312,11 +312,11 @@
         <translation>Ustawienia…</translation>
     </message>
     <message>
-        <source>How Espalier looks, and how it takes your hand.</source>
+        <source>How Espalier looks, and how it responds to your hand.</source>
         <translation>Jak Espalier wygląda i jak reaguje na rękę.</translation>
     </message>
     <message>
-        <source>Size of the brush, pressure of the pen, and the room that it spreads.</source>
+        <source>Size of the brush, pressure of the pen, and what is shown of them.</source>
         <translation>Rozmiar pędzla, nacisk pióra i miejsce, które rozsiewa pędzel.</translation>
     </message>
     <message>
@@ -324,7 +324,7 @@
         <translation>Zapisz jako przepis…</translation>
     </message>
     <message>
-        <source>Write down what was done to the tree, so that it can be done again.</source>
+        <source>Save everything that was done to the tree, so that it can be done again.</source>
         <translation>Zapisz, co zrobiono z drzewem, aby można było to powtórzyć.</translation>
     </message>
     <message>
@@ -364,7 +364,7 @@
         <translation>Redukcja</translation>
     </message>
     <message>
-        <source>Press a branch and hold: its youngest growth goes, step by step.</source>
+        <source>Press a branch and hold: its youngest growth disappears, step by step.</source>
         <translation>Nacisnąć gałąź i przytrzymać: krok po kroku znikają jej najmłodsze przyrosty.</translation>
     </message>
     <message>
@@ -388,7 +388,7 @@
         <translation>Powielanie</translation>
     </message>
     <message>
-        <source>Tap a branch: it gets more like those it carries, or passes them on.</source>
+        <source>Tap a branch: it gets more branches like those it carries, or passes them on.</source>
         <translation>Dotknij gałęzi: dostanie więcej takich, jakie niesie, albo przekaże je dalej.</translation>
     </message>
     <message>
@@ -406,6 +406,22 @@
     <message>
         <source>Drag a branch along the wood, around it, or to other wood, with all it carries.</source>
         <translation>Przeciągnij gałąź wzdłuż drewna, wokół niego albo na inne drewno, ze wszystkim, co niesie.</translation>
+    </message>
+    <message>
+        <source>Save Picture…</source>
+        <translation>Zapisz obraz…</translation>
+    </message>
+    <message>
+        <source>Save a picture of the tree, in any size and from any side.</source>
+        <translation>Zapisać obraz drzewa, w dowolnym rozmiarze i z dowolnej strony.</translation>
+    </message>
+    <message>
+        <source>Copy Picture</source>
+        <translation>Kopiuj obraz</translation>
+    </message>
+    <message>
+        <source>Put a picture of the tree as it is shown on the clipboard.</source>
+        <translation>Umieścić w schowku obraz drzewa, tak jak je widać.</translation>
     </message>
 </context>
 <context>
@@ -427,6 +443,25 @@
     <message>
         <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
         <translation>Przeciągnąć, aby namalować drzewo; początek na gałęzi oznacza malowanie na jej głębokości</translation>
+    </message>
+    <message>
+        <source>No bud sees this place: draw on, or begin at a branch</source>
+        <translation>Żaden pąk nie widzi tego miejsca: rysuj dalej albo zacznij od gałęzi</translation>
+    </message>
+    <message>
+        <source>Only the chosen bud grows, and it does not see this place</source>
+        <translation>Rośnie tylko wybrany pąk, a on nie widzi tego miejsca</translation>
+    </message>
+</context>
+<context>
+    <name>ClearTool</name>
+    <message>
+        <source>buds may shoot</source>
+        <translation>pąki mogą rosnąć</translation>
+    </message>
+    <message>
+        <source>Drag up along a trunk or a branch: below your hand, nothing shoots any more</source>
+        <translation>Przeciągnij w górę wzdłuż pnia lub gałęzi: poniżej dłoni nic już nie wyrasta</translation>
     </message>
 </context>
 <context>
@@ -460,11 +495,11 @@
         <translation>%1 nie zna opcji %2</translation>
     </message>
     <message>
-        <source>%1 wants no value</source>
+        <source>%1 takes no value</source>
         <translation>%1 nie przyjmuje wartości</translation>
     </message>
     <message>
-        <source>%1 wants a value after it</source>
+        <source>%1 needs a value after it</source>
         <translation>po %1 musi następować wartość</translation>
     </message>
     <message>
@@ -788,6 +823,65 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Move Branch</source>
         <translation>Przesuń gałąź</translation>
     </message>
+    <message numerus="yes">
+        <source>Brush Stroke, %n branches</source>
+        <translation>
+            <numerusform>Pociągnięcie pędzla, %n gałąź</numerusform>
+            <numerusform>Pociągnięcie pędzla, %n gałęzie</numerusform>
+            <numerusform>Pociągnięcie pędzla, %n gałęzi</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Usuwanie</translation>
+    </message>
+    <message>
+        <source>Thin Out</source>
+        <translation>Przerzedzenie</translation>
+    </message>
+    <message>
+        <source>Keep Clear</source>
+        <translation>Oczyszczenie</translation>
+    </message>
+    <message>
+        <source>Let Buds Shoot</source>
+        <translation>Pozwolenie pąkom rosnąć</translation>
+    </message>
+    <message numerus="yes">
+        <source>Prune, %n branches</source>
+        <translation>
+            <numerusform>Cięcie, %n gałąź</numerusform>
+            <numerusform>Cięcie, %n gałęzie</numerusform>
+            <numerusform>Cięcie, %n gałęzi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Grow, %n steps</source>
+        <translation>
+            <numerusform>Wzrost, %n krok</numerusform>
+            <numerusform>Wzrost, %n kroki</numerusform>
+            <numerusform>Wzrost, %n kroków</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Regrow</source>
+        <translation>Ponowny wzrost</translation>
+    </message>
+    <message>
+        <source>Remove Envelope</source>
+        <translation>Usunięcie obwiedni</translation>
+    </message>
+</context>
+<context>
+    <name>CutTool</name>
+    <message>
+        <source>Tap a branch to cut it off, or draw across the branches to cut</source>
+        <translation>Dotknij gałęzi, aby ją odciąć, albo przeciągnij w poprzek gałęzi do ścięcia</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>
@@ -811,11 +905,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>nie ma rysunku %1</translation>
     </message>
     <message>
-        <source>a stroke has not as many x as y</source>
+        <source>the x and y of a stroke differ in number</source>
         <translation>kreska nie ma tylu x co y</translation>
     </message>
     <message>
-        <source>a stroke has a point that is no number</source>
+        <source>a stroke has a point that is not a number</source>
         <translation>kreska ma punkt, który nie jest liczbą</translation>
     </message>
     <message>
@@ -855,6 +949,17 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>EraserTool</name>
+    <message>
+        <source>Brush over twigs to take some of them, evenly; what goes turns red</source>
+        <translation>Przesuń pędzlem po gałązkach, aby równomiernie usunąć część z nich; to, co zniknie, robi się czerwone</translation>
+    </message>
+    <message>
+        <source>Brush over twigs and leaves to take them away, however deep in the crown they are</source>
+        <translation>Przesuń pędzlem po gałązkach i liściach, aby je usunąć, nawet głęboko w koronie</translation>
+    </message>
+</context>
+<context>
     <name>ExportFormat</name>
     <message>
         <source>FBX</source>
@@ -880,7 +985,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>nie udało się zapisać siatek: %1</translation>
     </message>
     <message>
-        <source>there is no export to “.%1”; there are %2</source>
+        <source>“.%1” is not an export format; the formats are %2</source>
         <translation>nie ma eksportu do „.%1”; możliwe są %2</translation>
     </message>
     <message>
@@ -903,7 +1008,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>FbxRepair</name>
     <message>
-        <source>this is no sound binary FBX file</source>
+        <source>this is not a valid binary FBX file</source>
         <translation>to nie jest poprawny binarny plik FBX</translation>
     </message>
 </context>
@@ -942,14 +1047,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Plik %1 zmieniono w innym oknie lub programie, odkąd go tu otwarto lub zapisano. Nadpisanie usuwa te zmiany.</translation>
     </message>
     <message>
-        <source>Save As…</source>
-        <translation>Zapisz jako…</translation>
-    </message>
-    <message>
-        <source>Overwrite</source>
-        <translation>Nadpisz</translation>
-    </message>
-    <message>
         <source>Save as Recipe</source>
         <translation>Zapisz jako przepis</translation>
     </message>
@@ -961,6 +1058,34 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Trees, recipes and measured skeletons (*.espalier *.json *.csv);;Trees (*.espalier);;Recipes (*.json);;Skeletons (*.csv);;All files (*)</source>
         <translation>Drzewa, przepisy i zmierzone szkielety (*.espalier *.json *.csv);;Drzewa (*.espalier);;Przepisy (*.json);;Szkielety (*.csv);;Wszystkie pliki (*)</translation>
     </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Zapis obrazu</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Obrazy (*.png)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Zapisz</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Odrzuć</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Anuluj</translation>
+    </message>
+    <message>
+        <source>&amp;Save As…</source>
+        <translation>&amp;Zapisz jako…</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>&amp;Nadpisz</translation>
+    </message>
 </context>
 <context>
     <name>FileWriter</name>
@@ -969,7 +1094,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>folder %1 nie istnieje</translation>
     </message>
     <message>
-        <source>%1 is no folder</source>
+        <source>%1 is not a folder</source>
         <translation>%1 nie jest folderem</translation>
     </message>
     <message>
@@ -993,7 +1118,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>przydzielona część dysku jest pełna</translation>
     </message>
     <message>
-        <source>the disk can only be read</source>
+        <source>the disk is read-only</source>
         <translation>dysk jest tylko do odczytu</translation>
     </message>
     <message>
@@ -1057,6 +1182,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>there is no such file</source>
         <translation>nie ma takiego pliku</translation>
+    </message>
+    <message>
+        <source>it is not a picture that can be read</source>
+        <translation>to nie jest obraz, który da się odczytać</translation>
     </message>
 </context>
 <context>
@@ -1303,6 +1432,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>%1 cannot be moved to the trash: %2</source>
         <translation>Nie można przenieść %1 do kosza: %2</translation>
     </message>
+    <message>
+        <source>There is another tree named %1 now.</source>
+        <translation>Jest już inne drzewo o nazwie %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be taken out of the trash: %2</source>
+        <translation>Nie można wyjąć %1 z kosza: %2</translation>
+    </message>
 </context>
 <context>
     <name>MoveTool</name>
@@ -1322,7 +1459,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Dotknij gałęzi: dostanie jeszcze jedną podobną do tych, które niesie</translation>
     </message>
     <message>
-        <source>Tap a branch: the others get what it carries; drag from it across those that shall get it</source>
+        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which get it</source>
         <translation>Stuknij gałąź: inne dostają to, co ona niesie; albo przeciągnij od niej przez te, które mają to dostać</translation>
     </message>
 </context>
@@ -1354,7 +1491,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>Parameters</name>
     <message>
-        <source>Behind</source>
+        <source>Backdrop</source>
         <translation>W tle</translation>
     </message>
     <message>
@@ -1386,7 +1523,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pokaż słońce</translation>
     </message>
     <message>
-        <source>Show the sun as a ball that you can drag about the tree.</source>
+        <source>Show the sun as a ball that you can drag around the tree.</source>
         <translation>Pokazuje słońce jako kulę, którą można przeciągać wokół drzewa.</translation>
     </message>
     <message>
@@ -1418,7 +1555,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Krycie</translation>
     </message>
     <message>
-        <source>How much of the picture is seen.</source>
+        <source>How opaque the picture is.</source>
         <translation>Jak wyraźnie widać obraz.</translation>
     </message>
     <message>
@@ -1430,7 +1567,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>W prawo</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is beside the seedling.</source>
+        <source>How far the picture&apos;s middle is to the right of the seedling.</source>
         <translation>Położenie środka obrazu obok siewki.</translation>
     </message>
     <message>
@@ -1438,7 +1575,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>W górę</translation>
     </message>
     <message>
-        <source>Where the picture&apos;s middle is above the seedling.</source>
+        <source>How far the picture&apos;s middle is above the seedling.</source>
         <translation>Położenie środka obrazu nad siewką.</translation>
     </message>
     <message>
@@ -1510,7 +1647,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kąt rozgałęzienia</translation>
     </message>
     <message>
-        <source>Between a branch and what branches off it.</source>
+        <source>Between a branch and the branches that leave it.</source>
         <translation>Między gałęzią a tym, co od niej odchodzi.</translation>
     </message>
     <message>
@@ -1606,7 +1743,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Dom. apikalna</translation>
     </message>
     <message>
-        <source>Who gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
+        <source>What gets the vigour: above 0.5 the main axis, as in conifers; below it the branches, as in shrubs.</source>
         <translation>Kto dostaje wigor: powyżej 0,5 oś główna, jak u drzew iglastych; poniżej gałęzie, jak u krzewów.</translation>
     </message>
     <message>
@@ -1878,11 +2015,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Gałęzie, które niosą więcej gałązek, są nagie.</translation>
     </message>
     <message>
-        <source>Only near the tips</source>
+        <source>Leafy internodes</source>
         <translation>Tylko przy końcach</translation>
     </message>
     <message>
-        <source>Leaves grow so many internodes down from the tip of a shoot, and no further.</source>
+        <source>How many internodes of a shoot bear leaves, counted from its tip.</source>
         <translation>Liście rosną tyle międzywęźli w dół od wierzchołka pędu i nie dalej.</translation>
     </message>
     <message>
@@ -2126,7 +2263,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>pierścieniowa</translation>
     </message>
     <message>
-        <source>What stands behind the tree. The studio is dark or light as the program is.</source>
+        <source>What stands behind the tree. The studio is dark or light, as the theme is.</source>
         <translation>Co widać za drzewem. Studio jest ciemne lub jasne, tak jak program.</translation>
     </message>
     <message>
@@ -2158,7 +2295,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Płaszczyzna</translation>
     </message>
     <message>
-        <source>Show how deep in the tree the brush draws: a faint grid about it.</source>
+        <source>Show how deep in the tree the brush draws: a faint grid around it.</source>
         <translation>Pokazuje, na jakiej głębokości drzewa rysuje pędzel: blada siatka wokół niego.</translation>
     </message>
     <message>
@@ -2294,7 +2431,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Rzędy gałęzi</translation>
     </message>
     <message>
-        <source>Branches of branches of branches: this many, and no more.</source>
+        <source>How many orders of branches there are at most: branches, their branches, and so on.</source>
         <translation>Gałęzie na gałęziach, a na nich kolejne: tyle rzędów i nie więcej.</translation>
     </message>
     <message>
@@ -2342,11 +2479,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Powyżej 1 forma z przewodnikiem, poniżej bez niego.</translation>
     </message>
     <message>
-        <source>Tired with distance</source>
+        <source>Loss with distance</source>
         <translation>Spadek z odległością</translation>
     </message>
     <message>
-        <source>How much less shoots grow that are far from the root.</source>
+        <source>How much less shoots far from the root grow.</source>
         <translation>O ile słabiej rosną pędy daleko od korzenia.</translation>
     </message>
     <message>
@@ -2354,7 +2491,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Zanik potencjału z odległością od korzenia.</translation>
     </message>
     <message>
-        <source>Tired with height</source>
+        <source>Loss with height</source>
         <translation>Spadek z wysokością</translation>
     </message>
     <message>
@@ -2414,7 +2551,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Grawimorficzne wyginanie pod ciężarem gałęzi.</translation>
     </message>
     <message>
-        <source>Stiff with age</source>
+        <source>Stiffness with age</source>
         <translation>Sztywność z wiekiem</translation>
     </message>
     <message>
@@ -2426,7 +2563,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Wykładnik grubości w sztywności zginania.</translation>
     </message>
     <message>
-        <source>Most sagging</source>
+        <source>Greatest sag</source>
         <translation>Największe ugięcie</translation>
     </message>
     <message>
@@ -2470,7 +2607,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Promień pasma</translation>
     </message>
     <message>
-        <source>How thick each strand is. The trunk then gets as thick as its strands want it; at 0 it keeps the width that it has.</source>
+        <source>How thick each strand is. The trunk then gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
         <translation>Jak grube jest każde pasmo. Pień jest wtedy tak gruby, jak wynika z jego pasm; przy 0 zachowuje grubość, którą ma.</translation>
     </message>
     <message>
@@ -2478,7 +2615,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Spójność</translation>
     </message>
     <message>
-        <source>Branches separate at a fork where their strands are further apart than so many strand radii: low early, high late.</source>
+        <source>Branches separate at a fork where their strands are further apart than this many strand radii: low values part them early, high ones late.</source>
         <translation>Gałęzie rozdzielają się w rozwidleniu tam, gdzie ich pasma dzieli więcej niż tyle promieni pasma: mała wartość rozdziela wcześnie, duża późno.</translation>
     </message>
     <message>
@@ -2486,7 +2623,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Upakowanie</translation>
     </message>
     <message>
-        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops on the way there.</source>
+        <source>How the strands of a section are pressed together. At rest: until none overlaps. As published: by the paper&apos;s simulation, which stops before that.</source>
         <translation>Jak pasma w przekroju są do siebie dociskane. Do spoczynku: aż żadne nie zachodzi na inne. Z publikacji: symulacją z artykułu, która zatrzymuje się po drodze.</translation>
     </message>
     <message>
@@ -2658,7 +2795,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>W zamian</translation>
     </message>
     <message>
-        <source>What the branches carried until now goes.</source>
+        <source>What the branches carried until now is removed.</source>
         <translation>To, co gałęzie niosły dotąd, znika.</translation>
     </message>
     <message>
@@ -2674,7 +2811,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Numer</translation>
     </message>
     <message>
-        <source>Which variation it is: the same number makes the same tree of the same one.</source>
+        <source>Which variation it is: the same number always gives the same variation of a tree.</source>
         <translation>Która to odmiana: ten sam numer robi z tego samego drzewa to samo.</translation>
     </message>
     <message>
@@ -2688,6 +2825,66 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
         <translation>Rysunek jest umieszczany dwa razy, drugi raz obrócony o 90° wokół pnia, więc drzewo jest z boku tak samo pełne jak z przodu. Bez tego same gałęzie biegną ku tobie i od ciebie.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Płaszczyzna</translation>
+    </message>
+    <message>
+        <source>Where strokes go in depth. Screen: as deep as the branch that they begin at. Trunk: in the plane through the trunk and the branch that they begin at. Spread: each limb that begins at the trunk is turned into the widest gap, as long and as steep as you draw it.</source>
+        <translation>Dokąd w głąb idą pociągnięcia. Ekran: tak głęboko jak gałąź, od której się zaczynają. Pień: w płaszczyźnie pnia i gałęzi, od której się zaczynają. Rozłożone: każdy konar zaczynający się na pniu obraca się w najszerszą lukę, zachowując narysowaną długość i nachylenie.</translation>
+    </message>
+    <message>
+        <source>Around</source>
+        <translation>Dookoła</translation>
+    </message>
+    <message>
+        <source>How many strokes are made around the trunk for each one that you draw.</source>
+        <translation>Ile pociągnięć powstaje wokół pnia na każde narysowane.</translation>
+    </message>
+    <message>
+        <source>screen</source>
+        <translation>ekran</translation>
+    </message>
+    <message>
+        <source>trunk</source>
+        <translation>pień</translation>
+    </message>
+    <message>
+        <source>spread</source>
+        <translation>rozłożone</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Promień</translation>
+    </message>
+    <message>
+        <source>Radius of the brush, the same as that of the brush that paints.</source>
+        <translation>Promień pędzla, ten sam co pędzla, który maluje.</translation>
+    </message>
+    <message>
+        <source>Up to</source>
+        <translation>Do grubości</translation>
+    </message>
+    <message>
+        <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
+        <translation>Najgrubsze drewno, które zniknie, jako część grubości pnia. Grubsze gałęzie zostają, ile razy by po nich przesuwać.</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Usuwa</translation>
+    </message>
+    <message>
+        <source>The share of the twigs under the brush that a stroke takes. They are chosen evenly along each limb.</source>
+        <translation>Część gałązek pod pędzlem, którą usuwa jedno pociągnięcie. Są wybierane równomiernie wzdłuż każdego konaru.</translation>
+    </message>
+    <message>
+        <source>Far side too</source>
+        <translation>Także z tyłu</translation>
+    </message>
+    <message>
+        <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
+        <translation>Pociągnięcie sięga przez całe drzewo. Inaczej usuwa tylko to, co jest po tej stronie pnia.</translation>
     </message>
 </context>
 <context>
@@ -2871,12 +3068,25 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>there are too many</source>
         <translation>jest ich za dużo</translation>
     </message>
-</context>
-<context>
-    <name>PruneTool</name>
     <message>
-        <source>Tap a branch to take it off, or draw across the branches that shall fall</source>
-        <translation>Stuknąć gałąź, aby ją odciąć, albo przeciągnąć przez gałęzie, które mają spaść</translation>
+        <source>true or false is expected</source>
+        <translation>oczekiwano true lub false</translation>
+    </message>
+    <message>
+        <source>a colour such as #5c6268 is expected</source>
+        <translation>oczekiwano koloru takiego jak #5c6268</translation>
+    </message>
+    <message>
+        <source>there is no backdrop of this name</source>
+        <translation>nie ma tła o tej nazwie</translation>
+    </message>
+    <message>
+        <source>its background and light cannot be read (%1); those of a new tree show instead</source>
+        <translation>nie można odczytać jego tła i światła (%1); zamiast nich widać te nowego drzewa</translation>
+    </message>
+    <message>
+        <source>the reference picture “%1” is missing in it or broken</source>
+        <translation>brakuje w nim obrazu referencyjnego „%1” lub jest on uszkodzony</translation>
     </message>
 </context>
 <context>
@@ -3181,6 +3391,30 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>true or false is expected</source>
         <translation>oczekiwane jest true albo false</translation>
     </message>
+    <message>
+        <source>nothing under the brush could be erased</source>
+        <translation>pod pędzlem nie było nic do usunięcia</translation>
+    </message>
+    <message>
+        <source>there were no twigs under the brush to take</source>
+        <translation>pod pędzlem nie było gałązek do usunięcia</translation>
+    </message>
+    <message>
+        <source>the branch of internode %1 is kept clear like that already</source>
+        <translation>gałąź międzywęźla %1 jest już tak oczyszczona</translation>
+    </message>
+    <message>
+        <source>three numbers within ±%1 are expected: x, y, z, in m</source>
+        <translation>oczekiwano trzech liczb w zakresie ±%1: x, y, z, w m</translation>
+    </message>
+    <message>
+        <source>four numbers are expected: x, y, z within ±%1 m, and a radius within 0…%2 m</source>
+        <translation>oczekiwano czterech liczb: x, y, z w zakresie ±%1 m i promienia w zakresie 0…%2 m</translation>
+    </message>
+    <message>
+        <source>one stroke or more is expected</source>
+        <translation>oczekiwano co najmniej jednego pociągnięcia</translation>
+    </message>
 </context>
 <context>
     <name>RecipeTool</name>
@@ -3253,6 +3487,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>Tap a bud, and it alone grows from now on; tap beside the tree to let all grow again</source>
         <translation>Stuknąć pąk, a odtąd będzie rósł tylko on; stuknąć obok drzewa, aby znów rosły wszystkie</translation>
     </message>
+    <message>
+        <source>There is no bud here. Buds that are near the pointer show as dots.</source>
+        <translation>Tu nie ma pąka. Pąki blisko wskaźnika widać jako punkty.</translation>
+    </message>
+    <message>
+        <source>No bud is that near. Tap one of the dots, or go nearer with the wheel.</source>
+        <translation>Żaden pąk nie jest tak blisko. Dotknij jednego z punktów albo zbliż się kółkiem.</translation>
+    </message>
 </context>
 <context>
     <name>Skeleton</name>
@@ -3269,7 +3511,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>oczekiwano %1 liczb</translation>
     </message>
     <message>
-        <source>“%1” is no number for %2</source>
+        <source>“%1” is not a number for %2</source>
         <translation>„%1” nie jest liczbą dla %2</translation>
     </message>
     <message>
@@ -3615,6 +3857,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>its added vigour is out of range</source>
         <translation>jego dodany wigor jest poza zakresem</translation>
     </message>
+    <message>
+        <source>the length that is kept clear is out of range</source>
+        <translation>oczyszczona długość jest poza zakresem</translation>
+    </message>
 </context>
 <context>
     <name>TwistTool</name>
@@ -3630,7 +3876,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>WidthTool</name>
     <message>
-        <source>Tap a branch to hold its width; draw the ends of the handle to change it</source>
+        <source>Tap a branch to fix its width; drag the ends of the handle to change it</source>
         <translation>Stuknąć gałąź, aby ustalić jej grubość; przeciągnąć końce uchwytu, aby ją zmienić</translation>
     </message>
 </context>
@@ -3645,11 +3891,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>dane są uszkodzone</translation>
     </message>
     <message>
-        <source>it is no project file, or a damaged one (%1)</source>
+        <source>it is not a project file, or a damaged one (%1)</source>
         <translation>to nie jest plik projektu albo jest uszkodzony (%1)</translation>
     </message>
     <message>
-        <source>it is no project file: it is empty</source>
+        <source>it is not a project file: it is empty</source>
         <translation>to nie jest plik projektu: jest pusty</translation>
     </message>
     <message>
@@ -3676,7 +3922,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Więcej ›</translation>
     </message>
     <message>
-        <source>The rest of what steers growth: shoots, shade, room to grow</source>
+        <source>Everything else that steers growth: shoots, shade, room to grow</source>
         <translation>Reszta tego, co steruje wzrostem: pędy, zacienienie, miejsce wzrostu</translation>
     </message>
     <message>
@@ -3688,7 +3934,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Gatunek</translation>
     </message>
     <message>
-        <source>Sets all that the vigour model goes by, as a species grows</source>
+        <source>Sets all parameters of the vigour model to those of a species</source>
         <translation>Ustawia wszystkie wartości modelu wigoru tak, jak rośnie dany gatunek</translation>
     </message>
     <message>
@@ -3726,16 +3972,8 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Słońce</translation>
     </message>
     <message>
-        <source>Picture to draw after</source>
-        <translation>Obraz do odrysowania</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Wybierz…</translation>
-    </message>
-    <message>
-        <source>Choose a picture to show behind the tree, so that you can draw after it.</source>
-        <translation>Wybiera obraz widoczny za drzewem, aby można było go odrysować.</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3744,14 +3982,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Show no picture behind the tree.</source>
         <translation>Nie pokazuje za drzewem żadnego obrazu.</translation>
-    </message>
-    <message>
-        <source>Picture to Draw After</source>
-        <translation>Obraz do odrysowania</translation>
-    </message>
-    <message>
-        <source>Pictures (%1)</source>
-        <translation>Obrazy (%1)</translation>
     </message>
     <message>
         <source>Lower colour</source>
@@ -3766,8 +3996,20 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Górny kolor</translation>
     </message>
     <message>
-        <source>%1 cannot be read.</source>
-        <translation>Nie można odczytać %1.</translation>
+        <source>Use for New Trees</source>
+        <translation>Użyj dla nowych drzew</translation>
+    </message>
+    <message>
+        <source>New trees begin with this background, ground and light. The picture stays with this tree.</source>
+        <translation>Nowe drzewa zaczynają z tym tłem, podłożem i światłem. Obraz zostaje przy tym drzewie.</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>Obraz referencyjny</translation>
+    </message>
+    <message>
+        <source>Choose a picture to show behind the tree while you draw. It is saved with the tree.</source>
+        <translation>Wybrać obraz widoczny za drzewem podczas rysowania. Jest zapisywany razem z drzewem.</translation>
     </message>
 </context>
 <context>
@@ -3777,7 +4019,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Zginanie</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is sooner drawn out.</source>
+        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
         <translation>&lt;b&gt;Zginanie&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się zginaniu: sztywna wygina się szerokim łukiem i prędzej się rozciąga.</translation>
     </message>
     <message>
@@ -3787,6 +4029,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
         <translation>&lt;b&gt;Rozciąganie&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się rozciąganiu: zachowuje długość albo dalej podąża za ręką.</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
     </message>
 </context>
 <context>
@@ -3823,12 +4069,16 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pióro</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Draw the curve, or press here with your pen to try it.</source>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Drag the curve, or press here with your pen to try it.</source>
         <translation>&lt;b&gt;Krzywa nacisku&lt;/b&gt;&lt;br&gt;Jak mocno trzeba nacisnąć pióro, by uzyskać cały promień. Przeciągnąć krzywą albo nacisnąć tu piórem, aby wypróbować.</translation>
     </message>
     <message>
         <source>Shown</source>
         <translation>Widoczne</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Głębia</translation>
     </message>
 </context>
 <context>
@@ -3918,7 +4168,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Nie zapisano. %1</translation>
     </message>
     <message>
-        <source>The tree cannot be kept safe from a crash: %1</source>
+        <source>No safety copy can be saved: %1</source>
         <translation>Nie można zabezpieczyć drzewa na wypadek awarii: %1</translation>
     </message>
     <message>
@@ -3934,7 +4184,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Jeszcze brak</translation>
     </message>
     <message>
-        <source>Forget Them</source>
+        <source>Clear List</source>
         <translation>Wyczyść listę</translation>
     </message>
     <message>
@@ -3996,10 +4246,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Czas</translation>
     </message>
     <message>
-        <source>Back: the tree ungrows, through all that you did. Forth: it comes back, and beyond the mark it grows.</source>
-        <translation>W tył: drzewo rośnie wstecz, przez wszystko, co zrobiono. W przód: wraca, a za kreską rośnie dalej.</translation>
-    </message>
-    <message>
         <source>Play</source>
         <translation>Odtwórz</translation>
     </message>
@@ -4028,12 +4274,20 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Tyle kroków wzrostu jako jeden krok cofania. Esc zatrzymuje.</translation>
     </message>
     <message>
-        <source>step %L1</source>
-        <translation>krok %L1</translation>
+        <source>Back: the tree ungrows, through all that you did. Forth: it comes back. Pull the handle well past the mark, and the tree grows. Far from the slider, or with Shift, a drag is finer.</source>
+        <translation>Wstecz: drzewo cofa wzrost przez wszystko, co zostało zrobione. Naprzód: wraca. Uchwyt pociągnięty wyraźnie za znak sprawia, że drzewo rośnie. Daleko od suwaka albo z Shift przeciąganie jest dokładniejsze.</translation>
     </message>
     <message>
-        <source>step %L1, %L2 edits and steps back</source>
-        <translation>krok %L1, zmian i kroków wstecz: %L2</translation>
+        <source>New steps: %L1</source>
+        <translation>Nowe kroki: %L1</translation>
+    </message>
+    <message>
+        <source>Moment %L1 of %L2</source>
+        <translation>Chwila %L1 z %L2</translation>
+    </message>
+    <message>
+        <source>Seedling</source>
+        <translation>Siewka</translation>
     </message>
 </context>
 <context>
@@ -4212,6 +4466,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>The system has no trash here. %1 is in %2 now.</source>
         <translation>System nie ma tu kosza. %1 jest teraz w %2.</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Cofnij</translation>
+    </message>
 </context>
 <context>
     <name>espalier::LibraryPanel</name>
@@ -4240,7 +4498,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Szukaj</translation>
     </message>
     <message>
-        <source>Save the tree that is open into the library.</source>
+        <source>Save the open tree in the library.</source>
         <translation>Zapisuje otwarte drzewo w bibliotece.</translation>
     </message>
     <message>
@@ -4264,11 +4522,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Własne drzewa</translation>
     </message>
     <message>
-        <source>None of them is called that.</source>
+        <source>No tree has a name like that.</source>
         <translation>Żadne nie ma takiej nazwy.</translation>
     </message>
     <message>
-        <source>None yet. “Keep This Tree” saves the tree that is open here.</source>
+        <source>No trees yet. “Keep This Tree” saves the open tree here.</source>
         <translation>Jeszcze brak. „Zachowaj to drzewo” zapisuje drzewo, które jest tu otwarte.</translation>
     </message>
     <message>
@@ -4291,15 +4549,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Wybierz obraz…</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of one leaf, its stalk below, on nothing or on a plain background</source>
+        <source>A PNG or JPEG of one leaf, stalk down, on a transparent or plain background</source>
         <translation>PNG lub JPEG z jednym liściem, ogonkiem w dół, bez tła lub na jednolitym tle</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of bark; maps of its normals and roughness beside it are taken too</source>
+        <source>A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too</source>
         <translation>PNG lub JPEG z korą; mapy normalnych i chropowatości leżące obok też zostaną użyte</translation>
     </message>
     <message>
-        <source>Image of your own: %1</source>
+        <source>Your image: %1</source>
         <translation>Własny obraz: %1</translation>
     </message>
 </context>
@@ -4318,10 +4576,6 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Obrazy (*.png *.jpg *.jpeg)</translation>
     </message>
     <message>
-        <source>What shall %1 be?</source>
-        <translation>Czym ma być %1?</translation>
-    </message>
-    <message>
         <source>Leaves</source>
         <translation>Liście</translation>
     </message>
@@ -4330,8 +4584,16 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kora</translation>
     </message>
     <message>
-        <source>Maps that lie beside it were taken too.</source>
+        <source>Maps found beside it are used, too.</source>
         <translation>Wzięto też mapy leżące obok.</translation>
+    </message>
+    <message>
+        <source>What is %1 for?</source>
+        <translation>Do czego służy %1?</translation>
+    </message>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Obraz referencyjny</translation>
     </message>
 </context>
 <context>
@@ -4388,6 +4650,132 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>airy</source>
         <translation>ażurowa</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PictureController</name>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Rysowanie obrazu</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard.</source>
+        <translation>Obraz jest w schowku.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>Zapisano %1</translation>
+    </message>
+    <message>
+        <source>Not saved. %1</source>
+        <translation>Nie zapisano. %1</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::PictureSheet</name>
+    <message>
+        <source>As the window, %1 × %2</source>
+        <translation>Jak okno, %1 × %2</translation>
+    </message>
+    <message>
+        <source>Full HD, 1920 × 1080</source>
+        <translation>Full HD, 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>4K, 3840 × 2160</source>
+        <translation>4K, 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square, 1080 × 1080</source>
+        <translation>Kwadrat, 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Large square, 2048 × 2048</source>
+        <translation>Duży kwadrat, 2048 × 2048</translation>
+    </message>
+    <message>
+        <source>Portrait, 1080 × 1350</source>
+        <translation>Pionowy, 1080 × 1350</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>Inny rozmiar</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Szerokość</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Wysokość</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Przezroczyste tło</translation>
+    </message>
+    <message>
+        <source>With the shadow on the ground</source>
+        <translation>Z cieniem na podłożu</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Zapis obrazu</translation>
+    </message>
+    <message>
+        <source>As shown now</source>
+        <translation>Tak jak teraz widać</translation>
+    </message>
+    <message>
+        <source>From the front</source>
+        <translation>Z przodu</translation>
+    </message>
+    <message>
+        <source>From the side</source>
+        <translation>Z boku</translation>
+    </message>
+    <message>
+        <source>From the top</source>
+        <translation>Z góry</translation>
+    </message>
+    <message>
+        <source>Three-quarter</source>
+        <translation>Z ukosa</translation>
+    </message>
+    <message>
+        <source>Nothing is behind the tree, so that it can be laid over other pictures.</source>
+        <translation>Za drzewem nie ma nic, więc można je nałożyć na inne obrazy.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Rozmiar</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Widok</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Tło</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiuj</translation>
+    </message>
+    <message>
+        <source>Put the picture on the clipboard.</source>
+        <translation>Umieścić obraz w schowku.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Zapisz…</translation>
     </message>
 </context>
 <context>
@@ -4583,6 +4971,41 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::PrunePopOut</name>
+    <message>
+        <source>Cut</source>
+        <translation>Tnij</translation>
+    </message>
+    <message>
+        <source>Tap a branch to take it off, or draw a line across several.</source>
+        <translation>Dotknij gałęzi, aby ją zdjąć, albo przeciągnij linię w poprzek kilku.</translation>
+    </message>
+    <message>
+        <source>Keep clear</source>
+        <translation>Oczyść</translation>
+    </message>
+    <message>
+        <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
+        <translation>Przeciągnij w górę wzdłuż pnia lub gałęzi: pędy poniżej dłoni znikają i nowe nie wyrastają. Przeciągnij pierścień w dół, aby pąki znów mogły rosnąć.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Usuwanie</translation>
+    </message>
+    <message>
+        <source>Brush over twigs and leaves to take them away, however deep in the crown they are. Limbs stay.</source>
+        <translation>Przesuń pędzlem po gałązkach i liściach, aby je usunąć, nawet głęboko w koronie. Konary zostają.</translation>
+    </message>
+    <message>
+        <source>Thin out</source>
+        <translation>Przerzedź</translation>
+    </message>
+    <message>
+        <source>Brush over the crown to take some of its twigs, evenly.</source>
+        <translation>Przesuń pędzlem po koronie, aby równomiernie usunąć część gałązek.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RadiusSlider</name>
     <message>
         <source>Brush radius</source>
@@ -4650,17 +5073,32 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::SceneController</name>
+    <message>
+        <source>Reference Picture</source>
+        <translation>Obraz referencyjny</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Obrazy (%1)</translation>
+    </message>
+    <message>
+        <source>New trees will have this background, ground and light.</source>
+        <translation>Nowe drzewa będą miały to tło, podłoże i światło.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SettingsSheet</name>
     <message>
-        <source>Middle button turns, with Shift it moves, with Ctrl it goes nearer. Alt and the left button turn, too.</source>
+        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and the left button turn, too.</source>
         <translation>Środkowy przycisk obraca, z Shift przesuwa, z Ctrl przybliża. Alt i lewy przycisk też obracają.</translation>
     </message>
     <message>
-        <source>Alt and the left button turn, Alt and the middle move, Alt and the right go nearer.</source>
+        <source>Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.</source>
         <translation>Alt i lewy przycisk obracają, Alt i środkowy przesuwają, Alt i prawy przybliżają.</translation>
     </message>
     <message>
-        <source>Right or middle button turns, Shift and the middle button move. Alt and the left button turn, too.</source>
+        <source>The right or middle button turns, Shift and the middle button pan. Alt and the left button turn, too.</source>
         <translation>Prawy lub środkowy przycisk obraca, Shift i środkowy przesuwają. Alt i lewy przycisk też obracają.</translation>
     </message>
     <message>
@@ -4760,7 +5198,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kroki cofania</translation>
     </message>
     <message>
-        <source>The number of steps counts from the next tree on that you begin or open.</source>
+        <source>A new number of steps applies from the next tree that you begin or open.</source>
         <translation>Liczba kroków obowiązuje od następnego rozpoczętego lub otwartego drzewa.</translation>
     </message>
     <message>
@@ -4768,7 +5206,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Biblioteka</translation>
     </message>
     <message>
-        <source>In a folder of Espalier&apos;s own</source>
+        <source>In Espalier&apos;s own folder</source>
         <translation>We własnym folderze programu</translation>
     </message>
     <message>
@@ -4790,6 +5228,50 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Lengths</source>
         <translation>Długości</translation>
+    </message>
+    <message>
+        <source>%L1 %</source>
+        <translation>%L1 %</translation>
+    </message>
+    <message>
+        <source>Size of the interface</source>
+        <translation>Rozmiar interfejsu</translation>
+    </message>
+    <message>
+        <source>Stroke stabiliser</source>
+        <translation>Stabilizacja kreski</translation>
+    </message>
+    <message>
+        <source>A stroke follows the pointer at this distance, like a stone on a string: it does not tremble.</source>
+        <translation>Kreska podąża za wskaźnikiem w tej odległości, jak kamień na sznurku: nie drży.</translation>
+    </message>
+    <message>
+        <source>A stroke comes this much later than the pointer, and more smoothly.</source>
+        <translation>Kreska przychodzi o tyle później niż wskaźnik, za to płynniej.</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Odległość</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Opóźnienie</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>wyłączone</translation>
+    </message>
+    <message>
+        <source>Applies from the next start of Espalier.</source>
+        <translation>Działa od następnego uruchomienia programu.</translation>
     </message>
 </context>
 <context>
@@ -4970,6 +5452,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>%L1 internodes · %L2 leaves · step %L3</source>
         <translation>międzywęźla: %L1 · liście: %L2 · krok %L3</translation>
+    </message>
+    <message>
+        <source>Back to My Tree</source>
+        <translation>Wróć do mojego drzewa</translation>
+    </message>
+    <message>
+        <source>Show your own tree again, as it was before this recipe was played</source>
+        <translation>Pokazać znów własne drzewo, takie jak przed odtworzeniem tego przepisu</translation>
     </message>
 </context>
 </TS>

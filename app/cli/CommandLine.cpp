@@ -204,10 +204,10 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
             if (option->isFlag && std::ranges::any_of(arguments, [&](const QString& argument) {
                     return argument.startsWith(withValue);
                 }))
-                return usage(CommandLineText::tr("%1 wants no value").arg(option->shown()));
+                return usage(CommandLineText::tr("%1 takes no value").arg(option->shown()));
         }
         // Only the last argument has none after it.
-        return usage(CommandLineText::tr("%1 wants a value after it").arg(arguments.constLast()));
+        return usage(CommandLineText::tr("%1 needs a value after it").arg(arguments.constLast()));
     }
     for (const Option* option : known) {
         const QString name = QString::fromLatin1(option->name);
@@ -215,7 +215,7 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
             option->isFlag && parser.isSet(name) ? QStringList{{}} : parser.values(name);
         for (const QString& value : values) {
             if (value.isEmpty() && !option->isFlag)
-                return usage(CommandLineText::tr("%1 wants a value after it").arg(option->shown()));
+                return usage(CommandLineText::tr("%1 needs a value after it").arg(option->shown()));
             if (const Result<void> taken = option->take(line, value); !taken)
                 return taken.error();
         }

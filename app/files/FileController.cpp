@@ -43,9 +43,8 @@ FileController::FileController(QWidget& window, TreeDocument& document, Settings
       m_exports(notice)
 {
     connectFile();
-    connect(&m_autosave, &Autosave::failed, this, [this](const QString& sentence) {
-        warn(tr("The tree cannot be kept safe from a crash: %1").arg(sentence));
-    });
+    connect(&m_autosave, &Autosave::failed, this,
+            [this](const QString& sentence) { warn(tr("No safety copy can be saved: %1").arg(sentence)); });
     connect(&m_recovery, &Recovery::wanted, this, &FileController::recover);
 }
 
@@ -417,7 +416,7 @@ void FileController::fillRecentFiles(QMenu& menu)
         return;
     }
     menu.addSeparator();
-    menu.addAction(tr("Forget Them"), this, [this] { m_settings.clearRecentFiles(); });
+    menu.addAction(tr("Clear List"), this, [this] { m_settings.clearRecentFiles(); });
 }
 
 } // namespace espalier

@@ -10,21 +10,10 @@ EditCommand::EditCommand(TreeDocument& document, const QString& text, Content co
       m_document(document),
       m_content(std::move(content)),
       m_applied(state == State::Done ? m_content.deltas.size() : 0),
-      m_takenOut(state == State::Done ? m_content.replaced.size() : 0)
+      m_takenOut(state == State::Done ? m_content.replaced.size() : 0),
+      m_isExchanged(state == State::Done)
 {
 }
-
-EditCommand::EditCommand(TreeDocument& document, const QString& text, std::unique_ptr<PreparedTree> other)
-    : QUndoCommand(text),
-      m_document(document),
-      m_applied(0),
-      m_takenOut(0),
-      m_other(std::move(other)),
-      m_isExchanged(true)
-{
-}
-
-EditCommand::~EditCommand() = default;
 
 EditCommand& EditCommand::at(const QUndoStack& stack, int index)
 {
@@ -49,7 +38,7 @@ void EditCommand::redo()
 
 bool EditCommand::stepBack()
 {
-    if (m_other)
+    if (m_content.other)
         return exchangeTowards(false);
     if (m_applied == 0 && m_takenOut == 0)
         return travelOneTowards(m_content.from);
@@ -67,7 +56,7 @@ bool EditCommand::stepBack()
 
 bool EditCommand::stepForward()
 {
-    if (m_other)
+    if (m_content.other)
         return exchangeTowards(true);
     if (m_applied == 0 && m_takenOut == 0) {
         if (travelOneTowards(m_content.to))
@@ -91,7 +80,7 @@ bool EditCommand::exchangeTowards(bool forward)
 {
     if (std::exchange(m_isExchanged, forward) == forward)
         return false;
-    m_document.swapWith(*m_other);
+    m_document.swapWith(*m_content.other);
     return true;
 }
 

@@ -23,6 +23,8 @@ public:
         Journal replaced;     ///< Deltas taken out of the journal's end at that position
         Journal deltas;       ///< Deltas applied then
         Journal future;       ///< The future that ended with the first change, its last delta first
+        /// The tree that the document does not have now, if the command exchanges it; then all else is empty.
+        std::shared_ptr<PreparedTree> other{};
     };
 
     /// Whether the document is in the state after the command already, or in the one before it.
@@ -30,9 +32,6 @@ public:
 
     /// With State::Done all of @p content is applied already, so the first redo does nothing.
     EditCommand(TreeDocument& document, const QString& text, Content content, State state = State::Done);
-    /// The document has been exchanged with @p other already, so the first redo does nothing.
-    EditCommand(TreeDocument& document, const QString& text, std::unique_ptr<PreparedTree> other);
-    ~EditCommand() override;
     /// The command at @p index of a document's stack. (QUndoStack returns const commands, although the
     /// document may change its own.)
     static EditCommand& at(const QUndoStack& stack, int index);
@@ -46,7 +45,10 @@ public:
     bool stepForward();
 
     /// Whether it only travels in time. Edit::commit() merges it with an edit at the moment that it led to.
-    bool isTravel() const { return !m_other && m_content.deltas.empty() && m_content.replaced.empty(); }
+    bool isTravel() const
+    {
+        return !m_content.other && m_content.deltas.empty() && m_content.replaced.empty();
+    }
     const Content& content() const { return m_content; }
     /// Makes the next undo() only remove the command from the stack: its deltas belong to another command
     /// from now on.
@@ -66,8 +68,7 @@ private:
     std::size_t m_takenOut; ///< Number of content().replaced out of the journal, counted from the last
     bool m_isHandedOver = false;
     bool m_isAsleep = false;
-    std::unique_ptr<PreparedTree> m_other; ///< The tree that the document does not have, of an exchange
-    bool m_isExchanged = false;            ///< The document has the tree after the command
+    bool m_isExchanged; ///< The document has the tree after the command
 };
 
 } // namespace espalier

@@ -9,9 +9,10 @@ namespace espalier {
 void TreeDocument::exchange(PreparedTree prepared, const QString& text)
 {
     interruptEdit();
-    auto other = std::make_unique<PreparedTree>(std::move(prepared));
-    swapWith(*other);
-    m_undoStack.push(new EditCommand(*this, text, std::move(other)));
+    EditCommand::Content content;
+    content.other = std::make_shared<PreparedTree>(std::move(prepared));
+    swapWith(*content.other);
+    m_undoStack.push(new EditCommand(*this, text, std::move(content)));
 }
 
 } // namespace espalier

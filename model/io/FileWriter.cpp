@@ -50,7 +50,7 @@ QString problemWithPlace(const QFileInfo& target)
     if (!folder.exists())
         return WriterText::tr("the folder %1 does not exist").arg(folder.filePath());
     if (!folder.isDir())
-        return WriterText::tr("%1 is no folder").arg(folder.filePath());
+        return WriterText::tr("%1 is not a folder").arg(folder.filePath());
     if (target.isDir())
         return WriterText::tr("there is a folder of this name");
     if (!target.exists() && !folder.isWritable())
@@ -81,7 +81,7 @@ QString systemReason(int number)
     case EDQUOT:
         return WriterText::tr("your share of the disk is full");
     case EROFS:
-        return WriterText::tr("the disk can only be read");
+        return WriterText::tr("the disk is read-only");
     case EACCES:
     case EPERM:
         return WriterText::tr("you may not write here");

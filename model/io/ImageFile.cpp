@@ -111,7 +111,7 @@ Result<ImageAsset> readPictureFile(const QString& fileName)
             size.scaled(ImageAsset::kLargestEdge, ImageAsset::kLargestEdge, Qt::KeepAspectRatio));
     const QImage pixels = reader.read();
     if (pixels.isNull())
-        return inputError(name, ImageText::tr("it is no picture that can be read"));
+        return inputError(name, ImageText::tr("it is not a picture that can be read"));
     return readImage(packed(pixels), name);
 }
 

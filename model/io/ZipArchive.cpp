@@ -114,12 +114,12 @@ Result<ZipReader> ZipReader::openSource(zip_source_t* source)
         source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY | ZIP_CHECKCONS, &error);
     if (archive == nullptr) {
         zip_source_free(source);
-        return inputError({}, ZipText::tr("it is no project file, or a damaged one (%1)")
+        return inputError({}, ZipText::tr("it is not a project file, or a damaged one (%1)")
                                   .arg(QString::fromUtf8(zip_error_strerror(&error))));
     }
     ZipReader reader(archive);
     if (zip_get_num_entries(archive, 0) <= 0) // to libzip an empty file is an empty archive
-        return inputError({}, ZipText::tr("it is no project file: it is empty"));
+        return inputError({}, ZipText::tr("it is not a project file: it is empty"));
     return reader;
 }
 

@@ -120,7 +120,7 @@ void ArchitecturePanel::addMoreButton(QWidget& column)
     m_moreButton->setText(tr("More ›"));
     m_moreButton->setObjectName(QStringLiteral("moreGrowth"));
     m_moreButton->setCheckable(true);
-    m_moreButton->setToolTip(tr("The rest of what steers growth: shoots, shade, room to grow"));
+    m_moreButton->setToolTip(tr("Everything else that steers growth: shoots, shade, room to grow"));
     connect(m_moreButton, &QToolButton::toggled, this, &ArchitecturePanel::showMore);
     auto* lines = qobject_cast<QVBoxLayout*>(column.layout());
     lines->insertWidget(lines->count() - 1, m_moreButton, 0, Qt::AlignLeft);
@@ -131,7 +131,7 @@ void ArchitecturePanel::makeSpecies(QWidget& column)
     m_species = new QComboBox(&column);
     m_species->setObjectName(QStringLiteral("species"));
     m_species->setAccessibleName(tr("Species"));
-    m_species->setToolTip(tr("Sets all that the vigour model goes by, as a species grows"));
+    m_species->setToolTip(tr("Sets all parameters of the vigour model to those of a species"));
     m_species->setFocusPolicy(Qt::StrongFocus);
     m_species->addItem(tr("No species"));
     for (const VigourSpecies& species : vigourSpecies())

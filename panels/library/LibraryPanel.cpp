@@ -119,7 +119,7 @@ QLayout* LibraryPanel::makeHeader()
     line->addWidget(m_search);
     line->addSpacing(8);
     m_keep->setObjectName(QStringLiteral("keep"));
-    m_keep->setToolTip(tr("Save the tree that is open into the library."));
+    m_keep->setToolTip(tr("Save the open tree in the library."));
     m_keep->setMinimumHeight(theme::kTarget);
     line->addWidget(m_keep);
     auto* close = new BarButton(BarButton::Look::Icon, this);
@@ -245,9 +245,9 @@ void LibraryPanel::showWhatIsThere()
     m_view->setVisible(!isEmpty);
     m_empty->setVisible(isEmpty);
     if (cards().rowCount() > 0)
-        m_empty->setText(tr("None of them is called that."));
+        m_empty->setText(tr("No tree has a name like that."));
     else if (m_section == Section::Trees)
-        m_empty->setText(tr("None yet. “Keep This Tree” saves the tree that is open here."));
+        m_empty->setText(tr("No trees yet. “Keep This Tree” saves the open tree here."));
     else
         m_empty->clear();
     followChosen();

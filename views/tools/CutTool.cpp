@@ -146,7 +146,7 @@ void CutTool::paint(Overlay& overlay) const
 
 QString CutTool::tip() const
 {
-    return tr("Tap a branch to take it off, or draw across the branches that shall fall");
+    return tr("Tap a branch to cut it off, or draw across the branches to cut");
 }
 
 } // namespace espalier

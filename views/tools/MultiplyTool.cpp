@@ -196,8 +196,8 @@ void MultiplyTool::paint(Overlay& overlay) const
 QString MultiplyTool::tip() const
 {
     return context().viewSettings().values().passesOn
-               ? tr("Tap a branch: the others get what it carries; drag from it across those that shall get "
-                    "it")
+               ? tr("Tap a branch: the others get what it carries; drag from it across branches to choose "
+                    "which get it")
                : tr("Tap a branch: it gets one more branch like those that it carries");
 }
 

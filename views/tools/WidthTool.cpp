@@ -311,7 +311,7 @@ void WidthTool::paint(Overlay& overlay) const
 
 QString WidthTool::tip() const
 {
-    return tr("Tap a branch to hold its width; draw the ends of the handle to change it");
+    return tr("Tap a branch to fix its width; drag the ends of the handle to change it");
 }
 
 } // namespace espalier

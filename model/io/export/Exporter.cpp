@@ -16,7 +16,7 @@ Result<void> exportTree(const Tree& tree, const TreeIndex& index, const QString&
         const QFileInfo file(fileName);
         return Error{Error::Kind::Output,
                      inputError(file.fileName(),
-                                ExportText::tr("there is no export to “.%1”; there are %2")
+                                ExportText::tr("“.%1” is not an export format; the formats are %2")
                                     .arg(file.suffix().toLower(), exportSuffixes().join(QLatin1String(", "))))
                          .message};
     }

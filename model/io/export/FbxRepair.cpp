@@ -106,7 +106,8 @@ void setCreationTime(FbxNode& header)
 Result<QByteArray> repairFbx(QByteArrayView content)
 {
     const auto broken = [] {
-        return inputError({}, QCoreApplication::translate("FbxRepair", "this is no sound binary FBX file"));
+        return inputError({},
+                          QCoreApplication::translate("FbxRepair", "this is not a valid binary FBX file"));
     };
     std::optional<FbxDocument> document = readFbx(content);
     if (!document)

@@ -175,13 +175,14 @@ Result<DrawingStrokes> readQuickDraw(const QByteArray& bytes, int index)
         const QJsonArray right = drawn.toArray().at(0).toArray();
         const QJsonArray down = drawn.toArray().at(1).toArray();
         if (right.size() != down.size())
-            return Error{Error::Kind::Input, DrawingText::tr("a stroke has not as many x as y")};
+            return Error{Error::Kind::Input, DrawingText::tr("the x and y of a stroke differ in number")};
         std::vector<Vec2> stroke;
         for (qsizetype i = 0; i < right.size(); ++i) {
             const Vec2 point(static_cast<float>(right.at(i).toDouble()),
                              static_cast<float>(-down.at(i).toDouble()));
             if (!point.allFinite() || !right.at(i).isDouble() || !down.at(i).isDouble())
-                return Error{Error::Kind::Input, DrawingText::tr("a stroke has a point that is no number")};
+                return Error{Error::Kind::Input,
+                             DrawingText::tr("a stroke has a point that is not a number")};
             stroke.push_back(point);
         }
         if (!stroke.empty())

@@ -99,7 +99,7 @@ Result<Row> readRow(QByteArrayView line, int number)
     }
     const auto wrong = [&](std::size_t field) {
         return inputError(lineName(number),
-                          SkeletonText::tr("“%1” is no number for %2")
+                          SkeletonText::tr("“%1” is not a number for %2")
                               .arg(QString::fromUtf8(fields[field]), QLatin1String(kColumns[field])));
     };
     std::array<std::int64_t, 2> ids;

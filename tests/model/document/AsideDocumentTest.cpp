@@ -16,6 +16,7 @@ private Q_SLOTS:
     void whatComesBack_isTheSameToTheLastBit_data();
     void whatComesBack_isTheSameToTheLastBit();
     void limitOfUndo_comesBack();
+    void exchangedTree_comesBack();
 };
 
 void AsideDocumentTest::whatComesBack_isTheSameToTheLastBit_data()
@@ -75,6 +76,33 @@ void AsideDocumentTest::whatComesBack_isTheSameToTheLastBit()
     while (stack.canRedo())
         document.redo();
     QCOMPARE(differenceFrom(travels ? before : whole, document), QString());
+}
+
+void AsideDocumentTest::exchangedTree_comesBack()
+{
+    for (const bool isUndone : {false, true}) {
+        TreeDocument document;
+        grow(document, 3);
+        const DocumentState before(document);
+        TreeDocument another;
+        another.reset(5);
+        grow(another, 4);
+        document.exchange(PreparedTree(another.tree(), another.journal()), QStringLiteral("Another"));
+        const DocumentState exchanged(document);
+        if (isUndone)
+            document.undo();
+        AsideDocument aside = AsideDocument::takenFrom(document);
+        grow(document, 2);
+        aside.bringBackTo(document);
+        QCOMPARE(differenceFrom(isUndone ? before : exchanged, document), QString());
+        if (isUndone)
+            document.redo();
+        QCOMPARE(differenceFrom(exchanged, document), QString());
+        document.undo();
+        QCOMPARE(differenceFrom(before, document), QString());
+        document.redo();
+        QCOMPARE(differenceFrom(exchanged, document), QString());
+    }
 }
 
 void AsideDocumentTest::limitOfUndo_comesBack()

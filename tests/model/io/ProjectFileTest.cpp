@@ -424,7 +424,7 @@ void ProjectFileTest::wrongFiles_areRefused_data()
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<QString>("message");
     const QByteArray good = *packProject(sampleProject(50));
-    QTest::newRow("empty") << QByteArray() << QStringLiteral("it is no project file: it is empty");
+    QTest::newRow("empty") << QByteArray() << QStringLiteral("it is not a project file: it is empty");
     QTest::newRow("text") << QByteArray("hello") << QStringLiteral("it is no project file, or a damaged one");
     QTest::newRow("truncated") << good.left(good.size() / 2)
                                << QStringLiteral("it is no project file, or a damaged one");
