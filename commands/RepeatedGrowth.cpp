@@ -12,6 +12,11 @@ RepeatedGrowth::RepeatedGrowth(const TreeDocument& document, const Competitors& 
               static_cast<float>(document.parameters().growth.internodeLength)),
       m_growths(static_cast<std::size_t>(placement.copies), BrushGrowth(competitors, end))
 {
+    // Otherwise a copy would begin at a bud of the copy before it.
+    for (BrushGrowth& growth : m_growths) {
+        if (placement.copies > 1)
+            growth.beginAtFirst(document.tree().size());
+    }
 }
 
 void RepeatedGrowth::step(Edit& edit, std::span<const BrushSample> way)

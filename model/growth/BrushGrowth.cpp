@@ -108,13 +108,14 @@ Vec3 withoutFold(const Vec3& direction, const Vec3& heading)
     return side.norm() > 1e-3F ? Vec3(side.normalized()) : anyPerpendicular(heading);
 }
 
-/// The living bud nearest to @p point; at one node, the terminal bud before laterals; at equal distance, the
-/// smallest id.
-BudRef nearestBud(const Tree& tree, const TreeIndex& index, const Vec3& point)
+/// The living bud nearest to @p point, of the first @p count internodes; at one node, the terminal bud before
+/// laterals; at equal distance, the smallest id.
+BudRef nearestBud(const Tree& tree, const TreeIndex& index, const Vec3& point,
+                  std::uint32_t count = kNoInternode)
 {
     BudRef best{0, kTerminalSlot};
     float nearest = std::numeric_limits<float>::infinity();
-    for (InternodeId id = 0; id < tree.size(); ++id) {
+    for (InternodeId id = 0; id < std::min(count, tree.size()); ++id) {
         if (!tree.isAlive(id) || tree.buds(id) == 0)
             continue;
         const float squared = (index.nodePosition(id) - point).squaredNorm();
@@ -325,11 +326,17 @@ void BrushGrowth::layMarkers(const Tree& tree, std::span<const BrushSample> way)
 TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, std::span<const BrushSample> way)
 {
     if (!m_drawnBud) {
-        m_drawnBud = m_competitors.node != kNoInternode ? BudRef{m_competitors.node, m_competitors.slot}
-                                                        : nearestBud(tree, index, way.front().position);
+        m_drawnBud = m_competitors.node != kNoInternode
+                         ? BudRef{m_competitors.node, m_competitors.slot}
+                         : nearestBud(tree, index, way.front().position, m_mostBegun);
         m_path.push_back(aboveGround(way.front().position));
         m_hasDrawn = false;
     }
+    // Another copy of the stroke may have taken the bud meanwhile.
+    const bool isTaken = !m_hasDrawn && tree.isAlive(m_drawnBud->node) &&
+                         (tree.buds(m_drawnBud->node) & budBit(m_drawnBud->slot)) == 0;
+    if (isTaken && m_mostBegun != kNoInternode)
+        m_drawnBud = nearestBud(tree, index, m_path.front(), m_mostBegun);
     for (const BrushSample& sample : way.subspan(1))
         m_path.push_back(aboveGround(sample.position));
     return drawPath(tree, index);
@@ -339,9 +346,10 @@ TreeDelta BrushGrowth::draw(const Tree& tree, const TreeIndex& index, std::span<
 std::optional<TreeDelta> BrushGrowth::drawRest(const Tree& tree, const TreeIndex& index)
 {
     const std::size_t first = m_passed > 0 ? m_passed - 1 : 0;
-    m_drawnBud = m_competitors.node != kNoInternode && m_passed == 0
-                     ? BudRef{m_competitors.node, m_competitors.slot}
-                     : nearestBud(tree, index, m_line[first].position);
+    m_drawnBud =
+        m_competitors.node != kNoInternode && m_passed == 0
+            ? BudRef{m_competitors.node, m_competitors.slot}
+            : nearestBud(tree, index, m_line[first].position, m_passed == 0 ? m_mostBegun : kNoInternode);
     m_hasDrawn = false;
     m_path.clear();
     for (const BrushSample& sample : std::span(m_line).subspan(first))

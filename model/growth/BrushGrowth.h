@@ -48,6 +48,10 @@ public:
     std::optional<TreeDelta> settle(const Tree& tree, const TreeIndex& index, const GrowthModel& model,
                                     const BrushSample& brush);
 
+    /// A line of the stroke begins at a bud of the first @p internodes of the tree, and at no bud that came
+    /// later.
+    void beginAtFirst(std::uint32_t internodes) { m_mostBegun = internodes; }
+
     /// World positions of the living markers, m.
     std::span<const Vec3> markers() const { return m_markers.positions; }
 
@@ -68,6 +72,7 @@ private:
     bool beginPath(const GrowingTree& growing, float length);
 
     Competitors m_competitors;
+    std::uint32_t m_mostBegun = kNoInternode; ///< A line begins at one of so many internodes
     StrokeEnd m_end;
     MarkerSet m_markers;
     GrowthWorkspace m_workspace;

@@ -24,30 +24,31 @@ float levelLength(const Vec3& way)
     return std::hypot(way.x(), way.z());
 }
 
-/// A branch of a trunk.
+/// A branch of a tree.
 struct Limb {
     float height;   ///< Of its base, m
     float length;   ///< Along its axis, m
-    double azimuth; ///< From its base to its tip, rad
+    double azimuth; ///< Of its tip, seen from the line that strokes are turned about, rad
 };
 
-std::vector<Limb> limbsOf(const Tree& tree, const TreeIndex& index, InternodeId root)
+/// The branches of the tree of @p root, those of limbs included: they fill gaps as well.
+std::vector<Limb> limbsOf(const Tree& tree, const TreeIndex& index, InternodeId root, const Vec3& around)
 {
     std::vector<Limb> limbs;
-    for (InternodeId on = root; on != kNoInternode; on = index.mainChild(on)) {
-        for (InternodeId limb = index.firstChild(on); limb != kNoInternode; limb = index.nextSibling(limb)) {
-            if (limb == index.mainChild(on))
-                continue;
-            const Vec3 base = index.basePosition(tree, limb);
-            float length = 0.0F;
-            Vec3 tip = base;
-            for (InternodeId id = limb; id != kNoInternode; id = index.mainChild(id)) {
-                length += tree.length(id);
-                tip = index.nodePosition(id);
-            }
-            if (levelLength(tip - base) > 1e-3F)
-                limbs.push_back({base.y(), length, levelAzimuth(tip - base)});
+    std::vector<InternodeId> roots(tree.size());
+    for (InternodeId axis = 0; axis < tree.size(); ++axis) {
+        roots[axis] = tree.isRoot(axis) ? axis : roots[tree.parent(axis)];
+        if (!tree.isAlive(axis) || roots[axis] != root || index.axis(axis) != axis || axis == root)
+            continue;
+        float length = 0.0F;
+        InternodeId tip = axis;
+        for (InternodeId id = axis; id != kNoInternode; id = index.mainChild(id)) {
+            length += tree.length(id);
+            tip = id;
         }
+        const Vec3 way = index.nodePosition(tip) - around;
+        if (levelLength(way) > 1e-3F)
+            limbs.push_back({index.basePosition(tree, axis).y(), length, levelAzimuth(way)});
     }
     return limbs;
 }
@@ -91,7 +92,7 @@ Vec3 trunkAt(const Tree& tree, const TreeIndex& index, InternodeId root, float h
 std::optional<double> widestGap(const Tree& tree, const TreeIndex& index, const Vec3& around)
 {
     const std::optional<InternodeId> root = nearestTrunk(tree, index, around);
-    std::vector<Limb> limbs = root ? limbsOf(tree, index, *root) : std::vector<Limb>{};
+    std::vector<Limb> limbs = root ? limbsOf(tree, index, *root, around) : std::vector<Limb>{};
     if (limbs.empty())
         return std::nullopt;
     const float longest = std::ranges::max_element(limbs, {}, &Limb::length)->length;

@@ -25,9 +25,9 @@ struct StrokePlacement {
 /// tip.
 Vec3 trunkAt(const Tree& tree, const TreeIndex& index, InternodeId root, float height);
 
-/// The azimuth of the middle of the widest gap between the limbs of the trunk nearest to @p around, rad from
-/// +X toward +Z. Limbs are the branches of the trunk that are at least a third as long as its longest; the
-/// eight that begin nearest to the height of @p around count. Empty if there are none.
+/// The azimuth of the middle of the widest gap between the limbs of the tree whose trunk is nearest to @p
+/// around, rad from +X toward +Z. Limbs are the branches that are at least a third as long as the longest;
+/// the eight that begin nearest to the height of @p around count. Empty if there are none.
 std::optional<double> widestGap(const Tree& tree, const TreeIndex& index, const Vec3& around);
 
 /// Turns the strokes of a placement. It is a function of the tree before the stroke and of the points met.

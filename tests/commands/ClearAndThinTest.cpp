@@ -6,6 +6,7 @@
 #include "tests/support/Growing.h"
 #include "tests/support/Replaying.h"
 #include "tests/support/TestClasses.h"
+#include "tests/support/TreeBuilder.h"
 
 #include <QTest>
 
@@ -110,7 +111,7 @@ void ClearAndThinTest::seedling_growsATrunkThatIsClear()
     brush(document, strokeAlong(std::vector<Vec3>{Vec3::Zero(), Vec3(0.0F, 2.0F, 0.0F)}, 0.4F, 3.0));
     QVERIFY(document.index().livingCount() > 40);
     QCOMPARE(shootsOnTrunk(document, 1.0F), std::size_t{0});
-    QVERIFY(shootsOnTrunk(document, 3.0F) > 2);
+    QVERIFY(shootsOnTrunk(document, 3.0F) > 0);
 }
 
 void ClearAndThinTest::budsThatMayShootAgain_do()
@@ -167,9 +168,14 @@ void ClearAndThinTest::erase_isOneUndoStep()
 void ClearAndThinTest::thin_takesTheSameShareAgain()
 {
     TreeDocument document;
-    plantBushyTree(document);
+    std::vector<NewInternode> internodes;
+    for (InternodeId i = 0; i < 20; ++i)
+        internodes.push_back({.parent = i});
+    for (InternodeId i = 1; i <= 20; ++i)
+        internodes.push_back({.parent = i, .slot = 0, .rotation = branching(1.0)});
+    apply(document, births(document.tree(), internodes));
     const std::size_t all = shootsOnTrunk(document, 9.0F);
-    QVERIFY(all >= 8);
+    QCOMPARE(all, std::size_t{20});
     QVERIFY(thinTwigs(document, {wholeTree(1.0), 0.4}));
     const std::size_t once = shootsOnTrunk(document, 9.0F);
     QVERIFY(std::abs(static_cast<double>(once) - 0.6 * static_cast<double>(all)) <= 1.5);

@@ -331,7 +331,7 @@ void TrainingToolsTest::eraserStroke_takesTwigsInDepthAndLeavesTheTrunk()
 {
     plantTwigs();
     m_settings->set(&ViewValues::brushRadius, 0.15);
-    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    m_settings->set(&ViewValues::eraserThickest, 0.1);
     takePruning(PruneMode::Erase);
     stroke(trunkAt(0.7F), trunkAt(1.5F), 200);
     // All twigs from there, toward the viewer and away from him.
@@ -349,7 +349,7 @@ void TrainingToolsTest::eraserPreview_showsWhatGoesBeforeTheRelease()
 {
     plantTwigs();
     m_settings->set(&ViewValues::brushRadius, 0.15);
-    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    m_settings->set(&ViewValues::eraserThickest, 0.1);
     takePruning(PruneMode::Erase);
     const auto shownPoints = [this] {
         std::size_t points = 0;
@@ -377,7 +377,7 @@ void TrainingToolsTest::eraserStroke_goesOnWhileTheCameraTurns()
 {
     plantTwigs();
     m_settings->set(&ViewValues::brushRadius, 0.1);
-    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    m_settings->set(&ViewValues::eraserThickest, 0.1);
     takePruning(PruneMode::Erase);
     press(trunkAt(0.7F));
     drag(trunkAt(0.7F), trunkAt(0.9F), 60);
@@ -408,7 +408,7 @@ void TrainingToolsTest::eraserFinger_takesTwigs()
 {
     plantTwigs();
     m_settings->set(&ViewValues::brushRadius, 0.15);
-    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    m_settings->set(&ViewValues::eraserThickest, 0.1);
     takePruning(PruneMode::Erase);
     const std::uint32_t before = alive();
     QTest::touchEvent(m_view.get(), m_touch.get()).press(0, at(trunkAt(0.7F)));
@@ -422,7 +422,7 @@ void TrainingToolsTest::thinStroke_takesAShare()
 {
     plantTwigs();
     m_settings->set(&ViewValues::brushRadius, 0.5);
-    m_settings->set(&ViewValues::eraserThickest, 0.4);
+    m_settings->set(&ViewValues::eraserThickest, 0.1);
     m_settings->set(&ViewValues::thinShare, 0.5);
     takePruning(PruneMode::Thin);
     stroke(trunkAt(0.2F), trunkAt(2.6F), 300);

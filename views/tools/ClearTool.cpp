@@ -49,12 +49,16 @@ float ClearTool::lengthAt(InternodeId axis, const QPointF& screen) const
     float below = 0.0F;
     for (InternodeId on = axis; on != kNoInternode; on = index.mainChild(on)) {
         const bool isTip = index.mainChild(on) == kNoInternode;
-        const float length = tree.length(on) + (isTip ? kBeyondTip : 0.0F);
+        float length = tree.length(on) + (isTip ? kBeyondTip : 0.0F);
         const Vec3 base = index.basePosition(tree, on);
-        // A line in space is a line on the screen; what is behind the camera is left out.
-        const Vec3 end = base + length * index.heading(on);
+        Vec3 end = base + length * index.heading(on);
         const auto a = camera.project(base);
-        const auto b = camera.project(end);
+        auto b = camera.project(end);
+        if (!b) { // Behind the camera
+            length = tree.length(on);
+            end = index.nodePosition(on);
+            b = camera.project(end);
+        }
         if (a && b) {
             const QPointF way = *b - *a;
             const double squared = QPointF::dotProduct(way, way);
