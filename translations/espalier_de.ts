@@ -2851,7 +2851,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>spread</source>
-        <translation>verteilt</translation>
+        <translation>Verteilt</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -2879,7 +2879,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Far side too</source>
-        <translation>Auch hinten</translation>
+        <translation>Auch dahinter</translation>
     </message>
     <message>
         <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
@@ -4972,7 +4972,7 @@ geschrieben werden konnte.
     <name>espalier::PrunePopOut</name>
     <message>
         <source>Cut</source>
-        <translation>Schneiden</translation>
+        <translation>Abschneiden</translation>
     </message>
     <message>
         <source>Tap a branch to take it off, or draw a line across several.</source>

@@ -2842,15 +2842,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>screen</source>
-        <translation>écran</translation>
+        <translation>Écran</translation>
     </message>
     <message>
         <source>trunk</source>
-        <translation>tronc</translation>
+        <translation>Tronc</translation>
     </message>
     <message>
         <source>spread</source>
-        <translation>réparti</translation>
+        <translation>Réparti</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -2870,7 +2870,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Takes</source>
-        <translation>Retire</translation>
+        <translation>Part</translation>
     </message>
     <message>
         <source>The share of the twigs under the brush that a stroke takes. They are chosen evenly along each limb.</source>
@@ -2878,7 +2878,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Far side too</source>
-        <translation>Côté caché aussi</translation>
+        <translation>Face arrière aussi</translation>
     </message>
     <message>
         <source>A stroke reaches through the whole tree. Otherwise it takes only what is on your side of the trunk.</source>
@@ -4987,7 +4987,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Erase</source>
-        <translation>Effacer</translation>
+        <translation>Gommer</translation>
     </message>
     <message>
         <source>Brush over twigs and leaves to take them away, however deep in the crown they are. Limbs stay.</source>

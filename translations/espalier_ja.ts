@@ -2819,7 +2819,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
     <message>
         <source>Plane</source>
-        <translation>面</translation>
+        <translation>平面</translation>
     </message>
     <message>
         <source>Where strokes go in depth. Screen: as deep as the branch that they begin at. Trunk: in the plane through the trunk and the branch that they begin at. Spread: each limb that begins at the trunk is turned into the widest gap, as long and as steep as you draw it.</source>
@@ -2827,7 +2827,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
     <message>
         <source>Around</source>
-        <translation>まわり</translation>
+        <translation>周囲</translation>
     </message>
     <message>
         <source>How many strokes are made around the trunk for each one that you draw.</source>
@@ -2863,7 +2863,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
     <message>
         <source>Takes</source>
-        <translation>取る割合</translation>
+        <translation>割合</translation>
     </message>
     <message>
         <source>The share of the twigs under the brush that a stroke takes. They are chosen evenly along each limb.</source>
@@ -4971,7 +4971,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
     <message>
         <source>Keep clear</source>
-        <translation>下枝なし</translation>
+        <translation>枝下を空ける</translation>
     </message>
     <message>
         <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>

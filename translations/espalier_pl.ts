@@ -2844,15 +2844,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>screen</source>
-        <translation>ekran</translation>
+        <translation>Ekran</translation>
     </message>
     <message>
         <source>trunk</source>
-        <translation>pień</translation>
+        <translation>Pień</translation>
     </message>
     <message>
         <source>spread</source>
-        <translation>rozłożone</translation>
+        <translation>Rozłożone</translation>
     </message>
     <message>
         <source>Radius</source>
@@ -2864,7 +2864,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Up to</source>
-        <translation>Do grubości</translation>
+        <translation>Do</translation>
     </message>
     <message>
         <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
@@ -2872,7 +2872,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Takes</source>
-        <translation>Usuwa</translation>
+        <translation>Ile</translation>
     </message>
     <message>
         <source>The share of the twigs under the brush that a stroke takes. They are chosen evenly along each limb.</source>
@@ -4974,7 +4974,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <name>espalier::PrunePopOut</name>
     <message>
         <source>Cut</source>
-        <translation>Tnij</translation>
+        <translation>Odetnij</translation>
     </message>
     <message>
         <source>Tap a branch to take it off, or draw a line across several.</source>
@@ -4982,7 +4982,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Keep clear</source>
-        <translation>Oczyść</translation>
+        <translation>Bez pędów</translation>
     </message>
     <message>
         <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
@@ -4990,7 +4990,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Erase</source>
-        <translation>Usuwanie</translation>
+        <translation>Wymaż</translation>
     </message>
     <message>
         <source>Brush over twigs and leaves to take them away, however deep in the crown they are. Limbs stay.</source>
