@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/AnotherController.h"
+#include "app/HeldToolKey.h"
 #include "app/HelpController.h"
 #include "app/LatinKeyFilter.h"
 #include "app/LeafController.h"
@@ -46,6 +48,7 @@ public:
     StrandRunner& strandRunner() { return m_strandRunner; }
     HelpController& help() { return *m_help; }
     ProfileController& profiles() { return *m_profiles; }
+    AnotherController& another() { return *m_another; }
 
     /// Whether a gesture or growth is changing the document now.
     bool isHandBusy() const;
@@ -117,6 +120,7 @@ private:
     StrandRunner m_strandRunner;
     Actions m_actions;
     LatinKeyFilter m_latinKeys;
+    HeldToolKey m_heldToolKey;
     QElapsedTimer m_followClock;
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
@@ -126,6 +130,7 @@ private:
     std::unique_ptr<SketchController> m_sketching;
     std::unique_ptr<LeafController> m_leaves;
     std::unique_ptr<ReproduceController> m_reproducing;
+    std::unique_ptr<AnotherController> m_another;
     std::unique_ptr<HelpController> m_help;
 };
 

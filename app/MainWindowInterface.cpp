@@ -9,6 +9,7 @@
 #include "panels/LassoPopOut.h"
 #include "panels/ParameterPanel.h"
 #include "panels/SettingsSheet.h"
+#include "panels/SizeChoices.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
@@ -64,6 +65,18 @@ void MainWindow::makeInterface()
     m_reproducing = std::make_unique<ReproduceController>(
         m_document, m_viewSettings, m_workspace->reproducePopOut(), [this] { return isBusy(); },
         [this](const QString& what) { m_workspace->notice().showInformation(what); });
+    m_another = std::make_unique<AnotherController>(
+        AnotherController::Parts{.document = m_document,
+                                 .settings = m_viewSettings,
+                                 .viewport = m_workspace->viewport(),
+                                 .panel = m_workspace->another(),
+                                 .notice = m_workspace->notice(),
+                                 .isBusy = [this] { return isBusy(); },
+                                 .show = [this](bool shown) { m_workspace->showAnother(shown); }});
+    connect(m_actions[ActionId::Another], &QAction::triggered, m_another.get(), &AnotherController::toggle);
+    SizeChoices& sizes = m_workspace->sizeChoices();
+    connect(&sizes, &SizeChoices::sizeAsked, m_files.get(), qOverload<TreeSize>(&FileController::startNew));
+    sizes.setSize(m_settings.treeSize());
     connectPopOuts();
     connectViewport();
 }
@@ -88,6 +101,7 @@ void MainWindow::remakeInterface()
     const QString control = sheet && sheet->focusWidget() ? sheet->focusWidget()->objectName() : QString();
     delete sheet;
     const Camera camera = m_workspace->viewport().camera();
+    const double seedlingView = m_workspace->viewport().seedlingView();
     const QString helpPage = m_workspace->isHelpShown() ? m_workspace->help().page() : QString();
     const LibraryPanel::Section section = m_workspace->library().section();
     const bool isMoreShown = m_workspace->architecture().isMoreShown();
@@ -96,6 +110,7 @@ void MainWindow::remakeInterface()
 
     m_help.reset();
     m_library.reset();
+    m_another.reset();
     m_looks.reset();
     m_sketching.reset();
     m_leaves.reset();
@@ -136,6 +151,7 @@ void MainWindow::remakeInterface()
     updateTitle();
     updateEnabled();
     m_workspace->show();
+    m_workspace->viewport().setSeedlingView(seedlingView);
     m_workspace->viewport().setCamera(camera);
     if (tourStep >= 0)
         m_help->tour().start(tourStep);
@@ -210,6 +226,15 @@ void MainWindow::connectViewport()
             m_growRunner.end();
     });
     connect(&viewport, &Viewport::gestureActiveChanged, this, &MainWindow::updateEnabled);
+    connect(&viewport, &Viewport::gestureActiveChanged, &m_heldToolKey, &HeldToolKey::setGestureActive);
+    connect(&viewport, &Viewport::fingersTapped, this, [this](int fingers) {
+        if (fingers == 2)
+            m_actions[ActionId::Undo]->trigger();
+        else if (fingers == 3)
+            m_actions[ActionId::Redo]->trigger();
+        else
+            m_actions[ActionId::HideInterface]->trigger();
+    });
     connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
     const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},
                                                     {ActionId::SideView, NamedView::Side},

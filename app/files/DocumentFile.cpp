@@ -44,11 +44,11 @@ void DocumentFile::setFile(const QString& fileName, const QString& displayName)
     Q_EMIT titleChanged();
 }
 
-void DocumentFile::startNew(const TreeParameters& parameters)
+void DocumentFile::startNew(const TreeParameters& parameters, const QString& displayName)
 {
     // Each new tree has another seed, so that the same strokes give another tree.
     m_document.reset(QRandomGenerator::global()->generate(), parameters);
-    forgetFile({});
+    forgetFile(displayName);
 }
 
 Result<DocumentFile::Read> DocumentFile::read(const QString& fileName, const std::atomic<bool>& isCancelled)

@@ -51,8 +51,8 @@ public:
     /// What the document last read from its file or wrote into it; does not exist if that is not known.
     const FileContent& knownContent() const { return m_content; }
 
-    /// A seedling without a file.
-    void startNew(const TreeParameters& parameters = {});
+    /// A seedling without a file. @p displayName: empty if it has no name yet.
+    void startNew(const TreeParameters& parameters = {}, const QString& displayName = {});
     /// Reads a project and prepares all that showing it takes; may run on any thread. What it returns once @p
     /// isCancelled is set is not whole.
     static Result<Read> read(const QString& fileName, const std::atomic<bool>& isCancelled);

@@ -27,6 +27,7 @@ const QString kAutosaveInterval = QStringLiteral("files/autosaveInterval");
 const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kLanguage = QStringLiteral("window/language");
 const QString kUnits = QStringLiteral("window/units");
+const QString kTreeSize = QStringLiteral("newTree/size");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
 
 /// Qt's settings, written only while the disk has room for them: Qt 6.4 replaces their file even if the new
@@ -80,6 +81,7 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/groundShown"), values.groundShown);
     visit(QStringLiteral("view/shadowsShown"), values.shadowsShown);
     visit(QStringLiteral("view/gridShown"), values.gridShown);
+    visit(QStringLiteral("view/personShown"), values.personShown);
     visit(QStringLiteral("view/backdrop"), values.backdrop);
     visit(QStringLiteral("view/backgroundColour"), values.backgroundColour);
     visit(QStringLiteral("view/backgroundTop"), values.backgroundTop);
@@ -143,6 +145,7 @@ ViewValues Settings::viewValues() const
 {
     const QSettings store;
     ViewValues values;
+    values.brushRadius = sizePreset(treeSize()).brushRadius;
     visitViewValues(values, [&](const QString& key, auto& field) {
         using Field = std::remove_reference_t<decltype(field)>;
         if constexpr (std::is_same_v<Field, Backdrop>) {
@@ -219,6 +222,21 @@ QString Settings::exportSuffix() const
 void Settings::setExportSuffix(const QString& suffix)
 {
     Store().setValue(kExportSuffix, suffix);
+}
+
+TreeSize Settings::treeSize() const
+{
+    const QString stored = QSettings().value(kTreeSize).toString();
+    for (int i = 0; i < kTreeSizeCount; ++i) {
+        if (stored == QLatin1String(sizePreset(static_cast<TreeSize>(i)).key))
+            return static_cast<TreeSize>(i);
+    }
+    return TreeSize::StreetTree;
+}
+
+void Settings::setTreeSize(TreeSize size)
+{
+    Store().setValue(kTreeSize, QString::fromLatin1(sizePreset(size).key));
 }
 
 QByteArray Settings::windowGeometry() const

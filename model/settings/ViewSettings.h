@@ -98,6 +98,7 @@ struct ViewValues {
     double depthAngle = 1.2;
     double budSpacing = 0.03; ///< Distance along the branch between them, m, 0...kMostBudSpacing
     bool leavesShown = true;
+    bool personShown = true;  ///< A person beside the tree, and a scale
     bool fibresShown = false; ///< Wood of strands shows as lines, one for each strand
     bool groundShown = true;
     bool shadowsShown = true;

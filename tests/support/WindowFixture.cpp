@@ -42,7 +42,9 @@ void WindowFixture::init()
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     m_window->viewSettings().setValues(
-        {.groundShown = false, .shadowsShown = false, .backdrop = Backdrop::Plain});
+        {.personShown = false, .groundShown = false, .shadowsShown = false, .backdrop = Backdrop::Plain});
+    // Tests count in its pixels.
+    viewport().setSeedlingView(Viewport::kDefaultSeedlingView);
     action(ActionId::Brush)->trigger();
     viewport().setFocus();
 }

@@ -16,7 +16,8 @@ namespace espalier {
 /// at which the stroke begins. The plane turns with the camera, so that a pointer at rest draws a helix while
 /// the view rotates.
 ///
-/// A second tap on a branch prunes it; a finger or pen that rests on a bud chooses that bud to grow alone.
+/// A second tap on a branch prunes it; a finger or pen that rests on a bud chooses that bud to grow alone. A
+/// drag with the Shift key to the right or to the left makes the brush larger or smaller where it is.
 class BrushTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 
@@ -33,7 +34,10 @@ public:
     void tick(double now) override;
     void wheel(double notches) override;
 
-    bool isActive() const override { return m_gesture != nullptr || m_held.has_value(); }
+    bool isActive() const override
+    {
+        return m_gesture != nullptr || m_held.has_value() || m_sizing.has_value();
+    }
     bool wantsTicks() const override { return isActive(); }
     void paint(Overlay& overlay) const override;
     QString tip() const override;
@@ -49,12 +53,18 @@ private:
         PickedBud bud;
         bool isChosen = false; ///< The press has become a long press
     };
+    /// A drag that changes the radius.
+    struct Sizing {
+        QPointF from;        ///< px
+        double radius = 0.0; ///< Before the drag, m
+    };
     struct Tap {
         QPointF position;
         double time = -1e9;       ///< Time of the tap, s
         bool leftAStroke = false; ///< Whether the tap left a stroke on the undo stack
     };
 
+    void resizeTo(const QPointF& pointer);
     bool pruneOnSecondTap(const PointerSample& sample);
     void beginStroke(const PointerSample& sample);
     BrushSample sampleAt(double time) const;
@@ -72,6 +82,7 @@ private:
     double m_strokeTime = 0.0;            ///< s since the stroke began
     std::vector<Vec3> m_trail;
     std::optional<Hold> m_held;
+    std::optional<Sizing> m_sizing;
     PointerSample m_press; ///< First sample of the gesture under way
     int m_undoIndex = 0;   ///< Index of the undo stack at that sample
     double m_now = 0.0;    ///< Time of the last tick, s
