@@ -41,7 +41,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_undoRunner(m_document),
       m_strandRunner(m_document),
       m_actions(*this),
-      m_focusKeeper(*this, [this] { return m_workspace ? &m_workspace->viewport() : nullptr; })
+      m_focusKeeper(*this, [this] { return m_workspace ? &m_workspace->viewport() : nullptr; }),
+      m_heldToolKey(m_actions)
 {
     setMinimumSize(920, 680);
     setAcceptDrops(true);
@@ -91,7 +92,7 @@ void MainWindow::connectFiles()
             (m_files.get()->*what)();
         });
     };
-    leave(ActionId::New, &FileController::startNew);
+    leave(ActionId::New, qOverload<>(&FileController::startNew));
     leave(ActionId::Open, &FileController::open);
     const auto keep = [this](ActionId id, const std::function<void()>& what) {
         connect(m_actions[id], &QAction::triggered, this, [this, what] {
@@ -132,6 +133,11 @@ void MainWindow::connectFiles()
     connect(m_files.get(), &FileController::aboutToReplace, this, &MainWindow::cancelAll);
     connect(m_files.get(), &FileController::asideChanged, this,
             [this] { m_workspace->showWayBack(m_files->isAside()); });
+    connect(m_files.get(), &FileController::newTreeBegins, this, [this](const NewTree& tree) {
+        m_workspace->viewport().setSeedlingView(tree.viewHeight);
+        if (tree.brushRadius > 0.0)
+            m_viewSettings.set(&ViewValues::brushRadius, tree.brushRadius);
+    });
     connect(m_files.get(), &FileController::scenePrepared, this,
             [this](const std::shared_ptr<PreparedScene>& scene) {
                 if (scene)
@@ -139,7 +145,10 @@ void MainWindow::connectFiles()
             });
     connect(m_files.get(), &FileController::recipeOpened, this,
             [this](const Recipe& recipe) { playRecipe(recipe, RecipeRunner::Pace::Hurried); });
-    connect(&m_files->file(), &DocumentFile::titleChanged, this, &MainWindow::updateTitle);
+    connect(&m_files->file(), &DocumentFile::titleChanged, this, [this] {
+        updateTitle();
+        updateEnabled();
+    });
 }
 
 void MainWindow::connectView()
@@ -147,6 +156,7 @@ void MainWindow::connectView()
     const std::pair<ActionId, bool ViewValues::*> switches[] = {
         {ActionId::Markers, &ViewValues::markersShown},
         {ActionId::Leaves, &ViewValues::leavesShown},
+        {ActionId::Person, &ViewValues::personShown},
         {ActionId::Fibres, &ViewValues::fibresShown}};
     for (const auto& [id, field] : switches) {
         QAction* action = m_actions[id];

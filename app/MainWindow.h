@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/AnotherController.h"
 #include "app/FocusKeeper.h"
+#include "app/HeldToolKey.h"
 #include "app/HelpController.h"
 #include "app/LatinKeyFilter.h"
 #include "app/LeafController.h"
@@ -51,6 +53,7 @@ public:
     ProfileController& profiles() { return *m_profiles; }
     SceneController& scene() { return *m_scene; }
     PictureController& pictures() { return *m_pictures; }
+    AnotherController& another() { return *m_another; }
 
     /// Whether a gesture or growth is changing the document now.
     bool isHandBusy() const;
@@ -125,6 +128,7 @@ private:
     Actions m_actions;
     LatinKeyFilter m_latinKeys;
     FocusKeeper m_focusKeeper;
+    HeldToolKey m_heldToolKey;
     QElapsedTimer m_followClock;
     std::optional<Camera> m_asideCamera; ///< Of the document that is set aside
     std::unique_ptr<Workspace> m_workspace;
@@ -137,6 +141,7 @@ private:
     std::unique_ptr<SketchController> m_sketching;
     std::unique_ptr<LeafController> m_leaves;
     std::unique_ptr<ReproduceController> m_reproducing;
+    std::unique_ptr<AnotherController> m_another;
     std::unique_ptr<HelpController> m_help;
 };
 

@@ -10,6 +10,7 @@
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
 #include "panels/SettingsSheet.h"
+#include "panels/SizeChoices.h"
 #include "panels/architecture/ArchitecturePanel.h"
 #include "panels/library/LibraryPanel.h"
 #include "views/Viewport.h"
@@ -98,6 +99,18 @@ void MainWindow::makeInterface()
         [this](const QString& what) { m_workspace->notice().showInformation(what); });
     connect(m_workspace.get(), &Workspace::wayBackAsked, this, &MainWindow::backToOwnTree);
     m_workspace->showWayBack(m_files->isAside());
+    m_another = std::make_unique<AnotherController>(
+        AnotherController::Parts{.document = m_document,
+                                 .settings = m_viewSettings,
+                                 .viewport = m_workspace->viewport(),
+                                 .panel = m_workspace->another(),
+                                 .notice = m_workspace->notice(),
+                                 .isBusy = [this] { return isBusy(); },
+                                 .show = [this](bool shown) { m_workspace->showAnother(shown); }});
+    connect(m_actions[ActionId::Another], &QAction::triggered, m_another.get(), &AnotherController::toggle);
+    SizeChoices& sizes = m_workspace->sizeChoices();
+    connect(&sizes, &SizeChoices::sizeAsked, m_files.get(), qOverload<TreeSize>(&FileController::startNew));
+    sizes.setSize(m_settings.treeSize());
     connectPopOuts();
     connectViewport();
     if (hasLetters())
@@ -139,6 +152,7 @@ void MainWindow::remakeInterface()
     const QString control = sheet && sheet->focusWidget() ? sheet->focusWidget()->objectName() : QString();
     delete sheet;
     const Camera camera = m_workspace->viewport().camera();
+    const double seedlingView = m_workspace->viewport().seedlingView();
     const QString helpPage = m_workspace->isHelpShown() ? m_workspace->help().page() : QString();
     const LibraryPanel::Section section = m_workspace->library().section();
     const bool isMoreShown = m_workspace->architecture().isMoreShown();
@@ -147,6 +161,7 @@ void MainWindow::remakeInterface()
 
     m_help.reset();
     m_library.reset();
+    m_another.reset();
     m_looks.reset();
     m_scene.reset();
     m_pictures.reset();
@@ -189,6 +204,7 @@ void MainWindow::remakeInterface()
     updateTitle();
     updateEnabled();
     m_workspace->show();
+    m_workspace->viewport().setSeedlingView(seedlingView);
     m_workspace->viewport().setCamera(camera);
     if (tourStep >= 0)
         m_help->tour().start(tourStep);
@@ -267,6 +283,15 @@ void MainWindow::connectViewport()
             m_growRunner.end();
     });
     connect(&viewport, &Viewport::gestureActiveChanged, this, &MainWindow::updateEnabled);
+    connect(&viewport, &Viewport::gestureActiveChanged, &m_heldToolKey, &HeldToolKey::setGestureActive);
+    connect(&viewport, &Viewport::fingersTapped, this, [this](int fingers) {
+        if (fingers == 2)
+            m_actions[ActionId::Undo]->trigger();
+        else if (fingers == 3)
+            m_actions[ActionId::Redo]->trigger();
+        else
+            m_actions[ActionId::HideInterface]->trigger();
+    });
     connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
     const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},
                                                     {ActionId::SideView, NamedView::Side},

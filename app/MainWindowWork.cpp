@@ -94,7 +94,7 @@ void MainWindow::cancelAll()
 void MainWindow::cancel()
 {
     // A sketch may go on while the focus is elsewhere.
-    if (m_profiles->cancel() || m_files->cancelOpening())
+    if (m_profiles->cancel() || m_files->cancelOpening() || m_another->close())
         return;
     if (isBusy()) {
         cancelAll();

@@ -5,6 +5,7 @@
 #include "app/files/Settings.h"
 #include "model/mesh/TreeCounts.h"
 #include "panels/AddBudsPopOut.h"
+#include "panels/AnotherPanel.h"
 #include "panels/BackgroundPanel.h"
 #include "panels/BendPopOut.h"
 #include "panels/BrushPanel.h"
@@ -21,6 +22,7 @@
 #include "panels/PrunePopOut.h"
 #include "panels/ReproducePopOut.h"
 #include "panels/RotationStrip.h"
+#include "panels/SizeChoices.h"
 #include "panels/SketchPopOut.h"
 #include "panels/Theme.h"
 #include "panels/TwistPopOut.h"
@@ -32,6 +34,7 @@
 #include <QPushButton>
 
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 
@@ -82,6 +85,8 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_background(new BackgroundPanel(settings, this)),
       m_history(new HistoryPanel(document.undoStack(), this)),
       m_leafChoices(new LeafChoices(this)),
+      m_sizeChoices(new SizeChoices(this)),
+      m_another(new AnotherPanel(this)),
       m_library(new LibraryPanel(libraryPicture, this)),
       m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
@@ -116,6 +121,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     followBackdrop();
     connect(m_leafChoices, &LeafChoices::offerChanged, this, &Workspace::arrange);
     connect(m_notice, &Notice::resized, this, &Workspace::arrange);
+    connect(m_notice, &Notice::closed, this, &Workspace::arrange);
     m_countTimer.setSingleShot(true);
     m_countTimer.setInterval(kCountInterval);
     connect(&m_countTimer, &QTimer::timeout, this, &Workspace::showCounts);
@@ -142,6 +148,12 @@ void Workspace::showHistory(bool shown)
 {
     m_isHistoryShown = shown;
     rearrange();
+}
+
+void Workspace::showAnother(bool shown)
+{
+    m_isAnotherShown = shown;
+    arrange();
 }
 
 void Workspace::showLibrary(bool shown)
@@ -221,6 +233,12 @@ void Workspace::focusNextPane()
             return;
         }
     }
+}
+
+void Workspace::setBlank(bool blank)
+{
+    if (std::exchange(m_isBlank, blank) != blank)
+        arrange();
 }
 
 void Workspace::setTip(const QString& tip)
@@ -339,6 +357,19 @@ void Workspace::arrange()
     const int choicesRight = (m_isHistoryShown ? history.width() + kGap : 0) + choices.width() + kGap;
     m_leafChoices->setGeometry(placed({right - choicesRight, y, choices.width(), choices.height()}));
     m_leafChoices->setVisible(shown && m_leafChoices->isOffering());
+    // On a blank page the middle is free below the seedling, unless a notice is there.
+    const QSize sizes = m_sizeChoices->sizeHint();
+    m_sizeChoices->setGeometry((right - sizes.width()) / 2, lowest - sizes.height(), sizes.width(),
+                               sizes.height());
+    m_sizeChoices->setVisible(shown && m_isBlank && m_notice->isHidden() &&
+                              !m_sizeChoices->geometry().intersects(popOutPlace));
+    m_another->setPictureSize(AnotherPanel::pictureIn(size()));
+    const QSize another = m_another->sizeHint();
+    const int toolsRoom = m_areToolsRight ? 0 : x;
+    m_another->setGeometry(toolsRoom + (right - x - another.width()) / 2,
+                           kTopBarHeight + std::max((lowest - kTopBarHeight - another.height()) / 2, kGap),
+                           another.width(), another.height());
+    m_another->setVisible(shown && m_isAnotherShown);
     m_strip->setGeometry(0, height() - Viewport::kStripHeight, width(), Viewport::kStripHeight);
     m_strip->setVisible(shown);
     m_wayBack->adjustSize();
@@ -367,6 +398,7 @@ void Workspace::arrange()
     m_notice->resize(m_notice->width(),
                      std::max(m_notice->sizeHint().height(), m_notice->heightForWidth(m_notice->width())));
     m_notice->move((right - m_notice->width()) / 2, height() - m_notice->height() - 64);
+    m_another->raise();
     m_library->raise();
     m_notice->raise();
     m_viewport->setFrameMargins(m_isHidden ? QMargins(0, kTopBarHeight, 0, kStatusHeight)

@@ -21,6 +21,7 @@ class ArchitecturePanel;
 class BackgroundPanel;
 class Bar;
 class AddBudsPopOut;
+class AnotherPanel;
 class BendPopOut;
 class BrushPanel;
 class BrushPopOut;
@@ -36,6 +37,7 @@ class ProfilePanel;
 class PrunePopOut;
 class ReproducePopOut;
 class RotationStrip;
+class SizeChoices;
 class SketchPopOut;
 class TwistPopOut;
 class Viewport;
@@ -72,6 +74,8 @@ public:
     LassoPopOut& lassoPopOut() { return *m_lassoPopOut; }
     SketchPopOut& sketchPopOut() { return *m_sketchPopOut; }
     LeafChoices& leafChoices() { return *m_leafChoices; }
+    AnotherPanel& another() { return *m_another; }
+    SizeChoices& sizeChoices() { return *m_sizeChoices; }
     ReproducePopOut& reproducePopOut() { return *m_reproducePopOut; }
     ProfilePanel& profilePanel() { return *m_profilePanel; }
     Bar& sheet(int index) { return *m_sheets[static_cast<std::size_t>(index)]; }
@@ -85,6 +89,8 @@ public:
 
     void showPopOut(PopOut popOut);
     void showHistory(bool shown);
+    /// Shows or hides other trees like this one.
+    void showAnother(bool shown);
     /// Shows or hides the library, which covers all but the top bar and notices.
     void showLibrary(bool shown);
     /// Shows or hides the help beside the tree, which keeps the rest of the room.
@@ -101,6 +107,8 @@ public:
     void setInterfaceHidden(bool hidden);
     /// Moves the keyboard focus to the help, to the open sheet or else to the tools; or back to the tree.
     void focusNextPane();
+    /// Whether nothing has been done to the seedling, so that its size can still be chosen.
+    void setBlank(bool blank);
     /// Shows a tool's advice in place of the counts; empty for none.
     void setTip(const QString& tip);
 
@@ -143,6 +151,8 @@ private:
     std::array<Bar*, kSheetCount> m_sheets{};
     HistoryPanel* m_history;
     LeafChoices* m_leafChoices;
+    SizeChoices* m_sizeChoices;
+    AnotherPanel* m_another;
     LibraryPanel* m_library;
     HelpPanel* m_help;
     RotationStrip* m_strip;
@@ -163,6 +173,8 @@ private:
     PopOut m_popOut = PopOut::Brush;
     int m_sheet = -1;
     bool m_isHidden = false;
+    bool m_isBlank = false;
+    bool m_isAnotherShown = false;
     bool m_isHistoryShown = false;
     bool m_isLibraryShown = false;
     bool m_areToolsRight = false;

@@ -26,6 +26,12 @@ void Bar::setFlat(bool flat)
     update();
 }
 
+void Bar::setOpaque(bool opaque)
+{
+    m_isOpaque = opaque;
+    update();
+}
+
 bool Bar::event(QEvent* event)
 {
     // Within a bar the Tab key moves to the next control, also if it has a meaning for the tree.
@@ -59,7 +65,7 @@ void Bar::paintEvent(QPaintEvent*)
     }
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(theme::kEdge, 1.0));
-    painter.setBrush(theme::kBar);
+    painter.setBrush(m_isOpaque ? theme::kRaised : theme::kBar);
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), theme::kRadius, theme::kRadius);
 }
 

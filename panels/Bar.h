@@ -20,6 +20,8 @@ public:
 
     /// Makes the bar flat: it reaches from edge to edge of the window, and has a line below it.
     void setFlat(bool flat);
+    /// Nothing shows through it.
+    void setOpaque(bool opaque);
 
 protected:
     bool event(QEvent* event) override;
@@ -29,6 +31,7 @@ protected:
 
 private:
     bool m_flat = false;
+    bool m_isOpaque = false;
 };
 
 /// A button on a bar, large enough for a finger. It shows an action and follows it.

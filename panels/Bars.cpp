@@ -26,7 +26,8 @@ constexpr int kLeastTitle = 4; ///< Letters; a shorter title is useless
 constexpr int kTitleRoom = 130;
 
 /// In the order in which they are hidden; the menu has all of them.
-constexpr std::array kYielding{ActionId::Markers, ActionId::Export, ActionId::Open, ActionId::FrameAll};
+constexpr std::array kYielding{ActionId::Markers, ActionId::Another, ActionId::Export, ActionId::Open,
+                               ActionId::FrameAll};
 
 } // namespace
 
@@ -116,8 +117,8 @@ TopBar::TopBar(const Actions& actions, std::function<void(QMenu&)> fillRecentFil
     auto* view = new QHBoxLayout;
     view->setSpacing(2);
     view->addStretch(1);
-    for (const ActionId id : {ActionId::Markers, ActionId::Leaves, ActionId::History, ActionId::FrameAll,
-                              ActionId::HideInterface, ActionId::Help})
+    for (const ActionId id : {ActionId::Markers, ActionId::Leaves, ActionId::Another, ActionId::History,
+                              ActionId::FrameAll, ActionId::HideInterface, ActionId::Help})
         addButton(id, *view);
     line->addLayout(view, 1);
 }

@@ -58,7 +58,7 @@ private:
 
     QLabel* m_title;
     /// Buttons that are hidden where the window is narrow, in the order of kYielding in the .cpp.
-    std::array<QWidget*, 4> m_yielding{};
+    std::array<QWidget*, 5> m_yielding{};
     QString m_name;
     bool m_modified = false;
 };

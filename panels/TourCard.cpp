@@ -9,7 +9,8 @@
 #include <QPushButton>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <vector>
 
 namespace espalier {
 
@@ -19,13 +20,30 @@ constexpr int kTextWidth = 300; ///< px
 constexpr int kCardGap = 34;    ///< Between the card and what it points at, px
 constexpr int kCardEdge = 12;   ///< Between the card and the window's edge, px
 constexpr int kTop = 62;        ///< Below the bar at the top, px
-constexpr int kRingReach = 5;   ///< Distance of the ring from its target, px
+constexpr int kBottom = 48;     ///< Above the strip at the bottom, px
+constexpr int kGrid = 12;       ///< Between the places that are tried, px
+/// A card stays where it is unless another place is better by more than this, px.
+constexpr double kInertia = 40.0;
+constexpr int kRingReach = 5; ///< Distance of the ring from its target, px
 
 /// The point of @p rect that is nearest to @p point.
 QPoint nearestOn(const QRect& rect, const QPoint& point)
 {
     return {std::clamp(point.x(), rect.left(), rect.right()),
             std::clamp(point.y(), rect.top(), rect.bottom())};
+}
+
+double area(const QRect& rect)
+{
+    return rect.isEmpty() ? 0.0 : static_cast<double>(rect.width()) * rect.height();
+}
+
+/// Length of the gap between two rectangles, px; 0 if they touch.
+double gapBetween(const QRect& a, const QRect& b)
+{
+    const int across = std::max({a.left() - b.right(), b.left() - a.right(), 0});
+    const int along = std::max({a.top() - b.bottom(), b.top() - a.bottom(), 0});
+    return std::hypot(across, along);
 }
 
 } // namespace
@@ -75,6 +93,7 @@ TourCard::TourCard(QWidget* parent)
       m_next(new QPushButton(this))
 {
     setAccessibleName(tr("Tour"));
+    setOpaque(true);
     QFont large = m_title->font();
     large.setPointSizeF(large.pointSizeF() * 1.35);
     m_title->setFont(large);
@@ -121,39 +140,63 @@ void TourCard::setWords(const QString& title, const QString& text, int number, i
     adjustSize();
 }
 
-QPoint TourCard::placeBeside(const QRect& target) const
+QPoint TourCard::placeBeside(const QRect& target, const QRect& canvas) const
 {
-    const QRect room = parentWidget()->rect().adjusted(kCardEdge, kTop, -kCardEdge, -kCardEdge);
-    const QPoint middle = target.center() - QPoint(width() / 2, height() / 2);
-    const std::array places{
-        QPoint(target.right() + kCardGap, middle.y()),
-        QPoint(middle.x(), target.top() - kCardGap - height()),
-        QPoint(middle.x(), target.bottom() + kCardGap),
-        QPoint(target.left() - kCardGap - width(), middle.y()),
-    };
-    for (QPoint place : places) {
-        place.setX(std::clamp(place.x(), room.left(), std::max(room.left(), room.right() - width())));
-        place.setY(std::clamp(place.y(), room.top(), std::max(room.top(), room.bottom() - height())));
-        if (!QRect(place, size()).intersects(target.adjusted(-kCardEdge, -kCardEdge, kCardEdge, kCardEdge)))
-            return place;
+    const QRect whole = parentWidget()->rect();
+    const QRect room = whole.adjusted(kCardEdge, kTop, -kCardEdge, -kBottom);
+    std::vector<QRect> covered;
+    for (const QObject* child : parentWidget()->children()) {
+        const auto* bar = qobject_cast<const Bar*>(child);
+        if (bar && bar != this && bar->isVisible())
+            covered.push_back(bar->geometry().adjusted(-kCardEdge, -kCardEdge, kCardEdge, kCardEdge));
     }
-    return room.center() - QPoint(width() / 2, height() / 2);
+    if (!target.isEmpty())
+        covered.push_back(target.adjusted(-kCardEdge, -kCardEdge, kCardEdge, kCardEdge));
+    // Without a target, the place is at the bottom: the tree stands in the middle.
+    const QPoint wanted =
+        target.isEmpty() ? QPoint(room.center().x(), room.bottom() - height() / 2) : target.center();
+    const auto badness = [&](const QPoint& place) {
+        const QRect card(place, size());
+        double bad = area(card.intersected(canvas));
+        for (const QRect& rect : covered)
+            bad += 100.0 * area(card.intersected(rect));
+        if (!target.isEmpty())
+            bad += 2.0 * std::abs(gapBetween(card, target) - kCardGap);
+        const QPoint off = card.center() - wanted;
+        return bad + 0.5 * std::hypot(off.x(), off.y());
+    };
+    // On the right of the target, if nothing is in the way.
+    QPoint best(target.right() + kCardGap, wanted.y() - height() / 2);
+    best.setX(std::clamp(best.x(), room.left(), std::max(room.left(), room.right() - width())));
+    best.setY(std::clamp(best.y(), room.top(), std::max(room.top(), room.bottom() - height())));
+    double least = badness(best) - kInertia;
+    for (int y = room.top(); y + height() <= room.bottom(); y += kGrid) {
+        for (int x = room.left(); x + width() <= room.right(); x += kGrid) {
+            if (const double bad = badness({x, y}); bad < least) {
+                least = bad;
+                best = {x, y};
+            }
+        }
+    }
+    return isVisible() && room.contains(geometry()) && badness(pos()) < least + kInertia ? pos() : best;
 }
 
-void TourCard::pointAt(const QRect& target)
+void TourCard::pointAt(const QRect& target, const QRect& canvas)
 {
+    move(placeBeside(target, canvas));
     if (target.isEmpty()) {
         m_ring->hide();
-        // The tree stands in the middle.
-        const QRect room = parentWidget()->rect();
-        move(room.center().x() - width() / 2, room.bottom() - height() - kTop);
     } else {
-        move(placeBeside(target));
         m_ring->span(target, geometry());
         m_ring->raise();
     }
     show();
     raise();
+}
+
+void TourCard::hideRing()
+{
+    m_ring->hide();
 }
 
 void TourCard::hideEvent(QHideEvent* event)

@@ -9,7 +9,8 @@ class QPushButton;
 namespace espalier {
 
 /// A card of the tour: a few words over the workspace, and a line to a ring around the thing that they
-/// explain. The card covers nothing but itself, so the user can try it.
+/// explain. The card is opaque and keeps clear of that thing and of the bars, so the user can try all of
+/// them.
 class TourCard : public Bar {
     Q_OBJECT
 
@@ -18,9 +19,11 @@ public:
 
     /// @p number counts from 1 to @p count. @p canBeWatched: a button plays what the words tell of.
     void setWords(const QString& title, const QString& text, int number, int count, bool canBeWatched);
-    /// Puts the card beside @p target, px of the parent, without covering it; with an empty one the card
-    /// points at nothing.
-    void pointAt(const QRect& target);
+    /// Puts the card beside @p target, px of the parent; with an empty one the card points at nothing. It
+    /// keeps clear of the target, of all bars, and as far as there is room of @p canvas.
+    void pointAt(const QRect& target, const QRect& canvas = {});
+    /// Until the next pointAt().
+    void hideRing();
 
 Q_SIGNALS:
     void nextAsked();
@@ -31,7 +34,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    QPoint placeBeside(const QRect& target) const;
+    QPoint placeBeside(const QRect& target, const QRect& canvas) const;
 
     class Ring;
     Ring* m_ring; ///< Child of the same parent

@@ -6,6 +6,7 @@
 #include "views/render/OverlayRenderer.h"
 #include "views/render/RenderTarget.h"
 #include "views/render/Renderer.h"
+#include "views/render/ScaleFigure.h"
 #include "views/render/Sun.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/PruneTool.h"
@@ -95,6 +96,13 @@ void Viewport::moveCamera(const Camera& camera)
     Q_EMIT cameraChanged();
 }
 
+void Viewport::setSeedlingView(double metres)
+{
+    m_seedlingView = metres;
+    if (m_isFramed && m_document.index().livingCount() <= 1)
+        showAnew();
+}
+
 void Viewport::frameAll()
 {
     flyTo(framed(cameraAtRest()));
@@ -163,6 +171,9 @@ Camera Viewport::framed(const Camera& camera) const
     if (m_document.index().livingCount() > 1)
         return inClearRect(camera, [&](const Camera& sized) { return sized.framing(m_scene.outline()); });
     Camera first;
+    const auto scale = static_cast<float>(m_seedlingView / kDefaultSeedlingView);
+    first.setTarget(scale * first.target());
+    first.setDistance(scale * first.distance());
     first.setViewSize(size());
     first.setAzimuth(camera.azimuth());
     first.setElevation(camera.elevation());
@@ -242,6 +253,7 @@ void Viewport::followSettings()
     values.envelopeShown = m_shown.envelopeShown;
     values.planeShown = m_shown.planeShown;
     values.sunShown = m_shown.sunShown;
+    values.personShown = m_shown.personShown;
     update();
     if (values == m_shown)
         return;
@@ -458,7 +470,21 @@ void Viewport::paintGL()
         paintSelectionRings(m_overlay, m_camera, place, m_pointers.now() - m_selectedAt);
     }
     m_overlayRenderer->render(m_overlay, m_camera, m_picture->depthTexture(), to, devicePixelRatioF());
+    paintScale();
     paintLabels();
+}
+
+void Viewport::paintScale()
+{
+    if (!m_settings.values().personShown)
+        return;
+    if (!isGestureActive())
+        m_personPlace = personPlace(m_scene.bounds());
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool isOverLight = isBackdropLight(m_settings.values());
+    paintPerson(painter, m_camera, m_personPlace, isOverLight);
+    paintScaleBar(painter, m_camera, clearRect(), isOverLight);
 }
 
 void Viewport::paintLabels()

@@ -49,6 +49,9 @@ public:
     void setCamera(const Camera& camera);
     /// Moves the camera smoothly.
     void flyTo(const Camera& camera);
+    /// Sets the height of the world that a seedling's view shows from top to bottom, m.
+    void setSeedlingView(double metres);
+    double seedlingView() const { return m_seedlingView; }
     /// Flies to a view of the whole tree; a seedling is shown as in a new document. A turn under way still
     /// comes to its end.
     void frameAll();
@@ -56,6 +59,8 @@ public:
     /// to.
     void showFrom(NamedView view);
 
+    /// What a default Camera shows, m.
+    static constexpr double kDefaultSeedlingView = 6.0;
     /// Height of the rotation strip at the bottom edge, px.
     static constexpr int kStripHeight = 36;
 
@@ -126,6 +131,8 @@ Q_SIGNALS:
     /// The pointer goes down on the tree. The tool has not looked at the tree yet.
     void toolAboutToBegin();
     void gestureActiveChanged(bool active);
+    /// 2...4 fingers have tapped the tree together.
+    void fingersTapped(int fingers);
     void toolChanged();
 
 protected:
@@ -165,6 +172,7 @@ private:
     void toolHovers(const PointerSample& sample) override;
     bool toolTakesFinger(const PointerSample& sample) override { return m_hand->takesFinger(sample); }
     void budIsAsked(const PointerSample& sample) override;
+    void fingersTap(int fingers) override { Q_EMIT fingersTapped(fingers); }
     void orbitBy(const QPointF& distance) override;
     void panBy(const QPointF& distance) override;
     void magnify(double factor, const QPointF& about) override;
@@ -194,14 +202,17 @@ private:
     }
     void drawPicture();
     void paintLabels();
+    void paintScale();
     void releaseGl();
 
     TreeDocument& m_document;
     ViewSettings& m_settings;
     Camera m_camera;
     QMargins m_frameMargins;
-    bool m_isFramed = true; ///< The camera has not been moved since a whole tree was shown
-    ViewValues m_shown;     ///< The values that the picture was drawn with
+    double m_seedlingView = kDefaultSeedlingView; ///< m
+    bool m_isFramed = true;     ///< The camera has not been moved since a whole tree was shown
+    ViewValues m_shown;         ///< The values that the picture was drawn with
+    float m_personPlace = 0.0F; ///< m to the right of the seedling; see ScaleFigure
     CameraFlight m_flight;
     PointerReader m_pointers;
     GestureReader m_gestures;

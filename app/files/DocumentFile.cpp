@@ -45,11 +45,11 @@ void DocumentFile::setFile(const QString& fileName, const QString& displayName)
     Q_EMIT titleChanged();
 }
 
-void DocumentFile::startNew(const TreeParameters& parameters)
+void DocumentFile::startNew(const TreeParameters& parameters, const QString& displayName)
 {
     // Each new tree has another seed, so that the same strokes give another tree.
     m_document.reset(QRandomGenerator::global()->generate(), parameters);
-    startUnsaved({});
+    startUnsaved(displayName);
 }
 
 void DocumentFile::setLookOfNewTrees(const SceneLook& look)

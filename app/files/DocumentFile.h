@@ -65,8 +65,8 @@ public:
     /// The look that documents have which come without one: new ones, and those of older files.
     const SceneLook& lookOfNewTrees() const { return m_newLook; }
     void setLookOfNewTrees(const SceneLook& look);
-    /// A seedling without a file.
-    void startNew(const TreeParameters& parameters = {});
+    /// A seedling without a file. @p displayName: empty if it has no name yet.
+    void startNew(const TreeParameters& parameters = {}, const QString& displayName = {});
     /// The document has just got a tree that came from elsewhere, and has no file yet.
     void startUnsaved(const QString& displayName);
     /// Reads a project and prepares all that showing it takes; may run on any thread. What it returns once @p

@@ -81,13 +81,24 @@ void FileController::warn(const QString& sentence)
     m_notice->showWarning(sentence);
 }
 
-void FileController::startWith(const TreeParameters& parameters)
+void FileController::startNew(TreeSize size)
+{
+    m_settings.setTreeSize(size);
+    startWith(NewTree::ofSize(size, true));
+}
+
+void FileController::startWith(const NewTree& tree)
 {
     cancelOpening();
-    if (!mayLeave())
-        return;
+    if (mayLeave())
+        begin(tree);
+}
+
+void FileController::begin(const NewTree& tree)
+{
     Q_EMIT aboutToReplace();
-    m_file.startNew(parameters);
+    Q_EMIT newTreeBegins(tree);
+    m_file.startNew(tree.parameters, tree.name);
     m_autosave.clear();
 }
 
@@ -134,14 +145,8 @@ bool FileController::cancelOpening()
 void FileController::startFrom(const QString& fileName)
 {
     replaceWith(
-        QFileInfo(fileName).completeBaseName(),
-        [fileName](const auto&) { return libraryParameters(fileName); },
-        [this](const TreeParameters& parameters) {
-            Q_EMIT aboutToReplace();
-            m_file.startNew(parameters);
-            m_autosave.clear();
-        },
-        [this](const QString& sentence) { warn(sentence); });
+        QFileInfo(fileName).completeBaseName(), [fileName](const auto&) { return NewTree::like(fileName); },
+        [this](const NewTree& tree) { begin(tree); }, [this](const QString& sentence) { warn(sentence); });
 }
 
 void FileController::keepIn(const QString& fileName)

@@ -4,6 +4,7 @@
 #include "app/files/Autosave.h"
 #include "app/files/DocumentFile.h"
 #include "app/files/ExportQueue.h"
+#include "app/files/NewTree.h"
 #include "app/files/Recovery.h"
 #include "app/files/Settings.h"
 #include "app/files/WorkInHand.h"
@@ -43,9 +44,12 @@ public:
     DocumentFile& file() { return m_file; }
     Autosave& autosave() { return m_autosave; }
 
-    void startNew() { startWith({}); }
-    /// A seedling with the parameters of a project or recipe, which is read in the background. Asks about
-    /// unsaved changes then.
+    /// A seedling of the size that was chosen last.
+    void startNew() { startWith(NewTree::ofSize(m_settings.treeSize(), false)); }
+    /// A seedling of that size, and so are new ones from now on.
+    void startNew(TreeSize size);
+    /// A seedling with the parameters of a project or recipe and at its scale (NewTree::like()). The file is
+    /// read in the background; asks about unsaved changes then.
     void startFrom(const QString& fileName);
     /// Saves the tree into a file of the library: its own, if it has none yet; else a copy. kept() follows.
     void keepIn(const QString& fileName);
@@ -97,6 +101,8 @@ Q_SIGNALS:
     void aboutToAsk();
     /// Another tree will take the place of this one now.
     void aboutToReplace();
+    /// The next reset of the document shows the seedling of @p tree.
+    void newTreeBegins(const espalier::NewTree& tree);
     /// The next reset of the document shows the tree of @p scene.
     void scenePrepared(const std::shared_ptr<espalier::PreparedScene>& scene);
     void recipeOpened(const espalier::Recipe& recipe);
@@ -115,7 +121,8 @@ private:
 
     void showAside();
 
-    void startWith(const TreeParameters& parameters);
+    void startWith(const NewTree& tree);
+    void begin(const NewTree& tree);
     /// Calls @p read(isCancelled) on a worker thread, and with what it gives @p show(value), once the person
     /// agrees; with an Error @p failed(message). Of several that are under way only the one begun last is
     /// shown.

@@ -202,18 +202,4 @@ Result<QImage> libraryPicture(const QString& fileName)
     return QImage(QStringLiteral(":/thumbnails/%1.jpg").arg(recipe.completeBaseName()));
 }
 
-Result<TreeParameters> libraryParameters(const QString& fileName)
-{
-    if (isRecipe(fileName)) {
-        const Result<Recipe> recipe = readRecipe(fileName);
-        if (!recipe)
-            return recipe.error();
-        return recipe->parameters;
-    }
-    const Result<Project> project = loadProject(fileName);
-    if (!project)
-        return project.error();
-    return shownTree(*project).parameters();
-}
-
 } // namespace espalier

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "model/base/Error.h"
-#include "model/tree/Parameters.h"
 #include "panels/library/LibraryEntry.h"
 
 #include <QCoreApplication>
@@ -71,9 +70,5 @@ private:
 /// Picture of a project or recipe; null if it has none. Fails for a file that cannot be read. May run on any
 /// thread.
 Result<QImage> libraryPicture(const QString& fileName);
-
-/// The parameters that a tree of a project or recipe is grown with: those in force at the moment that the
-/// project shows, those that the recipe begins with. May run on any thread.
-Result<TreeParameters> libraryParameters(const QString& fileName);
 
 } // namespace espalier

@@ -35,6 +35,7 @@ const QString kTourSeen = QStringLiteral("help/tourSeen");
 const QString kLanguage = QStringLiteral("window/language");
 const QString kUnits = QStringLiteral("window/units");
 const QString kInterfaceScale = QStringLiteral("window/scale");
+const QString kTreeSize = QStringLiteral("newTree/size");
 const QString kWindowGeometry = QStringLiteral("window/geometry");
 
 /// Qt's settings, written only while the disk has room for them: Qt 6.4 replaces their file even if the new
@@ -88,6 +89,7 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/variation"), values.variation);
     visit(QStringLiteral("view/newBuds"), values.newBuds);
     visit(QStringLiteral("view/budSpacing"), values.budSpacing);
+    visit(QStringLiteral("view/personShown"), values.personShown);
 }
 
 /// Calls @p visit(key, field) for each value of a look that is stored. The picture to draw after belongs to
@@ -188,6 +190,7 @@ ViewValues Settings::viewValues() const
 {
     const QSettings store;
     ViewValues values;
+    values.brushRadius = sizePreset(treeSize()).brushRadius;
     visitViewValues(values, [&](const QString& key, auto& field) { readField(store, key, field); });
     return values;
 }
@@ -288,6 +291,21 @@ QString Settings::exportSuffix() const
 void Settings::setExportSuffix(const QString& suffix)
 {
     Store().setValue(kExportSuffix, suffix);
+}
+
+TreeSize Settings::treeSize() const
+{
+    const QString stored = QSettings().value(kTreeSize).toString();
+    for (int i = 0; i < kTreeSizeCount; ++i) {
+        if (stored == QLatin1String(sizePreset(static_cast<TreeSize>(i)).key))
+            return static_cast<TreeSize>(i);
+    }
+    return TreeSize::StreetTree;
+}
+
+void Settings::setTreeSize(TreeSize size)
+{
+    Store().setValue(kTreeSize, QString::fromLatin1(sizePreset(size).key));
 }
 
 QByteArray Settings::windowGeometry() const

@@ -4,6 +4,7 @@
 #include "model/settings/PictureSettings.h"
 #include "model/settings/Preferences.h"
 #include "model/settings/ViewSettings.h"
+#include "model/tree/TreeSize.h"
 
 #include <QByteArray>
 #include <QString>
@@ -42,6 +43,10 @@ public:
     /// Suffix of the last export; at first "glb".
     QString exportSuffix() const;
     void setExportSuffix(const QString& suffix);
+
+    /// Of new trees.
+    TreeSize treeSize() const;
+    void setTreeSize(TreeSize size);
 
     /// Geometry of the window; empty at first.
     QByteArray windowGeometry() const;

@@ -72,6 +72,13 @@ QString lengthText(double metres)
     return QStringLiteral("%1 cm").arg(numberText(centimetres, digitsFor(centimetres)));
 }
 
+QString roundLengthText(double metres)
+{
+    if (g_units == Units::Imperial || std::abs(metres - std::round(metres)) > 1e-9)
+        return lengthText(metres);
+    return QStringLiteral("%1 m").arg(numberText(metres, 0));
+}
+
 double roundedLength(double metres)
 {
     const double perMetre = g_units == Units::Imperial ? 20.0 / kInch : 1000.0;

@@ -19,6 +19,9 @@ void setUnits(Units units);
 /// in".
 QString lengthText(double metres);
 
+/// The same of a round length, with as few digits as it has: "2 m", "50 cm", "1.75 m".
+QString roundLengthText(double metres);
+
 /// A number in the user's locale, with a fixed number of decimals and no thousands separators.
 QString numberText(double number, int decimals);
 

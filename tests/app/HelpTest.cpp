@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/HelpController.h"
 #include "app/Tour.h"
+#include "model/mesh/TreeCounts.h"
 #include "panels/BrushPopOut.h"
 #include "panels/GrowPopOut.h"
 #include "panels/HelpPage.h"
 #include "panels/HelpPanel.h"
 #include "panels/RadiusSlider.h"
 #include "panels/TimeSlider.h"
+#include "panels/TourCard.h"
 #include "tests/support/Documents.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
@@ -16,6 +18,7 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QFont>
+#include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QListWidgetItem>
@@ -29,6 +32,10 @@
 #include <QTextBlock>
 #include <QUrl>
 #include <QWidget>
+
+#include <array>
+#include <cmath>
+#include <span>
 
 using namespace espalier;
 
@@ -53,7 +60,10 @@ private Q_SLOTS:
     void playing_setsOnesOwnTreeAside();
     void wayBack_isThereWhileTheRecipePlays();
     void wayBack_isNotOfferedForASeedling();
-    void tour_goesOnByDoing();
+    void tour_leadsToATreeAndGoesOnByDoing();
+    void tour_waitsUntilTheHandLetsGo();
+    void tour_cardsAreOpaqueAndKeepClearOfBars();
+    void tour_givesBackTheBrushOfAUserWhoSkipsIt();
     void tour_showsADrawnTreeAndGoesOn();
     void tour_isSkippedAndNeverComesBack();
     void help_looksLikeThis();
@@ -71,8 +81,10 @@ private:
     }
     QPushButton* wayBack() { return workspace().findChild<QPushButton*>(QStringLiteral("wayBack")); }
     void growSteps(int count);
+    TourCard& card() { return *workspace().findChild<TourCard*>(); }
     void click(QWidget* widget);
-    void drag(const QPoint& from, const QPoint& to);
+    void drag(const QPoint& from, const QPoint& to) { drag(std::array{from, to}); }
+    void drag(std::span<const QPoint> way);
 };
 
 void HelpTest::cleanup()
@@ -90,15 +102,17 @@ void HelpTest::click(QWidget* widget)
     QCoreApplication::processEvents();
 }
 
-void HelpTest::drag(const QPoint& from, const QPoint& to)
+void HelpTest::drag(std::span<const QPoint> way)
 {
     constexpr int kMoves = 15;
-    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
-    for (int i = 1; i <= kMoves; ++i) {
-        QTest::mouseMove(handle(), from + (to - from) * i / kMoves);
-        QTest::qWait(20);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, way.front());
+    for (std::size_t leg = 1; leg < way.size(); ++leg) {
+        for (int i = 1; i <= kMoves; ++i) {
+            QTest::mouseMove(handle(), way[leg - 1] + (way[leg] - way[leg - 1]) * i / kMoves);
+            QTest::qWait(20);
+        }
     }
-    QTest::mouseRelease(handle(), Qt::LeftButton, {}, to);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, way.back());
     QCoreApplication::processEvents();
 }
 
@@ -214,7 +228,7 @@ void HelpTest::searchField_opensWhatItFinds()
     action(ActionId::Help)->trigger();
     auto* search = part<QLineEdit>("helpSearch");
     click(search);
-    QTest::keyClicks(search, QStringLiteral("bonsai"));
+    QTest::keyClicks(search, QStringLiteral("stretch"));
     QVERIFY(m_window->document().index().livingCount() == 1); // No letter was used as a key of the tree
     auto* list = part<QListWidget>("helpList");
     QCOMPARE(list->item(0)->text(), QStringLiteral("Bend"));
@@ -344,36 +358,70 @@ void HelpTest::wayBack_isNotOfferedForASeedling()
     QVERIFY(!wayBack()->isVisible());
 }
 
-void HelpTest::tour_goesOnByDoing()
+void HelpTest::tour_leadsToATreeAndGoesOnByDoing()
 {
     Tour& tour = m_window->help().tour();
     m_window->help().startFirstTour();
     QCOMPARE(tour.step(), 0);
+    const TreeIndex& index = m_window->document().index();
+    const Tree& tree = m_window->document().tree();
+
+    // A trunk: one axis.
     const auto base = workspace().viewport().camera().project(Vec3::Zero());
     const QPoint seedling = workspace().viewport().mapTo(m_window.get(), base->toPoint());
-    drag(seedling, seedling - QPoint(0, 200));
+    drag(seedling, seedling - QPoint(0, 260));
     QTRY_COMPARE(tour.step(), 1);
+    QVERIFY(treeBounds(tree, index).sizes().x() < 0.1F * treeBounds(tree, index).sizes().y());
 
-    auto* slider = workspace().findChild<RadiusSlider*>();
-    const QPoint knob = slider->mapTo(m_window.get(), slider->rect().center());
-    drag(knob, knob + QPoint(0, 40));
+    for (const QPoint& reach : {QPoint(-120, -90), QPoint(120, -80), QPoint(-60, -150)}) {
+        QCOMPARE(tour.step(), 1);
+        const QPoint from = seedling - QPoint(0, 160);
+        drag(from, from + reach);
+    }
     QTRY_COMPARE(tour.step(), 2);
 
-    QTest::keyClick(handle(), Qt::Key_G, Qt::ShiftModifier);
+    auto* slider = workspace().findChild<RadiusSlider*>();
+    const QPoint knob = slider->mapTo(m_window.get(), QPoint(slider->width() / 2, slider->height() - 8));
+    drag(knob, knob - QPoint(0, 100));
     QTRY_COMPARE(tour.step(), 3);
+
+    const QPoint fork = seedling - QPoint(0, 170);
+    drag(std::array{fork, fork + QPoint(-100, -70), fork + QPoint(-40, -140), fork + QPoint(60, -130),
+                    fork + QPoint(110, -70)});
+    QTRY_COMPARE(tour.step(), 4);
+    // A tree, not a shrub: the lower part of the trunk is bare, and what it carries is wide and dense.
+    const Box3 bounds = treeBounds(tree, index);
+    std::size_t low = 0;
+    std::size_t high = 0;
+    for (InternodeId id = 0; id < tree.size(); ++id) {
+        if (!tree.isAlive(id))
+            continue;
+        const Vec3 node = index.nodePosition(id);
+        const bool isLow = node.y() < 0.3F * bounds.max().y();
+        if (!isLow)
+            ++high;
+        else if (std::hypot(node.x(), node.z()) > 0.05F * bounds.max().y())
+            ++low;
+    }
+    QCOMPARE(low, std::size_t{0});
+    QVERIFY2(high > 150, qPrintable(QString::number(high)));
+    QVERIFY(bounds.sizes().x() > 0.6F * bounds.sizes().y());
+
+    QTest::keyClick(handle(), Qt::Key_G, Qt::ShiftModifier);
+    QTRY_COMPARE(tour.step(), 5);
 
     auto* time = workspace().growPopOut().findChild<TimeSlider*>(QStringLiteral("time"));
     QTRY_VERIFY(time->isVisible());
     const QPoint held = time->mapTo(m_window.get(), time->handlePlace().toPoint());
     drag(held, held - QPoint(40, 0));
-    QTRY_COMPARE(tour.step(), 4);
+    QTRY_COMPARE(tour.step(), 6);
 
     const QPoint strip(300, m_window->height() - Viewport::kStripHeight / 2);
     drag(strip, strip + QPoint(200, 0));
-    QTRY_COMPARE(tour.step(), 5);
+    QTRY_COMPARE(tour.step(), 7);
 
     QTest::keyClick(handle(), Qt::Key_S);
-    QTRY_COMPARE(tour.step(), 6);
+    QTRY_COMPARE(tour.step(), 8);
 
     QTest::keyClick(handle(), Qt::Key_F1);
     QTRY_VERIFY(!tour.isRunning());
@@ -381,17 +429,80 @@ void HelpTest::tour_goesOnByDoing()
     QVERIFY(!tourButton("tourNext")->isVisible());
 }
 
+void HelpTest::tour_waitsUntilTheHandLetsGo()
+{
+    Tour& tour = m_window->help().tour();
+    tour.start(2);
+    auto* slider = workspace().findChild<RadiusSlider*>();
+    const QPoint knob = slider->mapTo(m_window.get(), slider->rect().center());
+    QTest::mousePress(handle(), Qt::LeftButton, {}, knob);
+    for (int i = 1; i <= 10; ++i)
+        QTest::mouseMove(handle(), knob - QPoint(0, 4 * i));
+    QTest::qWait(1500);
+    QCOMPARE(tour.step(), 2);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, knob - QPoint(0, 40));
+    QTRY_COMPARE(tour.step(), 3);
+
+    // Likewise a turn of the camera.
+    tour.start(6);
+    const QPoint strip(300, m_window->height() - Viewport::kStripHeight / 2);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, strip);
+    for (int i = 1; i <= 20; ++i)
+        QTest::mouseMove(handle(), strip + QPoint(10 * i, 0));
+    QTest::qWait(1500);
+    QCOMPARE(tour.step(), 6);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, strip + QPoint(200, 0));
+    QTRY_COMPARE(tour.step(), 7);
+}
+
+void HelpTest::tour_cardsAreOpaqueAndKeepClearOfBars()
+{
+    Tour& tour = m_window->help().tour();
+    for (const QSize size : {QSize(920, 680), QSize(1200, 700), QSize(1600, 1000)}) {
+        m_window->resize(size);
+        QTRY_COMPARE(workspace().size(), size);
+        for (int step = 0; step < tour.stepCount(); ++step) {
+            tour.start(step);
+            QTest::qWait(20);
+            QVERIFY(card().isVisible() && workspace().rect().contains(card().geometry()));
+            for (const Bar* bar : workspace().findChildren<Bar*>(Qt::FindDirectChildrenOnly)) {
+                if (bar == &card() || !bar->isVisible())
+                    continue;
+                const QString where = QStringLiteral("card %1 at %2 px covers %3")
+                                          .arg(step + 1)
+                                          .arg(size.width())
+                                          .arg(QLatin1String(bar->metaObject()->className()));
+                QVERIFY2(!bar->geometry().intersects(card().geometry()), qPrintable(where));
+            }
+            QImage picture(card().size(), QImage::Format_ARGB32_Premultiplied);
+            picture.fill(Qt::transparent);
+            card().render(&picture, {}, {}, QWidget::DrawChildren);
+            QCOMPARE(picture.pixelColor(picture.width() / 2, 8).alpha(), 255);
+        }
+    }
+    tour.stop();
+}
+
+void HelpTest::tour_givesBackTheBrushOfAUserWhoSkipsIt()
+{
+    m_window->viewSettings().set(&ViewValues::brushRadius, 0.4);
+    m_window->help().startTour();
+    QCOMPARE(m_window->viewSettings().values().brushRadius, 0.0);
+    click(tourButton("tourSkip"));
+    QCOMPARE(m_window->viewSettings().values().brushRadius, 0.4);
+}
+
 void HelpTest::tour_showsADrawnTreeAndGoesOn()
 {
     Tour& tour = m_window->help().tour();
-    tour.start(5);
+    tour.start(7);
     click(tourButton("tourWatch"));
     QTRY_VERIFY(m_window->recipeRunner().isRunning());
     QVERIFY(!tour.isRunning());
     QTRY_VERIFY_WITH_TIMEOUT(m_window->document().index().livingCount() > 100, 60'000);
     QTest::keyClick(handle(), Qt::Key_Escape);
     QTRY_VERIFY(!m_window->recipeRunner().isRunning());
-    QTRY_COMPARE(tour.step(), 6);
+    QTRY_COMPARE(tour.step(), 8);
     tour.stop();
 }
 

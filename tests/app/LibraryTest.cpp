@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/files/Library.h"
 
+#include "app/files/NewTree.h"
 #include "commands/GrowGesture.h"
 #include "commands/SetParameters.h"
 #include "tests/support/LibraryProjects.h"
@@ -178,11 +179,12 @@ void LibraryTest::trash_saysWhenTheFileIsGone()
 void LibraryTest::parameters_areThoseOfTheTree()
 {
     QVERIFY(saveProject(project(1.25), file(QStringLiteral("Oak"))));
-    const Result<TreeParameters> kept = libraryParameters(file(QStringLiteral("Oak")));
+    const Result<NewTree> kept = NewTree::like(file(QStringLiteral("Oak")));
     QVERIFY(kept);
-    QCOMPARE(kept->growth.branchingAngle, 1.25);
+    QCOMPARE(kept->parameters.growth.branchingAngle, 1.25);
+    QCOMPARE(kept->name, QStringLiteral("Oak"));
     const QString willow = QStringLiteral(":/recipes/willow.json");
-    QVERIFY(*libraryParameters(willow) == readRecipe(willow)->parameters);
+    QVERIFY(NewTree::like(willow)->parameters == readRecipe(willow)->parameters);
 }
 
 void LibraryTest::picture_ofABrokenFileIsAnError()
@@ -194,7 +196,7 @@ void LibraryTest::picture_ofABrokenFileIsAnError()
     const Result<QImage> picture = libraryPicture(broken.fileName());
     QVERIFY(!picture);
     QVERIFY(picture.error().message.contains(QStringLiteral("Broken")));
-    QVERIFY(!libraryParameters(broken.fileName()));
+    QVERIFY(!NewTree::like(broken.fileName()));
 }
 
 static const test::TestClass<LibraryTest> libraryTest;

@@ -42,7 +42,7 @@ void WindowFixture::init()
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->viewSettings().setValues({});
+    m_window->viewSettings().setValues({.personShown = false});
     SceneLook look;
     look.groundShown = false;
     look.shadowsShown = false;
@@ -51,6 +51,8 @@ void WindowFixture::init()
     workspace().background().setLookOfNewTrees(look);
     m_window->document().setLook(look);
     m_window->files().file().setUnmodified();
+    // Tests count in its pixels.
+    viewport().setSeedlingView(Viewport::kDefaultSeedlingView);
     action(ActionId::Brush)->trigger();
     viewport().setFocus();
 }

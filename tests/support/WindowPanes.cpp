@@ -19,6 +19,7 @@
 #include "panels/ReproducePopOut.h"
 #include "panels/RotationStrip.h"
 #include "panels/SettingsSheet.h"
+#include "panels/SizeChoices.h"
 #include "panels/SketchPopOut.h"
 #include "panels/TourCard.h"
 #include "panels/TwistPopOut.h"
@@ -111,6 +112,11 @@ std::vector<WindowPanes::Pane> WindowPanes::all()
              if (!m_window.help().tour().isRunning())
                  m_window.help().startTour();
              return m_window.workspace().findChild<TourCard*>();
+         }},
+        {"size of the new tree",
+         [this]() -> QWidget* {
+             m_window.workspace().setBlank(true);
+             return &m_window.workspace().sizeChoices();
          }},
         {"one branch alone",
          [this]() -> QWidget* {

@@ -32,6 +32,7 @@ public:
     QPointF orbited;
     QPointF panned;
     double magnified = 1.0;
+    QList<int> taps;           ///< Numbers of fingers
     double fingersAbove = 0.0; ///< px; the tool takes further fingers there
 
 protected:
@@ -58,6 +59,7 @@ protected:
     bool toolTakesFinger(const PointerSample& sample) override { return sample.position.y() < fingersAbove; }
     void toolHovers(const PointerSample& sample) override { note("hover", sample); }
     void budIsAsked(const PointerSample& sample) override { note("bud", sample); }
+    void fingersTap(int fingers) override { taps << fingers; }
     void orbitBy(const QPointF& distance) override { orbited += distance; }
     void panBy(const QPointF& distance) override { panned += distance; }
     void magnify(double factor, const QPointF& about) override
@@ -78,6 +80,8 @@ private Q_SLOTS:
     void oneFinger_isTheTool();
     void twoFingers_panAndPinch();
     void threeFingers_rotate();
+    void tapsOfSeveralFingers_areTold();
+    void slowOrMovingFingers_tapNot();
     void secondFinger_cancelsTheTool();
     void fingersThatLinger_doNothing();
     void fingersThatTheToolTakes_areItsOwn();
@@ -182,6 +186,58 @@ void GestureReaderTest::threeFingers_rotate()
     QVERIFY(QLineF(m_pad->orbited, QPointF(30, 6)).length() < 1e-6);
     QVERIFY(m_pad->panned.isNull());
     QCOMPARE(m_pad->log, QStringList());
+}
+
+void GestureReaderTest::tapsOfSeveralFingers_areTold()
+{
+    for (int count = 1; count <= 5; ++count) {
+        // One after another, as they come in life, with a tremble.
+        for (int i = 0; i < count; ++i) {
+            auto event = QTest::touchEvent(m_pad.get(), m_device.get());
+            for (int before = 0; before < i; ++before)
+                event.stationary(before);
+            event.press(i, {50 + 60 * i, 100});
+        }
+        {
+            auto event = QTest::touchEvent(m_pad.get(), m_device.get());
+            for (int i = 0; i < count; ++i)
+                event.move(i, {53 + 60 * i, 102});
+        }
+        for (int i = 0; i < count; ++i) {
+            auto event = QTest::touchEvent(m_pad.get(), m_device.get());
+            event.release(i, {53 + 60 * i, 102});
+            for (int after = i + 1; after < count; ++after)
+                event.stationary(after);
+        }
+        QVERIFY(!m_pad->gestures.isBusy());
+    }
+    QCOMPARE(m_pad->taps, (QList<int>{2, 3, 4}));
+    // The first finger's stroke leaves nothing.
+    QCOMPARE(m_pad->log.count("begin"), 5);
+    QCOMPARE(m_pad->log.count("cancel"), 4);
+}
+
+void GestureReaderTest::slowOrMovingFingers_tapNot()
+{
+    const auto touch = [&](const QPoint& move, int wait) {
+        QTest::touchEvent(m_pad.get(), m_device.get()).press(0, {100, 100}).press(1, {200, 100});
+        QTest::qWait(wait);
+        QTest::touchEvent(m_pad.get(), m_device.get()).move(0, QPoint(100, 100) - move).move(1, {200, 100});
+        QTest::touchEvent(m_pad.get(), m_device.get())
+            .release(0, QPoint(100, 100) - move)
+            .release(1, {200, 100});
+    };
+    touch({30, 0}, 0); // A pinch
+    QVERIFY(m_pad->magnified > 1.1);
+    touch({0, 0}, static_cast<int>(1000 * GestureReader::kTapTime) + 100);
+    QCOMPARE(m_pad->taps, QList<int>());
+    // Fingers that a tool uses work.
+    m_pad->fingersAbove = 300.0;
+    touch({0, 0}, 0);
+    QCOMPARE(m_pad->taps, QList<int>());
+    m_pad->fingersAbove = 0.0;
+    touch({0, 0}, 0);
+    QCOMPARE(m_pad->taps, QList<int>{2});
 }
 
 void GestureReaderTest::secondFinger_cancelsTheTool()

@@ -27,9 +27,14 @@ const PointerSample* sampleOf(std::span<const PointerSample> samples, int finger
 /// Movement of the pointer below which a press is a click, px.
 constexpr double kClickReach = 4.0;
 
+double pixelsOf(const QPointF& vector)
+{
+    return std::hypot(vector.x(), vector.y());
+}
+
 bool isNear(const QPointF& a, const QPointF& b)
 {
-    return std::hypot(a.x() - b.x(), a.y() - b.y()) <= kClickReach;
+    return pixelsOf(a - b) <= kClickReach;
 }
 
 } // namespace
@@ -172,13 +177,18 @@ void GestureReader::readFingers(std::span<const PointerSample> samples)
 {
     const bool taken = std::any_of(samples.begin(), samples.end(),
                                    [](const PointerSample& s) { return s.phase == PointerPhase::Cancel; });
+    const bool wasFree = m_fingers.empty();
     const bool changed = updateFingers(samples);
+    if (wasFree)
+        m_tap = {.begun = samples.front().time, .isPossible = true};
     if (taken)
         m_fingers.clear();
     const bool isOthers = m_mode != Mode::Idle && m_device != PointerDevice::Finger;
     // A mouse's or pen's gesture that was ended may wait for a release that never comes.
-    if (isOthers && !(m_mode == Mode::Spent && changed && fingerCount() == m_fingers.size()))
+    if (isOthers && !(m_mode == Mode::Spent && changed && fingerCount() == m_fingers.size())) {
+        m_tap.isPossible = false;
         return;
+    }
     if (isOthers)
         m_mode = Mode::Idle;
     m_device = PointerDevice::Finger;
@@ -191,6 +201,25 @@ void GestureReader::readFingers(std::span<const PointerSample> samples)
     } else {
         moveFingers(samples);
     }
+    watchForTap(samples);
+}
+
+/// Tells of a tap once its last finger is lifted, when nothing is under way any more.
+void GestureReader::watchForTap(std::span<const PointerSample> samples)
+{
+    const bool isOut = std::ranges::any_of(samples, [this](const PointerSample& sample) {
+        return sample.phase == PointerPhase::Cancel || sample.time - m_tap.begun > kTapTime;
+    });
+    const bool hasMoved = std::ranges::any_of(m_fingers, [](const Finger& finger) {
+        return !finger.counts() || pixelsOf(finger.position - finger.pressedAt) > kTapReach;
+    });
+    // Fingers that a tool uses work.
+    if (isOut || hasMoved || m_toolFingers.size() > 1)
+        m_tap.isPossible = false;
+    m_tap.fingers = std::max(m_tap.fingers, fingerCount());
+    if (m_fingers.empty() && std::exchange(m_tap.isPossible, false) && m_tap.fingers >= 2 &&
+        m_tap.fingers <= 4)
+        m_target.fingersTap(static_cast<int>(m_tap.fingers));
 }
 
 /// Updates the fingers; true if one was added or lifted.
@@ -211,8 +240,8 @@ bool GestureReader::updateFingers(std::span<const PointerSample> samples)
         } else {
             const bool otherDevice =
                 m_mode != Mode::Idle && m_mode != Mode::Spent && m_device != PointerDevice::Finger;
-            m_fingers.push_back({sample.id, sample.position, otherDevice || isPenNear(sample.time),
-                                 m_strip.contains(sample.position)});
+            m_fingers.push_back({sample.id, sample.position, sample.position,
+                                 otherDevice || isPenNear(sample.time), m_strip.contains(sample.position)});
             changed = true;
         }
     }

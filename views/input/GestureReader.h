@@ -28,6 +28,9 @@ public:
     /// A click with Alt held, without a move of the view: it selects a bud.
     virtual void budIsAsked(const PointerSample& sample) = 0;
 
+    /// @p fingers, 2...4, have tapped the screen together.
+    virtual void fingersTap(int fingers) = 0;
+
     /// Distances in px.
     virtual void orbitBy(const QPointF& distance) = 0;
     virtual void panBy(const QPointF& distance) = 0;
@@ -39,12 +42,16 @@ public:
 /// mouse button works with the tool; two fingers pan and pinch, three rotate. Other mouse buttons move the
 /// camera as MouseScheme says, and the left one pans while the space bar is held. When a second finger joins
 /// the first, the tool's gesture is cancelled, unless the tool uses the second finger too. So a second finger
-/// corresponds to Escape on a keyboard. While a pen is near or down, touches are treated as a palm and
-/// ignored.
+/// corresponds to Escape on a keyboard. Several fingers that come and go at their places within kTapTime tap.
+/// While a pen is near or down, touches are treated as a palm and ignored.
 class GestureReader {
 public:
     /// A palm can touch the screen at most this long before the pen is detected, s.
     static constexpr double kPalmTime = 1.0;
+    /// From the first finger's press to the last one's release, a tap lasts at most this long, s.
+    static constexpr double kTapTime = 0.4;
+    /// A tap's fingers move at most this far, px.
+    static constexpr double kTapReach = 12.0;
 
     explicit GestureReader(GestureTarget& target) : m_target(target) {}
 
@@ -83,6 +90,7 @@ private:
     struct Finger {
         int id = 0;
         QPointF position;
+        QPointF pressedAt;
         bool isPalm = false;
         bool isOnStrip = false; ///< It touched the screen on the strip first
 
@@ -92,6 +100,7 @@ private:
 
     void readPointer(const PointerSample& sample);
     void readFingers(std::span<const PointerSample> samples);
+    void watchForTap(std::span<const PointerSample> samples);
     Mode modeOfButton(const PointerSample& sample) const;
     bool updateFingers(std::span<const PointerSample> samples);
     void changeFingers(std::span<const PointerSample> samples);
@@ -117,6 +126,13 @@ private:
     bool m_panKey = false;
     MouseScheme m_scheme = MouseScheme::Espalier;
 
+    /// From the first finger's press on, until all fingers are lifted.
+    struct Tap {
+        double begun = 0.0;      ///< s
+        std::size_t fingers = 0; ///< The greatest number so far
+        bool isPossible = false;
+    };
+    Tap m_tap;
     std::vector<Finger> m_fingers;
     std::vector<int> m_toolFingers; ///< Ids of the fingers that the tool uses
     QPointF m_centre;

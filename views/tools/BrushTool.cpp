@@ -53,6 +53,11 @@ const QColor kHintOverLight(70, 86, 106);
 
 void BrushTool::begin(const PointerSample& sample)
 {
+    if (sample.modifiers.testFlag(Qt::ShiftModifier)) {
+        hover(sample);
+        m_sizing = Sizing{sample.position, context().viewSettings().values().brushRadius};
+        return;
+    }
     m_press = sample;
     m_undoIndex = context().document().undoStack().index();
     if (pruneOnSecondTap(sample))
@@ -67,6 +72,16 @@ void BrushTool::begin(const PointerSample& sample)
         }
     }
     beginStroke(sample);
+}
+
+void BrushTool::resizeTo(const QPointF& pointer)
+{
+    const Camera& camera = context().camera();
+    const float depth = std::max(camera.depth(m_anchor), Camera::kMinDistance);
+    const double by = (pointer.x() - m_sizing->from.x()) / static_cast<double>(camera.pixelsPerMetre(depth));
+    context().viewSettings().set(&ViewValues::brushRadius,
+                                 std::clamp(m_sizing->radius + by, 0.0, kMaxBrushRadius));
+    context().requestRepaint();
 }
 
 bool BrushTool::pruneOnSecondTap(const PointerSample& sample)
@@ -105,6 +120,10 @@ void BrushTool::beginStroke(const PointerSample& sample)
 
 void BrushTool::move(const PointerSample& sample)
 {
+    if (m_sizing) {
+        resizeTo(sample.position);
+        return;
+    }
     if (m_held && !m_held->isChosen && distance(sample.position, m_held->sample.position) > kTapReach) {
         PointerSample first = std::exchange(m_held, {})->sample;
         first.time = sample.time;
@@ -119,6 +138,11 @@ void BrushTool::move(const PointerSample& sample)
 
 void BrushTool::end(const PointerSample& sample)
 {
+    if (m_sizing) {
+        resizeTo(sample.position);
+        m_sizing.reset();
+        return;
+    }
     if (!isActive())
         return;
     if (m_gesture) {
@@ -147,6 +171,8 @@ void BrushTool::cancel()
 {
     if (!isActive())
         return;
+    if (m_sizing)
+        context().viewSettings().set(&ViewValues::brushRadius, m_sizing->radius);
     if (m_gesture)
         m_gesture->cancel();
     stop();
@@ -156,6 +182,7 @@ void BrushTool::stop()
 {
     m_gesture.reset();
     m_held.reset();
+    m_sizing.reset();
     m_trail.clear();
     m_picked.reset();
     m_pressure = 1.0;

@@ -18,7 +18,8 @@ namespace espalier {
 /// at which the stroke begins. The plane turns with the camera, so that a pointer at rest draws a helix while
 /// the view rotates. StrokePlane has other planes, and strokes around the trunk.
 ///
-/// A second tap on a branch prunes it; a finger or pen that rests on a bud chooses that bud to grow alone.
+/// A second tap on a branch prunes it; a finger or pen that rests on a bud chooses that bud to grow alone. A
+/// drag with the Shift key to the right or to the left makes the brush larger or smaller where it is.
 class BrushTool : public Tool {
     Q_DECLARE_TR_FUNCTIONS(BrushTool)
 
@@ -35,8 +36,11 @@ public:
     void tick(double now) override;
     void wheel(double notches) override;
 
-    bool isFreehand() const override { return true; }
-    bool isActive() const override { return m_gesture != nullptr || m_held.has_value(); }
+    bool isFreehand() const override { return !m_sizing; }
+    bool isActive() const override
+    {
+        return m_gesture != nullptr || m_held.has_value() || m_sizing.has_value();
+    }
     bool wantsTicks() const override { return isActive(); }
     void paint(Overlay& overlay) const override;
     QString tip() const override;
@@ -52,12 +56,18 @@ private:
         PickedBud bud;
         bool isChosen = false; ///< The press has become a long press
     };
+    /// A drag that changes the radius.
+    struct Sizing {
+        QPointF from;        ///< px
+        double radius = 0.0; ///< Before the drag, m
+    };
     struct Tap {
         QPointF position;
         double time = -1e9;       ///< Time of the tap, s
         bool leftAStroke = false; ///< Whether the tap left a stroke on the undo stack
     };
 
+    void resizeTo(const QPointF& pointer);
     bool pruneOnSecondTap(const PointerSample& sample);
     void beginStroke(const PointerSample& sample);
     BrushSample sampleAt(double time) const;
@@ -78,6 +88,7 @@ private:
     double m_begun = 0.0;                 ///< Beginning of the stroke, s, of the samples' clock
     std::vector<Vec3> m_trail;
     std::optional<Hold> m_held;
+    std::optional<Sizing> m_sizing;
     PointerSample m_press;          ///< First sample of the gesture under way
     int m_undoIndex = 0;            ///< Index of the undo stack at that sample
     std::uint32_t m_sizeBefore = 0; ///< Of the tree at that sample
