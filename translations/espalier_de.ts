@@ -423,6 +423,22 @@
         <source>Put a picture of the tree as it is shown on the clipboard.</source>
         <translation>Ein Bild des Baums, wie er gezeigt wird, in die Zwischenablage legen.</translation>
     </message>
+    <message>
+        <source>Another Like This</source>
+        <translation>Noch einer wie dieser</translation>
+    </message>
+    <message>
+        <source>See six trees that the same strokes make by another chance, and take one.</source>
+        <translation>Sechs Bäume ansehen, die dieselben Striche durch anderen Zufall ergeben, und einen nehmen.</translation>
+    </message>
+    <message>
+        <source>Person for Scale</source>
+        <translation>Mensch als Maßstab</translation>
+    </message>
+    <message>
+        <source>Show a person beside the tree, and how long a metre is.</source>
+        <translation>Einen Menschen neben dem Baum zeigen, und wie lang ein Meter ist.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -3911,6 +3927,48 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::AnotherController</name>
+    <message>
+        <source>Draw a tree first: then there can be others like it.</source>
+        <translation>Zuerst einen Baum zeichnen: Dann kann es andere wie ihn geben.</translation>
+    </message>
+    <message>
+        <source>Another Like This</source>
+        <translation>Noch einer wie dieser</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::AnotherPanel</name>
+    <message>
+        <source>Another Like This</source>
+        <translation>Noch einer wie dieser</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Tree %1 of %2</source>
+        <translation>Baum %1 von %2</translation>
+    </message>
+    <message>
+        <source>Take this tree in place of yours. Undo brings yours back.</source>
+        <translation>Diesen Baum anstelle des eigenen nehmen. Rückgängig holt den eigenen zurück.</translation>
+    </message>
+    <message>
+        <source>Six More</source>
+        <translation>Sechs weitere</translation>
+    </message>
+    <message>
+        <source>They are growing…</source>
+        <translation>Sie wachsen …</translation>
+    </message>
+    <message>
+        <source>The same strokes; only chance differs.</source>
+        <translation>Dieselben Striche; nur der Zufall ist ein anderer.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::ArchitecturePanel</name>
     <message>
         <source>Architecture</source>
@@ -5273,6 +5331,37 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::SizeChoices</name>
+    <message>
+        <source>Bonsai</source>
+        <translation>Bonsai</translation>
+    </message>
+    <message>
+        <source>Shrub</source>
+        <translation>Strauch</translation>
+    </message>
+    <message>
+        <source>Street Tree</source>
+        <translation>Straßenbaum</translation>
+    </message>
+    <message>
+        <source>Forest Tree</source>
+        <translation>Waldbaum</translation>
+    </message>
+    <message>
+        <source>Size of the new tree</source>
+        <translation>Größe des neuen Baums</translation>
+    </message>
+    <message>
+        <source>How tall shall the new tree become?</source>
+        <translation>Wie hoch soll der neue Baum werden?</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;About %2 tall; the brush, the branches and the leaves are in proportion.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;Etwa %2 hoch; Pinsel, Äste und Blätter passen dazu.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SketchController</name>
     <message>
         <source>%1.</source>
@@ -5316,48 +5405,16 @@ geschrieben werden konnte.
 <context>
     <name>espalier::Tour</name>
     <message>
-        <source>Brush a tree</source>
-        <translation>Einen Baum pinseln</translation>
-    </message>
-    <message>
-        <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>Hier ist ein Sämling. &lt;b&gt;Auf ihn drücken und langsam nach oben ziehen&lt;/b&gt;; loslassen, wenn gefällt, was wächst.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>&lt;b&gt;Auf einen Ast drücken und langsam nach außen ziehen&lt;/b&gt;; loslassen, wenn gefällt, was wächst.</translation>
-    </message>
-    <message>
-        <source>Large and small</source>
-        <translation>Groß und klein</translation>
-    </message>
-    <message>
-        <source>A large brush grows a crown, a tiny one draws a single branch. &lt;b&gt;Draw the slider, or press&amp;nbsp;[&amp;nbsp;and&amp;nbsp;]&lt;/b&gt;.</source>
-        <translation>Ein großer Pinsel lässt eine Krone wachsen, ein winziger zeichnet einen einzelnen Ast. &lt;b&gt;Am Regler ziehen oder&amp;nbsp;[&amp;nbsp;und&amp;nbsp;] drücken&lt;/b&gt;.</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
-        <translation>Schneiden, biegen, mit dem Lasso zeichnen: was ein Gärtner braucht, ist hier. &lt;b&gt;Wachsen wählen&lt;/b&gt;.</translation>
     </message>
     <message>
         <source>Back in time</source>
         <translation>Zurück in der Zeit</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
-        <translation>&lt;b&gt;Diesen Regler nach links ziehen&lt;/b&gt;, und der Baum bildet sich zurück; nach rechts, und er kommt wieder und wächst weiter.</translation>
-    </message>
-    <message>
         <source>All around</source>
         <translation>Ringsum</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
-        <translation>&lt;b&gt;Entlang dieses Rands ziehen&lt;/b&gt;, und der Baum dreht sich, auch während die andere Hand pinselt. Die rechte Maustaste dreht ihn ebenfalls.</translation>
     </message>
     <message>
         <source>When you wonder</source>
@@ -5372,8 +5429,60 @@ geschrieben werden konnte.
         <translation>Einen Baum zeichnen</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
-        <translation>&lt;b&gt;Nehmen Sie Skizze&lt;/b&gt;, um Stamm und Äste wie auf Papier zu zeichnen, und geben Sie der Zeichnung Tiefe. Sehen Sie zu, wie dreißig Striche ein Baum werden.</translation>
+        <source>Draw a trunk</source>
+        <translation>Einen Stamm zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw a branch</source>
+        <translation>Einen Ast zeichnen</translation>
+    </message>
+    <message>
+        <source>Here is a seedling. &lt;b&gt;Press on it and draw a line upward&lt;/b&gt;, to the middle of the picture or higher: it becomes the trunk.</source>
+        <translation>Hier ist ein Sämling. &lt;b&gt;Darauf drücken und eine Linie nach oben ziehen&lt;/b&gt;, bis zur Bildmitte oder höher: Sie wird der Stamm.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a branch and draw outward&lt;/b&gt;: the line becomes a branch.</source>
+        <translation>&lt;b&gt;Auf einen Ast drücken und nach außen ziehen&lt;/b&gt;: Die Linie wird ein Ast.</translation>
+    </message>
+    <message>
+        <source>Draw the limbs</source>
+        <translation>Die Äste zeichnen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on the trunk and draw outward and up&lt;/b&gt;, to the left and to the right. Three limbs or four are enough.</source>
+        <translation>&lt;b&gt;Auf den Stamm drücken und nach außen und oben ziehen&lt;/b&gt;, nach links und nach rechts. Drei oder vier Äste genügen.</translation>
+    </message>
+    <message>
+        <source>Small and large</source>
+        <translation>Klein und groß</translation>
+    </message>
+    <message>
+        <source>A tiny brush draws a single branch, a large one grows a crown. &lt;b&gt;Drag the slider upward, or press&amp;nbsp;]&lt;/b&gt;; [ makes the brush smaller.</source>
+        <translation>Ein winziger Pinsel zeichnet einen einzelnen Ast, ein großer lässt eine Krone wachsen. &lt;b&gt;Den Regler hinaufziehen oder ]&amp;nbsp;drücken&lt;/b&gt;; [ macht den Pinsel kleiner.</translation>
+    </message>
+    <message>
+        <source>Grow a crown</source>
+        <translation>Eine Krone wachsen lassen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a limb and draw slowly along the limbs and around their ends&lt;/b&gt;: twigs and leaves grow wherever the brush passes.</source>
+        <translation>&lt;b&gt;Auf einen Ast drücken und langsam die Äste entlang und um ihre Enden ziehen&lt;/b&gt;: Zweige und Blätter wachsen, wo der Pinsel vorbeikommt.</translation>
+    </message>
+    <message>
+        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Choose Grow&lt;/b&gt;.</source>
+        <translation>Schneiden, biegen, mit dem Lasso zeichnen: Alles, was ein Gärtner braucht, ist hier. &lt;b&gt;Wachsen wählen&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag this slider to the left&lt;/b&gt;, and the tree ungrows; drag it back to the right, and the tree is there again.</source>
+        <translation>&lt;b&gt;Diesen Regler nach links ziehen&lt;/b&gt;, und der Baum wächst rückwärts; wieder nach rechts, und der Baum ist wieder da.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
+        <translation>&lt;b&gt;An diesem Rand entlangziehen&lt;/b&gt;, und der Baum dreht sich, auch während die andere Hand pinselt. Die rechte Maustaste dreht ihn ebenso.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Choose Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
+        <translation>&lt;b&gt;Skizze wählen&lt;/b&gt;, um Stamm und Äste wie auf Papier zu zeichnen und der Zeichnung Tiefe zu geben. Hier ist zu sehen, wie dreißig Striche ein Baum werden.</translation>
     </message>
 </context>
 <context>

@@ -423,6 +423,22 @@
         <source>Put a picture of the tree as it is shown on the clipboard.</source>
         <translation>Placer dans le presse-papiers une image de l’arbre tel qu’il est affiché.</translation>
     </message>
+    <message>
+        <source>Another Like This</source>
+        <translation>Un autre comme celui-ci</translation>
+    </message>
+    <message>
+        <source>See six trees that the same strokes make by another chance, and take one.</source>
+        <translation>Voir six arbres que les mêmes traits donnent par un autre hasard, et en prendre un.</translation>
+    </message>
+    <message>
+        <source>Person for Scale</source>
+        <translation>Personne pour l’échelle</translation>
+    </message>
+    <message>
+        <source>Show a person beside the tree, and how long a metre is.</source>
+        <translation>Montrer une personne à côté de l’arbre, et la longueur d’un mètre.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -3910,6 +3926,48 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::AnotherController</name>
+    <message>
+        <source>Draw a tree first: then there can be others like it.</source>
+        <translation>Dessinez d’abord un arbre : il pourra alors y en avoir d’autres comme lui.</translation>
+    </message>
+    <message>
+        <source>Another Like This</source>
+        <translation>Un autre comme celui-ci</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::AnotherPanel</name>
+    <message>
+        <source>Another Like This</source>
+        <translation>Un autre comme celui-ci</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Tree %1 of %2</source>
+        <translation>Arbre %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Take this tree in place of yours. Undo brings yours back.</source>
+        <translation>Prendre cet arbre à la place du vôtre. Annuler ramène le vôtre.</translation>
+    </message>
+    <message>
+        <source>Six More</source>
+        <translation>Six autres</translation>
+    </message>
+    <message>
+        <source>They are growing…</source>
+        <translation>Ils poussent…</translation>
+    </message>
+    <message>
+        <source>The same strokes; only chance differs.</source>
+        <translation>Les mêmes traits ; seul le hasard diffère.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::ArchitecturePanel</name>
     <message>
         <source>Architecture</source>
@@ -5272,6 +5330,37 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::SizeChoices</name>
+    <message>
+        <source>Bonsai</source>
+        <translation>Bonsaï</translation>
+    </message>
+    <message>
+        <source>Shrub</source>
+        <translation>Arbuste</translation>
+    </message>
+    <message>
+        <source>Street Tree</source>
+        <translation>Arbre de rue</translation>
+    </message>
+    <message>
+        <source>Forest Tree</source>
+        <translation>Arbre de forêt</translation>
+    </message>
+    <message>
+        <source>Size of the new tree</source>
+        <translation>Taille du nouvel arbre</translation>
+    </message>
+    <message>
+        <source>How tall shall the new tree become?</source>
+        <translation>Quelle hauteur aura le nouvel arbre ?</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;About %2 tall; the brush, the branches and the leaves are in proportion.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;Environ %2 de haut ; le pinceau, les branches et les feuilles sont en proportion.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SketchController</name>
     <message>
         <source>%1.</source>
@@ -5315,48 +5404,16 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::Tour</name>
     <message>
-        <source>Brush a tree</source>
-        <translation>Peindre un arbre</translation>
-    </message>
-    <message>
-        <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>Voici une plantule. &lt;b&gt;Appuyez dessus et tracez vers le haut, lentement&lt;/b&gt;&#xa0;; relâchez quand ce qui pousse vous plaît.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>&lt;b&gt;Appuyez sur une branche et tracez vers l’extérieur, lentement&lt;/b&gt;&#xa0;; relâchez quand ce qui pousse vous plaît.</translation>
-    </message>
-    <message>
-        <source>Large and small</source>
-        <translation>Grand et petit</translation>
-    </message>
-    <message>
-        <source>A large brush grows a crown, a tiny one draws a single branch. &lt;b&gt;Draw the slider, or press&amp;nbsp;[&amp;nbsp;and&amp;nbsp;]&lt;/b&gt;.</source>
-        <translation>Un grand pinceau fait pousser un houppier, un tout petit trace une seule branche. &lt;b&gt;Tirez le curseur, ou appuyez sur&amp;nbsp;[&amp;nbsp;et&amp;nbsp;]&lt;/b&gt;.</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Outils</translation>
-    </message>
-    <message>
-        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
-        <translation>Tailler, courber, dessiner au lasso&#xa0;: tout ce qu’il faut à un jardinier est ici. &lt;b&gt;Prenez Croître&lt;/b&gt;.</translation>
     </message>
     <message>
         <source>Back in time</source>
         <translation>Remonter le temps</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
-        <translation>&lt;b&gt;Tirez ce curseur vers la gauche&lt;/b&gt;, et l’arbre décroît&#xa0;; vers la droite, il revient et continue de pousser.</translation>
-    </message>
-    <message>
         <source>All around</source>
         <translation>Tout autour</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
-        <translation>&lt;b&gt;Tracez le long de ce bord&lt;/b&gt;, et l’arbre tourne, même pendant que l’autre main peint. Le bouton droit de la souris le tourne aussi.</translation>
     </message>
     <message>
         <source>When you wonder</source>
@@ -5371,8 +5428,60 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Dessiner un arbre</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
-        <translation>&lt;b&gt;Prenez Esquisse&lt;/b&gt; pour dessiner un tronc et des branches comme sur le papier, et donnez de la profondeur au dessin. Regardez trente traits devenir un arbre.</translation>
+        <source>Draw a trunk</source>
+        <translation>Tracer un tronc</translation>
+    </message>
+    <message>
+        <source>Draw a branch</source>
+        <translation>Tracer une branche</translation>
+    </message>
+    <message>
+        <source>Here is a seedling. &lt;b&gt;Press on it and draw a line upward&lt;/b&gt;, to the middle of the picture or higher: it becomes the trunk.</source>
+        <translation>Voici une plantule. &lt;b&gt;Appuyez dessus et tracez une ligne vers le haut&lt;/b&gt;, jusqu’au milieu de l’image ou plus haut : ce sera le tronc.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a branch and draw outward&lt;/b&gt;: the line becomes a branch.</source>
+        <translation>&lt;b&gt;Appuyez sur une branche et tracez vers l’extérieur&lt;/b&gt; : la ligne devient une branche.</translation>
+    </message>
+    <message>
+        <source>Draw the limbs</source>
+        <translation>Tracer les branches</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on the trunk and draw outward and up&lt;/b&gt;, to the left and to the right. Three limbs or four are enough.</source>
+        <translation>&lt;b&gt;Appuyez sur le tronc et tracez vers l’extérieur et vers le haut&lt;/b&gt;, à gauche et à droite. Trois ou quatre branches suffisent.</translation>
+    </message>
+    <message>
+        <source>Small and large</source>
+        <translation>Petit et grand</translation>
+    </message>
+    <message>
+        <source>A tiny brush draws a single branch, a large one grows a crown. &lt;b&gt;Drag the slider upward, or press&amp;nbsp;]&lt;/b&gt;; [ makes the brush smaller.</source>
+        <translation>Un pinceau minuscule trace une seule branche, un grand fait pousser un houppier. &lt;b&gt;Glissez le curseur vers le haut, ou appuyez sur&amp;nbsp;]&lt;/b&gt; ; [ rapetisse le pinceau.</translation>
+    </message>
+    <message>
+        <source>Grow a crown</source>
+        <translation>Faire pousser un houppier</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a limb and draw slowly along the limbs and around their ends&lt;/b&gt;: twigs and leaves grow wherever the brush passes.</source>
+        <translation>&lt;b&gt;Appuyez sur une branche et passez lentement le long des branches et autour de leurs extrémités&lt;/b&gt; : rameaux et feuilles poussent partout où passe le pinceau.</translation>
+    </message>
+    <message>
+        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Choose Grow&lt;/b&gt;.</source>
+        <translation>Tailler, courber, dessiner au lasso : tout ce qu’il faut à un jardinier est ici. &lt;b&gt;Choisissez Croître&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag this slider to the left&lt;/b&gt;, and the tree ungrows; drag it back to the right, and the tree is there again.</source>
+        <translation>&lt;b&gt;Glissez ce curseur vers la gauche&lt;/b&gt;, et l’arbre décroît ; ramenez-le à droite, et l’arbre est de nouveau là.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
+        <translation>&lt;b&gt;Glissez le long de ce bord&lt;/b&gt;, et l’arbre tourne, même pendant que l’autre main peint. Le bouton droit de la souris le tourne aussi.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Choose Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
+        <translation>&lt;b&gt;Choisissez Esquisse&lt;/b&gt; pour dessiner un tronc et des branches comme sur le papier, et donner de la profondeur au dessin. Voyez comment trente traits deviennent un arbre.</translation>
     </message>
 </context>
 <context>

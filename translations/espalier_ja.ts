@@ -423,6 +423,22 @@
         <source>Put a picture of the tree as it is shown on the clipboard.</source>
         <translation>表示されているとおりの木の画像をクリップボードに入れます。</translation>
     </message>
+    <message>
+        <source>Another Like This</source>
+        <translation>これに似た別の木</translation>
+    </message>
+    <message>
+        <source>See six trees that the same strokes make by another chance, and take one.</source>
+        <translation>同じストロークから別の偶然で育つ 6 本の木を見て、1 本を選びます。</translation>
+    </message>
+    <message>
+        <source>Person for Scale</source>
+        <translation>大きさを比べる人</translation>
+    </message>
+    <message>
+        <source>Show a person beside the tree, and how long a metre is.</source>
+        <translation>木の横に人と、1 メートルの長さを表示します。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -3903,6 +3919,48 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>espalier::AnotherController</name>
+    <message>
+        <source>Draw a tree first: then there can be others like it.</source>
+        <translation>まず木を描いてください。そうすれば、似た別の木を作れます。</translation>
+    </message>
+    <message>
+        <source>Another Like This</source>
+        <translation>これに似た別の木</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::AnotherPanel</name>
+    <message>
+        <source>Another Like This</source>
+        <translation>これに似た別の木</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>閉じる</translation>
+    </message>
+    <message>
+        <source>Tree %1 of %2</source>
+        <translation>木 %1 / %2</translation>
+    </message>
+    <message>
+        <source>Take this tree in place of yours. Undo brings yours back.</source>
+        <translation>この木を今の木と入れ替えます。「元に戻す」で元の木に戻ります。</translation>
+    </message>
+    <message>
+        <source>Six More</source>
+        <translation>さらに 6 本</translation>
+    </message>
+    <message>
+        <source>They are growing…</source>
+        <translation>育てています…</translation>
+    </message>
+    <message>
+        <source>The same strokes; only chance differs.</source>
+        <translation>同じストローク。違うのは偶然だけです。</translation>
+    </message>
+</context>
+<context>
     <name>espalier::ArchitecturePanel</name>
     <message>
         <source>Architecture</source>
@@ -5264,6 +5322,37 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>espalier::SizeChoices</name>
+    <message>
+        <source>Bonsai</source>
+        <translation>盆栽</translation>
+    </message>
+    <message>
+        <source>Shrub</source>
+        <translation>低木</translation>
+    </message>
+    <message>
+        <source>Street Tree</source>
+        <translation>街路樹</translation>
+    </message>
+    <message>
+        <source>Forest Tree</source>
+        <translation>森の木</translation>
+    </message>
+    <message>
+        <source>Size of the new tree</source>
+        <translation>新しい木の大きさ</translation>
+    </message>
+    <message>
+        <source>How tall shall the new tree become?</source>
+        <translation>新しい木をどれくらいの高さにしますか？</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;About %2 tall; the brush, the branches and the leaves are in proportion.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;高さ約 %2。ブラシ、枝、葉もそれに合わせた大きさになります。</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SketchController</name>
     <message>
         <source>%1.</source>
@@ -5307,48 +5396,16 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::Tour</name>
     <message>
-        <source>Brush a tree</source>
-        <translation>木を描く</translation>
-    </message>
-    <message>
-        <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>ここに苗があります。&lt;b&gt;苗の上で押し、上へゆっくりドラッグ&lt;/b&gt;します。気に入ったところで離してください。</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>&lt;b&gt;枝の上で押し、外へゆっくりドラッグ&lt;/b&gt;します。気に入ったところで離してください。</translation>
-    </message>
-    <message>
-        <source>Large and small</source>
-        <translation>大きく、小さく</translation>
-    </message>
-    <message>
-        <source>A large brush grows a crown, a tiny one draws a single branch. &lt;b&gt;Draw the slider, or press&amp;nbsp;[&amp;nbsp;and&amp;nbsp;]&lt;/b&gt;.</source>
-        <translation>大きいブラシは樹冠を育て、ごく小さいブラシは 1 本の枝を描きます。&lt;b&gt;スライダーをドラッグするか、[&amp;nbsp;と&amp;nbsp;]&amp;nbsp;を押して&lt;/b&gt;みてください。</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>ツール</translation>
-    </message>
-    <message>
-        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
-        <translation>剪定、曲げ、投げ縄など、庭師の道具がそろっています。&lt;b&gt;「成長」を選んで&lt;/b&gt;ください。</translation>
     </message>
     <message>
         <source>Back in time</source>
         <translation>時間をさかのぼる</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
-        <translation>&lt;b&gt;このスライダーを左へドラッグ&lt;/b&gt;すると木の成長が巻き戻り、右へドラッグすると元に戻って、さらに成長します。</translation>
-    </message>
-    <message>
         <source>All around</source>
         <translation>ぐるりと見る</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
-        <translation>&lt;b&gt;この端に沿ってドラッグ&lt;/b&gt;すると木が回ります。もう一方の手で描いている間も使えます。マウスの右ボタンでも回せます。</translation>
     </message>
     <message>
         <source>When you wonder</source>
@@ -5363,8 +5420,60 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>木を描く</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
-        <translation>&lt;b&gt;スケッチを選ぶ&lt;/b&gt;と、紙に描くように幹と枝を描き、絵に奥行きを与えられます。三十本の線が木になる様子を見られます。</translation>
+        <source>Draw a trunk</source>
+        <translation>幹を描く</translation>
+    </message>
+    <message>
+        <source>Draw a branch</source>
+        <translation>枝を描く</translation>
+    </message>
+    <message>
+        <source>Here is a seedling. &lt;b&gt;Press on it and draw a line upward&lt;/b&gt;, to the middle of the picture or higher: it becomes the trunk.</source>
+        <translation>苗があります。&lt;b&gt;その上で押して、上へ線を引いてください&lt;/b&gt;。画面の中ほどか、それより上まで引くと、幹になります。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a branch and draw outward&lt;/b&gt;: the line becomes a branch.</source>
+        <translation>&lt;b&gt;枝の上で押して、外側へ線を引いてください&lt;/b&gt;。その線が枝になります。</translation>
+    </message>
+    <message>
+        <source>Draw the limbs</source>
+        <translation>大枝を描く</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on the trunk and draw outward and up&lt;/b&gt;, to the left and to the right. Three limbs or four are enough.</source>
+        <translation>&lt;b&gt;幹の上で押して、外側の上へ線を引いてください&lt;/b&gt;。左と右に、3、4 本あれば十分です。</translation>
+    </message>
+    <message>
+        <source>Small and large</source>
+        <translation>小さく、大きく</translation>
+    </message>
+    <message>
+        <source>A tiny brush draws a single branch, a large one grows a crown. &lt;b&gt;Drag the slider upward, or press&amp;nbsp;]&lt;/b&gt;; [ makes the brush smaller.</source>
+        <translation>小さなブラシは枝を 1 本描き、大きなブラシは樹冠を育てます。&lt;b&gt;スライダーを上へドラッグするか、]&amp;nbsp;を押してください&lt;/b&gt;。[ でブラシが小さくなります。</translation>
+    </message>
+    <message>
+        <source>Grow a crown</source>
+        <translation>樹冠を育てる</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a limb and draw slowly along the limbs and around their ends&lt;/b&gt;: twigs and leaves grow wherever the brush passes.</source>
+        <translation>&lt;b&gt;大枝の上で押し、枝に沿ってその先のまわりまで、ゆっくりドラッグしてください&lt;/b&gt;。ブラシの通ったところに小枝と葉が育ちます。</translation>
+    </message>
+    <message>
+        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Choose Grow&lt;/b&gt;.</source>
+        <translation>剪定する、曲げる、投げ縄で描く。庭師に必要なものがここにあります。&lt;b&gt;「成長」を選んでください&lt;/b&gt;。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag this slider to the left&lt;/b&gt;, and the tree ungrows; drag it back to the right, and the tree is there again.</source>
+        <translation>&lt;b&gt;このスライダーを左へドラッグする&lt;/b&gt;と、木が縮んでいきます。右へ戻すと、木も元に戻ります。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
+        <translation>&lt;b&gt;この縁に沿ってドラッグする&lt;/b&gt;と木が回ります。もう一方の手で描いている間も回せます。マウスの右ボタンでも回ります。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Choose Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
+        <translation>&lt;b&gt;「スケッチ」を選ぶ&lt;/b&gt;と、紙に描くように幹と枝を描き、奥行きを与えられます。30 本の線が木になる様子を見てください。</translation>
     </message>
 </context>
 <context>

@@ -423,6 +423,22 @@
         <source>Put a picture of the tree as it is shown on the clipboard.</source>
         <translation>Umieścić w schowku obraz drzewa, tak jak je widać.</translation>
     </message>
+    <message>
+        <source>Another Like This</source>
+        <translation>Inne podobne</translation>
+    </message>
+    <message>
+        <source>See six trees that the same strokes make by another chance, and take one.</source>
+        <translation>Zobaczyć sześć drzew, które te same pociągnięcia dają przez inny przypadek, i wziąć jedno.</translation>
+    </message>
+    <message>
+        <source>Person for Scale</source>
+        <translation>Człowiek dla skali</translation>
+    </message>
+    <message>
+        <source>Show a person beside the tree, and how long a metre is.</source>
+        <translation>Pokazać człowieka obok drzewa i długość metra.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -3912,6 +3928,48 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::AnotherController</name>
+    <message>
+        <source>Draw a tree first: then there can be others like it.</source>
+        <translation>Najpierw narysuj drzewo: wtedy mogą powstać inne, podobne.</translation>
+    </message>
+    <message>
+        <source>Another Like This</source>
+        <translation>Inne podobne</translation>
+    </message>
+</context>
+<context>
+    <name>espalier::AnotherPanel</name>
+    <message>
+        <source>Another Like This</source>
+        <translation>Inne podobne</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Tree %1 of %2</source>
+        <translation>Drzewo %1 z %2</translation>
+    </message>
+    <message>
+        <source>Take this tree in place of yours. Undo brings yours back.</source>
+        <translation>Wziąć to drzewo w miejsce własnego. Cofnij przywraca własne.</translation>
+    </message>
+    <message>
+        <source>Six More</source>
+        <translation>Sześć kolejnych</translation>
+    </message>
+    <message>
+        <source>They are growing…</source>
+        <translation>Rosną…</translation>
+    </message>
+    <message>
+        <source>The same strokes; only chance differs.</source>
+        <translation>Te same pociągnięcia; różni je tylko przypadek.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::ArchitecturePanel</name>
     <message>
         <source>Architecture</source>
@@ -5275,6 +5333,37 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::SizeChoices</name>
+    <message>
+        <source>Bonsai</source>
+        <translation>Bonsai</translation>
+    </message>
+    <message>
+        <source>Shrub</source>
+        <translation>Krzew</translation>
+    </message>
+    <message>
+        <source>Street Tree</source>
+        <translation>Drzewo uliczne</translation>
+    </message>
+    <message>
+        <source>Forest Tree</source>
+        <translation>Drzewo leśne</translation>
+    </message>
+    <message>
+        <source>Size of the new tree</source>
+        <translation>Rozmiar nowego drzewa</translation>
+    </message>
+    <message>
+        <source>How tall shall the new tree become?</source>
+        <translation>Jak wysokie ma być nowe drzewo?</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;About %2 tall; the brush, the branches and the leaves are in proportion.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;&lt;br&gt;Około %2 wysokości; pędzel, gałęzie i liście są w proporcji.</translation>
+    </message>
+</context>
+<context>
     <name>espalier::SketchController</name>
     <message>
         <source>%1.</source>
@@ -5318,48 +5407,16 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::Tour</name>
     <message>
-        <source>Brush a tree</source>
-        <translation>Malowanie drzewa</translation>
-    </message>
-    <message>
-        <source>Here is a seedling. &lt;b&gt;Press on it and draw upward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>Oto siewka. &lt;b&gt;Nacisnąć ją i powoli ciągnąć w górę&lt;/b&gt;; puścić, gdy to, co rośnie, się podoba.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Press on a branch and draw outward, slowly&lt;/b&gt;; let go when you like what grows.</source>
-        <translation>&lt;b&gt;Nacisnąć gałąź i powoli ciągnąć na zewnątrz&lt;/b&gt;; puścić, gdy to, co rośnie, się podoba.</translation>
-    </message>
-    <message>
-        <source>Large and small</source>
-        <translation>Duży i mały</translation>
-    </message>
-    <message>
-        <source>A large brush grows a crown, a tiny one draws a single branch. &lt;b&gt;Draw the slider, or press&amp;nbsp;[&amp;nbsp;and&amp;nbsp;]&lt;/b&gt;.</source>
-        <translation>Duży pędzel hoduje koronę, mały rysuje pojedynczą gałąź. &lt;b&gt;Przeciągnąć suwak lub naciskać&amp;nbsp;[&amp;nbsp;i&amp;nbsp;]&lt;/b&gt;.</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Narzędzia</translation>
-    </message>
-    <message>
-        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Take Grow&lt;/b&gt;.</source>
-        <translation>Cięcie, gięcie, rysowanie lassem: jest tu wszystko, czego potrzebuje ogrodnik. &lt;b&gt;Wybrać Wzrost&lt;/b&gt;.</translation>
     </message>
     <message>
         <source>Back in time</source>
         <translation>Wstecz w czasie</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Draw this slider to the left&lt;/b&gt;, and the tree ungrows; to the right, and it comes back and grows on.</source>
-        <translation>&lt;b&gt;Przeciągnąć ten suwak w lewo&lt;/b&gt;, a drzewo urośnie wstecz; w prawo, a wróci i będzie rosło dalej.</translation>
-    </message>
-    <message>
         <source>All around</source>
         <translation>Dookoła</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Draw along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
-        <translation>&lt;b&gt;Przeciągnąć wzdłuż tej krawędzi&lt;/b&gt;, a drzewo się obróci, nawet gdy druga ręka maluje. Prawy przycisk myszy też je obraca.</translation>
     </message>
     <message>
         <source>When you wonder</source>
@@ -5374,8 +5431,60 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Narysuj drzewo</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Take Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
-        <translation>&lt;b&gt;Weź Szkic&lt;/b&gt;, by narysować pień i gałęzie jak na papierze, i nadaj rysunkowi głębię. Zobacz, jak trzydzieści kresek staje się drzewem.</translation>
+        <source>Draw a trunk</source>
+        <translation>Narysuj pień</translation>
+    </message>
+    <message>
+        <source>Draw a branch</source>
+        <translation>Narysuj gałąź</translation>
+    </message>
+    <message>
+        <source>Here is a seedling. &lt;b&gt;Press on it and draw a line upward&lt;/b&gt;, to the middle of the picture or higher: it becomes the trunk.</source>
+        <translation>Oto siewka. &lt;b&gt;Naciśnij ją i pociągnij linię w górę&lt;/b&gt;, do środka obrazu lub wyżej: powstanie pień.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a branch and draw outward&lt;/b&gt;: the line becomes a branch.</source>
+        <translation>&lt;b&gt;Naciśnij gałąź i ciągnij na zewnątrz&lt;/b&gt;: linia stanie się gałęzią.</translation>
+    </message>
+    <message>
+        <source>Draw the limbs</source>
+        <translation>Narysuj konary</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on the trunk and draw outward and up&lt;/b&gt;, to the left and to the right. Three limbs or four are enough.</source>
+        <translation>&lt;b&gt;Naciśnij pień i ciągnij na zewnątrz i w górę&lt;/b&gt;, w lewo i w prawo. Wystarczą trzy albo cztery konary.</translation>
+    </message>
+    <message>
+        <source>Small and large</source>
+        <translation>Mały i duży</translation>
+    </message>
+    <message>
+        <source>A tiny brush draws a single branch, a large one grows a crown. &lt;b&gt;Drag the slider upward, or press&amp;nbsp;]&lt;/b&gt;; [ makes the brush smaller.</source>
+        <translation>Maleńki pędzel rysuje jedną gałąź, duży hoduje koronę. &lt;b&gt;Przeciągnij suwak w górę albo naciśnij&amp;nbsp;]&lt;/b&gt;; [ zmniejsza pędzel.</translation>
+    </message>
+    <message>
+        <source>Grow a crown</source>
+        <translation>Wyhoduj koronę</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Press on a limb and draw slowly along the limbs and around their ends&lt;/b&gt;: twigs and leaves grow wherever the brush passes.</source>
+        <translation>&lt;b&gt;Naciśnij konar i powoli ciągnij wzdłuż konarów i wokół ich końców&lt;/b&gt;: gałązki i liście rosną wszędzie, gdzie przejdzie pędzel.</translation>
+    </message>
+    <message>
+        <source>Prune, bend, draw with a lasso: what a gardener needs is here. &lt;b&gt;Choose Grow&lt;/b&gt;.</source>
+        <translation>Cięcie, gięcie, rysowanie lassem: wszystko, czego potrzebuje ogrodnik, jest tutaj. &lt;b&gt;Wybierz Wzrost&lt;/b&gt;.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag this slider to the left&lt;/b&gt;, and the tree ungrows; drag it back to the right, and the tree is there again.</source>
+        <translation>&lt;b&gt;Przeciągnij ten suwak w lewo&lt;/b&gt;, a drzewo cofa wzrost; z powrotem w prawo, a drzewo znów jest.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag along this edge&lt;/b&gt;, and the tree turns, even while your other hand brushes. The right mouse button turns it as well.</source>
+        <translation>&lt;b&gt;Przeciągnij wzdłuż tej krawędzi&lt;/b&gt;, a drzewo się obraca, nawet gdy druga ręka maluje. Prawy przycisk myszy też je obraca.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Choose Sketch&lt;/b&gt; to draw a trunk and branches as on paper, and give the drawing depth. Watch how thirty strokes become a tree.</source>
+        <translation>&lt;b&gt;Wybierz Szkic&lt;/b&gt;, aby narysować pień i gałęzie jak na papierze i nadać rysunkowi głębię. Zobacz, jak trzydzieści kresek staje się drzewem.</translation>
     </message>
 </context>
 <context>

@@ -77,7 +77,7 @@ void BrushTool::begin(const PointerSample& sample)
 void BrushTool::resizeTo(const QPointF& pointer)
 {
     const Camera& camera = context().camera();
-    const float depth = std::max(camera.depth(m_anchor), Camera::kMinDistance);
+    const float depth = std::max(camera.depth(m_plane.anchor()), Camera::kMinDistance);
     const double by = (pointer.x() - m_sizing->from.x()) / static_cast<double>(camera.pixelsPerMetre(depth));
     context().viewSettings().set(&ViewValues::brushRadius,
                                  std::clamp(m_sizing->radius + by, 0.0, kMaxBrushRadius));

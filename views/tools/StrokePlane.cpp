@@ -10,7 +10,7 @@ namespace espalier {
 namespace {
 
 /// The least sine of the angle between the line of sight and an upright plane that can be drawn in.
-constexpr float kLeastPlaneFacing = 0.35F;
+constexpr float kLeastStrokeFacing = 0.35F;
 /// While the camera turns during a stroke, it may be less.
 constexpr float kLeastSlope = 0.12F;
 /// A stroke that begins within so many radii of the trunk's axis begins at the trunk.
@@ -50,7 +50,7 @@ StrokePlane StrokePlane::of(ToolContext& context, const std::optional<PickedBran
             outward = camera.right();
         outward.normalize();
         const Vec3 normal = outward.cross(Vec3::UnitY());
-        if (std::abs(normal.dot(camera.forward())) >= kLeastPlaneFacing)
+        if (std::abs(normal.dot(camera.forward())) >= kLeastStrokeFacing)
             plane.m_outward = outward;
     }
     return plane;
