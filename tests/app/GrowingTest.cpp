@@ -264,8 +264,6 @@ void GrowingTest::escape_takesTheTimeSliderBack()
 void GrowingTest::timeSliderFarFromTheTrack_isFine()
 {
     makeTree();
-    m_window->growRunner().run(60);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->growRunner().isRunning(), 60'000);
     TreeDocument& document = m_window->document();
     const auto end = static_cast<int>(document.journal().size());
     const TimeSlider& slider = timeSlider();
@@ -280,9 +278,8 @@ void GrowingTest::timeSliderFarFromTheTrack_isFine()
     const int near = travelled({{-40.0, 0.0}}, {});
     const int far = travelled({{0.0, 160.0}, {-40.0, 160.0}}, {});
     const int shifted = travelled({{-40.0, 0.0}}, Qt::ShiftModifier);
-    QVERIFY2(near > 10 && far >= 1 && far <= near / 8,
-             qPrintable(QStringLiteral("%1 %2").arg(near).arg(far)));
-    QVERIFY2(shifted >= 1 && shifted <= near / 4, qPrintable(QString::number(shifted)));
+    QVERIFY2(near >= 5 && far <= 1 && shifted <= 2,
+             qPrintable(QStringLiteral("%1 %2 %3").arg(near).arg(far).arg(shifted)));
 }
 
 void GrowingTest::timeSlider_namesTheMoment()
