@@ -359,9 +359,10 @@ void Workspace::arrange()
     m_leafChoices->setVisible(shown && m_leafChoices->isOffering());
     // On a blank page the middle is free below the seedling, unless a notice is there.
     const QSize sizes = m_sizeChoices->sizeHint();
-    m_sizeChoices->setGeometry((right - sizes.width()) / 2, lowest - sizes.height(), sizes.width(),
-                               sizes.height());
-    m_sizeChoices->setVisible(shown && m_isBlank && m_notice->isHidden() &&
+    const QRect sizesPlace({std::max((right - sizes.width()) / 2, x), lowest - sizes.height()}, sizes);
+    m_sizeChoices->setGeometry(placed(sizesPlace));
+    m_sizeChoices->setVisible(shown && m_isBlank && m_notice->isHidden() && sizesPlace.right() < right &&
+                              !m_sizeChoices->geometry().intersects(sheetPlace) &&
                               !m_sizeChoices->geometry().intersects(popOutPlace));
     m_another->setPictureSize(AnotherPanel::pictureIn(size()));
     const QSize another = m_another->sizeHint();

@@ -235,6 +235,8 @@ QLayout* SettingsSheet::makeStabiliser()
     grid->addWidget(makeLabel(tr("Delay"), m_delay), 1, 0);
     grid->addWidget(m_delay, 1, 1);
     grid->addWidget(m_delayText, 1, 2);
+    for (QSlider* slider : {m_distance, m_delay})
+        slider->setMinimumHeight(kControl);
     for (QLabel* text : {m_distanceText, m_delayText})
         text->setMinimumWidth(text->fontMetrics().horizontalAdvance(tr("%1 s").arg(0.25)));
     return grid;

@@ -4054,7 +4054,7 @@ geschrieben werden konnte.
     </message>
     <message>
         <source>Use for New Trees</source>
-        <translation>Für neue Bäume verwenden</translation>
+        <translation>Für neue Bäume</translation>
     </message>
     <message>
         <source>New trees begin with this background, ground and light. The picture stays with this tree.</source>

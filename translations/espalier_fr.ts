@@ -4053,7 +4053,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
     <message>
         <source>Use for New Trees</source>
-        <translation>Utiliser pour les nouveaux arbres</translation>
+        <translation>Pour les nouveaux arbres</translation>
     </message>
     <message>
         <source>New trees begin with this background, ground and light. The picture stays with this tree.</source>

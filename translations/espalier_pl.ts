@@ -2844,7 +2844,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
     <message>
         <source>Plane</source>
-        <translation>Płaszczyzna</translation>
+        <translation>Plan</translation>
     </message>
     <message>
         <source>Where strokes go in depth. Screen: as deep as the branch that they begin at. Trunk: in the plane through the trunk and the branch that they begin at. Spread: each limb that begins at the trunk is turned into the widest gap, as long and as steep as you draw it.</source>

@@ -217,7 +217,7 @@ void CommandLineTest::wrongLines_saySo_data()
         QTest::newRow(words) << QString::fromLatin1(words) << QString::fromUtf8(mentions);
     };
     add("replay", "recipe");
-    add("replay a.json -o", "-o wants a value");
+    add("replay a.json -o", "-o needs a value");
     add("replay a.json -o t.blend", "t.blend");
     add("replay a.json -o t", "suffix");
     add("replay a.json --size 0x10", "0x10");
@@ -228,11 +228,11 @@ void CommandLineTest::wrongLines_saySo_data()
     add("replay a.json --threads two", "two");
     add("replay a.json --seed -1", "-1");
     add("replay a.json --frobnicate", "--frobnicate");
-    add("replay a.json --png=", "--png wants a value");
-    add("replay a.json --png", "--png wants a value");
+    add("replay a.json --png=", "--png needs a value");
+    add("replay a.json --png", "--png needs a value");
     add("replay a.json -x", "replay knows no option -x");
     add("replay a.json --stats s.json --help", "replay knows no option --help");
-    add("replay a.json --set", "--set wants a value");
+    add("replay a.json --set", "--set needs a value");
     add("replay a.json --set growth.shedding", "--set wants group.name=value, not \"growth.shedding\"");
     add("replay a.json --set =0.3", "--set wants group.name=value, not \"=0.3\"");
     add("replay a.json --set growth.sheding=0.3", "--set knows no parameter \"growth.sheding\"");

@@ -143,7 +143,7 @@ void SceneLookTest::pictureOfAnyFormat_isTaken()
     text.write("no picture");
     text.close();
     take(path("text.png"));
-    QCOMPARE(notice(), QStringLiteral("text.png: it is no picture that can be read"));
+    QCOMPARE(notice(), QStringLiteral("text.png: it is not a picture that can be read"));
     QCOMPARE(look().tracing.image.name(), QStringLiteral("scan.bmp"));
 }
 

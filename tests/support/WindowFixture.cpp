@@ -42,7 +42,9 @@ void WindowFixture::init()
     m_window->show();
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->viewSettings().setValues({.personShown = false});
+    ViewValues values;
+    values.personShown = false;
+    m_window->viewSettings().setValues(values);
     SceneLook look;
     look.groundShown = false;
     look.shadowsShown = false;

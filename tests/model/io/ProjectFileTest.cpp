@@ -425,9 +425,10 @@ void ProjectFileTest::wrongFiles_areRefused_data()
     QTest::addColumn<QString>("message");
     const QByteArray good = *packProject(sampleProject(50));
     QTest::newRow("empty") << QByteArray() << QStringLiteral("it is not a project file: it is empty");
-    QTest::newRow("text") << QByteArray("hello") << QStringLiteral("it is no project file, or a damaged one");
+    QTest::newRow("text") << QByteArray("hello")
+                          << QStringLiteral("it is not a project file, or a damaged one");
     QTest::newRow("truncated") << good.left(good.size() / 2)
-                               << QStringLiteral("it is no project file, or a damaged one");
+                               << QStringLiteral("it is not a project file, or a damaged one");
     QTest::newRow("other archive") << packEntries({{"mimetype", "text"}})
                                    << QStringLiteral("project.json: it is missing");
     QByteArray flipped = good;
