@@ -44,6 +44,7 @@ private:
 
 void SceneLookTest::dragSun(const QPoint& by)
 {
+    QTRY_VERIFY(viewport().isAtRest());
     const QPoint sun = viewport().mapTo(m_window.get(), viewport().sunPlace().toPoint());
     QTest::mousePress(handle(), Qt::LeftButton, {}, sun);
     QTest::mouseMove(handle(), sun + by / 2);
@@ -97,11 +98,15 @@ void SceneLookTest::sun_comesBackWithItsTree()
 
 void SceneLookTest::lookThatHasChanged_isAskedAbout()
 {
+    const SceneLook before = look();
     dragSun({-80, 40});
     const SceneLook dragged = look();
+    QVERIFY2(dragged != before, "the sun was not dragged");
     answer(QMessageBox::Cancel);
     QTest::keyClick(handle(), Qt::Key_N, Qt::ControlModifier);
     QVERIFY(look() == dragged);
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     answer(QMessageBox::Discard);
     QTest::keyClick(handle(), Qt::Key_N, Qt::ControlModifier);
     QVERIFY(look() != dragged);

@@ -586,22 +586,20 @@ void ShapingToolsTest::widthLabels_doNotCoverEachOther()
 
 void ShapingToolsTest::widthTap_takesTheTrunkAndNotTheTwigInFront()
 {
-    setWidth(*m_document, 7, 0.2);
-    // A twig that comes toward the viewer, in front of the trunk, and others behind it that the trunk
-    // carries.
-    const Rotation toViewer(Eigen::AngleAxisf(0.7F, Vec3::UnitX()));
-    const Rotation away(Eigen::AngleAxisf(-0.7F, Vec3::UnitX()));
-    const InternodeId id = m_document->tree().size();
-    const std::vector<NewInternode> twigs{{.parent = 5, .slot = 1, .rotation = toViewer, .length = 0.3F},
-                                          {.parent = 7, .slot = 1, .rotation = away, .length = 0.3F},
-                                          {.parent = 8, .slot = 1, .rotation = away, .length = 0.3F}};
-    apply(*m_document, births(m_document->tree(), twigs));
     take<WidthTool>();
+    setWidth(*m_document, 7, 0.2);
+    // A twig that comes toward the viewer, in front of the trunk.
+    const std::vector<NewInternode> twig{{.parent = 5,
+                                          .slot = 1,
+                                          .rotation = Rotation(Eigen::AngleAxisf(0.7F, Vec3::UnitX())),
+                                          .length = 0.3F}};
+    apply(*m_document, births(m_document->tree(), twig));
+    const InternodeId id = m_document->tree().size() - 1;
+    m_view->grabFramebuffer();
     const QPoint place = at(middle(id));
     const auto front = m_view->toolContext().pick(place, PointerDevice::Mouse);
     QVERIFY(front);
     QCOMPARE(front->id, id);
-    // The callipers show beforehand which it will be.
     QTest::mouseMove(m_view.get(), place);
     QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, place);
     QCOMPARE(m_document->tree().widthConstraint(id), 0.0F);
