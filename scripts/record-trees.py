@@ -12,7 +12,7 @@ a tree took more than two minutes or fifteen gestures. Needs build/release/bin/e
 import subprocess
 import sys
 
-from hand import ROOT, Hand
+from hand import PROGRAM, ROOT, Hand
 
 MOST_SECONDS = 120
 MOST_GESTURES = 15
@@ -133,12 +133,12 @@ def main():
             TREES[name](hand)
             seconds, gestures = hand.seconds(), hand.gestures
             hand.save_recipe(recipe)
+            picture = recipe.with_suffix(".png")
+            subprocess.run([PROGRAM, "replay", recipe, "--png", picture, "--size", "640x560"], check=True)
         print(f"{name}: {gestures} gestures, {seconds:.0f} s")
         if not recipe.exists() or seconds > MOST_SECONDS or gestures > MOST_GESTURES:
             is_faulty = True
             continue
-        picture = recipe.with_suffix(".png")
-        subprocess.run([ROOT / "run", "replay", recipe, "--png", picture, "--size", "640x560"], check=True)
         subprocess.run(["convert", picture, "-strip", "-quality", "88", ROOT / f"docs/pictures/recorded-{name}.jpg"],
                        check=True)
         picture.unlink()

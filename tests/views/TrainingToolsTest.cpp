@@ -27,14 +27,11 @@ private Q_SLOTS:
     void pruneFinger_takesTheBranchOff();
     void pruneEscape_leavesTheTreeAlone();
     void eraserEnd_prunes();
-    void prunePreview_isAsWideAsTheWood();
     void pruneStroke_mayLeaveTheFarSide();
     void clearDrag_takesTheShootsBelowAndLetsNoneGrow();
     void clearTap_keepsClearUpToThere();
     void clearRing_draggedDownLetsBudsShoot();
-    void clearRing_deleteLetsBudsShoot();
     void clearEscape_leavesTheTreeAlone();
-    void clearDrag_beyondTheTipIsKeptFree();
     void eraserStroke_takesTwigsInDepthAndLeavesTheTrunk();
     void eraserPreview_showsWhatGoesBeforeTheRelease();
     void eraserStroke_goesOnWhileTheCameraTurns();
@@ -195,23 +192,6 @@ void TrainingToolsTest::eraserEnd_prunes()
     sendPen(QEvent::TabletRelease, place, 0.0);
 }
 
-void TrainingToolsTest::prunePreview_isAsWideAsTheWood()
-{
-    plantTwigs();
-    setWidth(*m_document, 2, 0.2);
-    takePruning(PruneMode::Cut);
-    QTest::mouseMove(m_view.get(), at(trunkAt(0.5F)));
-    float widest = 0.0F;
-    const Overlay overlay = painted();
-    for (const Overlay::Line& line : overlay.lines())
-        widest = std::max(widest, line.width);
-    const Camera& camera = m_view->camera();
-    const float wood =
-        2.0F * m_view->toolContext().branchRadius(2) * camera.pixelsPerMetre(camera.depth(trunkAt(0.5F)));
-    QVERIFY(wood > 13.0F);
-    QVERIFY2(std::abs(widest - wood) < 0.15F * wood, qPrintable(QString::number(widest / wood)));
-}
-
 void TrainingToolsTest::pruneStroke_mayLeaveTheFarSide()
 {
     plantTwigs();
@@ -289,17 +269,6 @@ void TrainingToolsTest::clearRing_draggedDownLetsBudsShoot()
     QCOMPARE(m_document->undoStack().count(), 3);
 }
 
-void TrainingToolsTest::clearRing_deleteLetsBudsShoot()
-{
-    plantTwigs();
-    takePruning(PruneMode::KeepClear);
-    stroke(trunkAt(0.1F), trunkAt(1.3F), 100);
-    QTest::mouseMove(m_view.get(), at(trunkAt(1.3F)));
-    QTest::keyClick(m_view.get(), Qt::Key_Delete);
-    QVERIFY(m_document->tree().content().sparse.clearLength.cells().empty());
-    QCOMPARE(m_document->undoStack().count(), 2);
-}
-
 void TrainingToolsTest::clearEscape_leavesTheTreeAlone()
 {
     plantTwigs();
@@ -310,19 +279,6 @@ void TrainingToolsTest::clearEscape_leavesTheTreeAlone()
     QTest::keyClick(m_view.get(), Qt::Key_Escape);
     release(trunkAt(1.3F));
     QCOMPARE(differenceFrom(before, *m_document), QString());
-}
-
-void TrainingToolsTest::clearDrag_beyondTheTipIsKeptFree()
-{
-    // A seedling is 0.2 m high.
-    takePruning(PruneMode::KeepClear);
-    stroke(trunkAt(0.1F), trunkAt(1.5F), 100);
-    QVERIFY(std::abs(m_document->tree().clearLength(0) - 1.5F) < 0.05F);
-    m_settings->set(&ViewValues::brushRadius, 0.6);
-    m_view->setTool(std::make_unique<BrushTool>(m_view->toolContext()));
-    stroke(trunkAt(0.1F), trunkAt(2.5F), 1500);
-    QVERIFY(alive() > 6);
-    QCOMPARE(shootsBelowHeight(1.5F), std::size_t{0});
 }
 
 void TrainingToolsTest::eraserStroke_takesTwigsInDepthAndLeavesTheTrunk()
