@@ -71,7 +71,10 @@ class Hand:
 
     def __enter__(self):
         time.sleep(8)
-        window = run("xdotool", "search", "--onlyvisible", "--name", "Espalier").split()[-1]
+        search = ("xdotool", "search", "--onlyvisible", "--name", "Espalier")
+        while not (windows := run(*search).split()):
+            time.sleep(1)
+        window = windows[-1]
         run("xdotool", "windowsize", window, *self.size)
         run("xdotool", "windowfocus", window)
         run("xdotool", "mousemove", self.size[0] // 2, self.size[1] // 3)
@@ -83,6 +86,7 @@ class Hand:
         self.program.kill()
         self.server.kill()
         self.program.wait()
+        self.server.wait()
         self.home.cleanup()
 
     def seconds(self):
