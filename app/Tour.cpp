@@ -199,7 +199,8 @@ void Tour::start(int step)
 
 void Tour::stop()
 {
-    // Whoever leaves the tour before the card of the radius does not know why the brush is thin.
+    // The tour has made the brush thin. A user who leaves it before the card about the radius gets the former
+    // radius back.
     if (isRunning() && m_step < RadiusStep && m_radiusBefore)
         m_settings.set(&ViewValues::brushRadius, *m_radiusBefore);
     m_radiusBefore.reset();

@@ -29,6 +29,8 @@ def main():
             tiles = []
             with Hand(":96", size, theme, scale, tree) as hand:
                 for key in KEYS:
+                    if "ctrl" in key:  # A sheet is shown without a tool's own pane.
+                        hand.key("w")
                     hand.key(key, 1.5)
                     tiles.append(folder / f"{name}-{theme}-{key.replace('+', '-')}.png")
                     hand.picture(tiles[-1])

@@ -72,8 +72,12 @@ class Hand:
     def __enter__(self):
         time.sleep(8)
         search = ("xdotool", "search", "--onlyvisible", "--name", "Espalier")
-        while not (windows := run(*search).split()):
+        for _ in range(60):
+            if windows := run(*search).split():
+                break
             time.sleep(1)
+        else:
+            raise RuntimeError("the program shows no window")
         window = windows[-1]
         run("xdotool", "windowsize", window, *self.size)
         run("xdotool", "windowfocus", window)
@@ -121,13 +125,6 @@ class Hand:
     def stroke(self, points, seconds):
         self.gestures += 1
         self.drag(points, seconds)
-
-    def hold(self, place, seconds):
-        self.gestures += 1
-        run("xdotool", "mousemove", round(place[0]), round(place[1]), "mousedown", 1)
-        time.sleep(seconds)
-        run("xdotool", "mouseup", 1)
-        time.sleep(0.3)
 
     def picture(self, file):
         run("import", "-window", "root", file)

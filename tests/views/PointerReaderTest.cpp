@@ -8,7 +8,8 @@
 
 namespace espalier::test {
 
-/// The clock of pointers, for a program that is busy and for events that somebody makes up.
+/// The times of pointer samples: of events that wait because the program is busy, and of events with made-up
+/// timestamps.
 class PointerReaderTest : public QObject {
     Q_OBJECT
 
