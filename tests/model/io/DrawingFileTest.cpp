@@ -110,9 +110,9 @@ void DrawingFileTest::faults_areNamed_data()
     QTest::newRow("no JSON") << QByteArray("hello") << "c.ndjson"
                              << "c.ndjson: ";
     QTest::newRow("uneven") << QByteArray(R"({"drawing":[[[1,2],[1]]]})") << "d.ndjson"
-                            << "d.ndjson: a stroke has not as many x as y";
+                            << "d.ndjson: the x and y of a stroke differ in number";
     QTest::newRow("no number") << QByteArray(R"({"drawing":[[[1,"a"],[1,2]]]})") << "e.ndjson"
-                               << "e.ndjson: a stroke has a point that is no number";
+                               << "e.ndjson: a stroke has a point that is not a number";
     QTest::newRow("no strokes") << QByteArray(R"({"drawing":[]})") << "f.ndjson"
                                 << "f.ndjson: it has no strokes";
 }

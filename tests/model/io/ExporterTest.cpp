@@ -648,7 +648,7 @@ void ExporterTest::unknownEnding_isRefused()
     const Result<void> result = exportTree(builder.tree, builder.index, {}, QStringLiteral("/tmp/oak.dae"));
     QVERIFY(!result);
     QCOMPARE(result.error().message,
-             QStringLiteral("oak.dae: there is no export to “.dae”; there are glb, fbx, obj, csv"));
+             QStringLiteral("oak.dae: “.dae” is not an export format; the formats are glb, fbx, obj, csv"));
 }
 
 void ExporterTest::folderThatIsMissing_isAnError()

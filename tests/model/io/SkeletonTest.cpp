@@ -98,9 +98,9 @@ void SkeletonTest::wrongTables_areRefused_data()
     add("short row", "1,-1,0,0,0\n", "line 2: 9 numbers are expected");
     add("long row", "1,-1,0,0,0,0,0,1,0.1,5\n", "line 2: 9 numbers are expected");
     add("long line", QByteArray(500, '1') + '\n', "line 2: it is too long");
-    add("no number", "1,-1,0,0,0,0,zero,1,0.1\n", "line 2: “zero” is no number for y1");
-    add("empty field", "1,,0,0,0,0,0,1,0.1\n", "line 2: “” is no number for parent");
-    add("broken id", "1.5,-1,0,0,0,0,0,1,0.1\n", "line 2: “1.5” is no number for id");
+    add("no number", "1,-1,0,0,0,0,zero,1,0.1\n", "line 2: “zero” is not a number for y1");
+    add("empty field", "1,,0,0,0,0,0,1,0.1\n", "line 2: “” is not a number for parent");
+    add("broken id", "1.5,-1,0,0,0,0,0,1,0.1\n", "line 2: “1.5” is not a number for id");
     add("not a number", "1,-1,0,0,0,0,0,nan,0.1\n", "line 2: it lies more than 10000 m away");
     add("far away", "1,-1,0,0,0,0,0,20000,0.1\n", "line 2: it lies more than 10000 m away");
     add("radius", "1,-1,0,0,0,0,0,1,-0.1\n", "line 2: its radius is not between 0 and 50 m");
