@@ -149,7 +149,7 @@ QImage AnotherController::pictureOf(Grown& grown)
     scene.expect(std::move(*grown.scene));
     document.reset(std::move(*grown.picture));
     scene.follow({TreeChange::Kind::Reset, nullptr});
-    Camera camera = m_parts.viewport.camera();
+    Camera camera = m_parts.viewport.mainCamera();
     const auto edge = static_cast<double>(m_job->picture) * m_parts.panel.devicePixelRatioF();
     camera.setViewSize({edge, edge});
     RenderOptions options;

@@ -64,8 +64,8 @@ void LeafController::offer()
     std::array<QImage, kLeafEngines.size()> pictures;
     const Tree& tree = m_document.tree();
     if (m_isShown && m_place) {
-        const LeafPictureStyle style{.right = m_viewport.camera().right(),
-                                     .up = m_viewport.camera().up(),
+        const LeafPictureStyle style{.right = m_viewport.mainCamera().right(),
+                                     .up = m_viewport.mainCamera().up(),
                                      .edge = LeafChoices::kPicture,
                                      .pixelRatio = m_choices.devicePixelRatioF()};
         for (const LeafSuggestion& suggestion : suggestLeaves(tree, m_document.index(), *m_place))

@@ -6,6 +6,7 @@
 #include "panels/HelpPanel.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
+#include "panels/RingMenu.h"
 #include "panels/SettingsSheet.h"
 #include "panels/Theme.h"
 #include "panels/library/LibraryPanel.h"
@@ -42,7 +43,8 @@ MainWindow::MainWindow(QWidget* parent)
       m_strandRunner(m_document),
       m_actions(*this),
       m_focusKeeper(*this, [this] { return m_workspace ? &m_workspace->viewport() : nullptr; }),
-      m_heldToolKey(m_actions)
+      m_heldToolKey(m_actions),
+      m_ringMenu(new RingMenu(m_actions, this))
 {
     setMinimumSize(920, 680);
     setAcceptDrops(true);
@@ -135,6 +137,9 @@ void MainWindow::connectFiles()
             [this] { m_workspace->showWayBack(m_files->isAside()); });
     connect(m_files.get(), &FileController::newTreeBegins, this, [this](const NewTree& tree) {
         m_workspace->viewport().setSeedlingView(tree.viewHeight);
+        // A tree like another has its size.
+        m_offersSizes = tree.name.isEmpty();
+        updateEnabled();
         if (tree.brushRadius > 0.0)
             m_viewSettings.set(&ViewValues::brushRadius, tree.brushRadius);
     });
@@ -157,6 +162,7 @@ void MainWindow::connectView()
         {ActionId::Markers, &ViewValues::markersShown},
         {ActionId::Leaves, &ViewValues::leavesShown},
         {ActionId::Person, &ViewValues::personShown},
+        {ActionId::SecondView, &ViewValues::sideViewShown},
         {ActionId::Fibres, &ViewValues::fibresShown}};
     for (const auto& [id, field] : switches) {
         QAction* action = m_actions[id];

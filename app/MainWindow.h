@@ -30,6 +30,7 @@
 
 namespace espalier {
 
+class RingMenu;
 class SettingsSheet;
 
 /// The program's window: puts the parts together and tells them of each other.
@@ -129,6 +130,8 @@ private:
     LatinKeyFilter m_latinKeys;
     FocusKeeper m_focusKeeper;
     HeldToolKey m_heldToolKey;
+    RingMenu* m_ringMenu;
+    bool m_offersSizes = true; ///< The new tree's size may be chosen before the first stroke
     QElapsedTimer m_followClock;
     std::optional<Camera> m_asideCamera; ///< Of the document that is set aside
     std::unique_ptr<Workspace> m_workspace;

@@ -9,6 +9,7 @@
 #include "panels/LassoPopOut.h"
 #include "panels/Notice.h"
 #include "panels/ParameterPanel.h"
+#include "panels/RingMenu.h"
 #include "panels/SettingsSheet.h"
 #include "panels/SizeChoices.h"
 #include "panels/architecture/ArchitecturePanel.h"
@@ -16,6 +17,7 @@
 #include "views/Viewport.h"
 #include "views/tools/RecipeTool.h"
 
+#include <QCursor>
 #include <QFontDatabase>
 #include <QImage>
 #include <QLocale>
@@ -40,7 +42,7 @@ QImage MainWindow::thumbnail()
     const QImage whole = m_workspace->viewport().grabPicture();
     const int edge = std::min(whole.width(), whole.height());
     // The tree is in the part of the view that panes leave free.
-    const QPointF share = m_workspace->viewport().camera().targetShare();
+    const QPointF share = m_workspace->viewport().mainCamera().targetShare();
     const auto begin = [edge](int length, double at) {
         return std::clamp(static_cast<int>(length * at) - edge / 2, 0, length - edge);
     };
@@ -151,7 +153,7 @@ void MainWindow::remakeInterface()
     const std::optional<QPoint> sheetPlace = sheet ? std::optional(sheet->pos()) : std::nullopt;
     const QString control = sheet && sheet->focusWidget() ? sheet->focusWidget()->objectName() : QString();
     delete sheet;
-    const Camera camera = m_workspace->viewport().camera();
+    const Camera camera = m_workspace->viewport().mainCamera();
     const double seedlingView = m_workspace->viewport().seedlingView();
     const QString helpPage = m_workspace->isHelpShown() ? m_workspace->help().page() : QString();
     const LibraryPanel::Section section = m_workspace->library().section();
@@ -291,6 +293,21 @@ void MainWindow::connectViewport()
             m_actions[ActionId::Redo]->trigger();
         else
             m_actions[ActionId::HideInterface]->trigger();
+    });
+    connect(&viewport, &Viewport::menuAsked, m_ringMenu, [this](const QPoint& place) {
+        if (!isBusy())
+            m_ringMenu->openAt(place);
+    });
+    QAction* ring = m_actions[ActionId::ToolRing];
+    ring->setAutoRepeat(false);
+    connect(ring, &QAction::triggered, m_workspace.get(), [this, ring, &viewport] {
+        if (isBusy() || viewport.isGestureActive())
+            return;
+        const QPoint pointer = QCursor::pos();
+        const bool isOverTree = viewport.clearRect().contains(viewport.mapFromGlobal(pointer));
+        const QKeySequence keys = ring->shortcut();
+        m_ringMenu->openAt(isOverTree ? pointer : viewport.mapToGlobal(viewport.clearRect().center()),
+                           keys.isEmpty() ? 0 : keys[0].key());
     });
     connect(m_actions[ActionId::FrameAll], &QAction::triggered, &viewport, &Viewport::frameAll);
     const std::pair<ActionId, NamedView> views[] = {{ActionId::FrontView, NamedView::Front},

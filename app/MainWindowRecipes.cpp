@@ -59,7 +59,8 @@ void MainWindow::followRecipe()
     showRecipeProgress();
     const Box3 bounds = treeBounds(m_document.tree(), m_document.index());
     for (int corner = 0; corner < 8; ++corner) {
-        const auto place = viewport.camera().project(bounds.corner(static_cast<Box3::CornerType>(corner)));
+        const auto place =
+            viewport.mainCamera().project(bounds.corner(static_cast<Box3::CornerType>(corner)));
         if (!place || !QRectF(viewport.clearRect()).contains(*place)) {
             viewport.flyTo(withHeadroom(viewport, bounds));
             return;

@@ -172,7 +172,7 @@ void MainWindow::updateEnabled()
     m_actions[ActionId::Redo]->setEnabled(stack.canRedo());
     const bool isIdle = !m_recipeRunner.isRunning();
     m_workspace->setBlank(!isBusy() && m_document.index().livingCount() <= 1 && stack.count() == 0 &&
-                          m_files->file().fileName().isEmpty());
+                          m_offersSizes && m_files->file().fileName().isEmpty());
     for (const ActionId id : {ActionId::Save, ActionId::SaveAs, ActionId::SaveRecipe, ActionId::Export,
                               ActionId::SavePicture, ActionId::CopyPicture})
         m_actions[id]->setEnabled(isIdle);

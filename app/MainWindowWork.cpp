@@ -60,7 +60,7 @@ void MainWindow::backToOwnTree()
     Viewport& viewport = m_workspace->viewport();
     if (m_asideCamera) {
         Camera camera = *m_asideCamera;
-        camera.setViewSize(viewport.camera().viewSize());
+        camera.setViewSize(viewport.mainCamera().viewSize());
         viewport.setCamera(camera);
     }
     viewport.setFocus();

@@ -89,7 +89,7 @@ PictureRequest PictureController::requestFor(const PictureSettings& settings) co
         request.options.view.groundShown = settings.shadow;
     }
     if (settings.view == PictureSettings::View::Shown)
-        request.camera = fitted(m_parts.viewport.camera(), request.size);
+        request.camera = fitted(m_parts.viewport.mainCamera(), request.size);
     else
         request.view = namedViewOf(settings.view);
     return request;

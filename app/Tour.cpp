@@ -160,7 +160,7 @@ void Tour::watch(const Actions& actions)
     connect(actions[ActionId::Grow], &QAction::triggered, this, [this] { did(ToolsStep); });
     connect(&m_workspace.growPopOut(), &GrowPopOut::timeReleased, this, [this] { did(TimeStep); });
     connect(&m_workspace.viewport(), &Viewport::cameraChanged, this, [this] {
-        const double turned = static_cast<double>(m_workspace.viewport().camera().azimuth()) - m_azimuth;
+        const double turned = static_cast<double>(m_workspace.viewport().mainCamera().azimuth()) - m_azimuth;
         if (std::abs(std::remainder(turned, 2.0 * std::numbers::pi)) > kTurned)
             did(TurnStep);
     });
@@ -223,7 +223,7 @@ void Tour::showStep(int step)
     m_internodes = m_document.index().livingCount();
     m_wood = treeBounds(m_document.tree(), m_document.index());
     m_radius = m_settings.values().brushRadius;
-    m_azimuth = static_cast<double>(m_workspace.viewport().camera().azimuth());
+    m_azimuth = static_cast<double>(m_workspace.viewport().mainCamera().azimuth());
     m_card->setWords(card.title(), card.text(), step + 1, stepCount(), !card.recipe.isEmpty());
     follow();
 }
@@ -281,7 +281,7 @@ void Tour::takeBrush(double radius)
 
 double Tour::crownRadius() const
 {
-    const Camera& camera = m_workspace.viewport().camera();
+    const Camera& camera = m_workspace.viewport().mainCamera();
     const float depth = std::max(camera.depth(Vec3::Zero()), Camera::kMinDistance);
     return std::min(kTourBrush * camera.viewSize().height() /
                         static_cast<double>(camera.pixelsPerMetre(depth)),
@@ -302,7 +302,7 @@ QRect Tour::placeOf(const QWidget* widget) const
 
 QRect Tour::placeOfBase() const
 {
-    const auto place = m_workspace.viewport().camera().project(Vec3::Zero());
+    const auto place = m_workspace.viewport().mainCamera().project(Vec3::Zero());
     if (!place || !m_workspace.rect().contains(place->toPoint()))
         return {};
     return {place->toPoint() - QPoint(kBaseReach, kBaseReach), QSize(2 * kBaseReach, 2 * kBaseReach)};
@@ -313,7 +313,7 @@ QRect Tour::placeOfWood() const
     QRectF place;
     for (int corner = 0; corner < 8; ++corner) {
         const auto point =
-            m_workspace.viewport().camera().project(m_wood.corner(static_cast<Box3::CornerType>(corner)));
+            m_workspace.viewport().mainCamera().project(m_wood.corner(static_cast<Box3::CornerType>(corner)));
         if (!point)
             return {};
         place = place.united(

@@ -116,7 +116,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     m_wayBack->setMinimumHeight(theme::kTarget);
     connect(m_wayBack, &QPushButton::clicked, this, &Workspace::wayBackAsked);
     connect(m_viewport, &Viewport::cameraChanged, this,
-            [this] { m_strip->setAzimuth(static_cast<double>(m_viewport->camera().azimuth())); });
+            [this] { m_strip->setAzimuth(static_cast<double>(m_viewport->mainCamera().azimuth())); });
     connect(&settings, &ViewSettings::changed, this, &Workspace::followBackdrop);
     followBackdrop();
     connect(m_leafChoices, &LeafChoices::offerChanged, this, &Workspace::arrange);

@@ -2,12 +2,12 @@
 #include "panels/BendPopOut.h"
 
 #include "model/settings/Lengths.h"
+#include "panels/FineSlider.h"
 #include "panels/Theme.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -59,7 +59,7 @@ QSlider* BendPopOut::addSlider(const QString& name, const QString& label, const 
     auto* value = new QLabel(this);
     theme::setTone(*value, theme::Tone::Dim);
     value->setObjectName(name + QStringLiteral("Value"));
-    auto* slider = new QSlider(Qt::Horizontal, this);
+    auto* slider = new FineSlider(this);
     for (QLabel* words : {text, value})
         words->setToolTip(toolTip);
     slider->setObjectName(name);

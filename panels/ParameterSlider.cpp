@@ -27,7 +27,7 @@ QAccessibleInterface* makeAccessibleSlider(const QString&, QObject* object)
 } // namespace
 
 ParameterSlider::ParameterSlider(const ParameterScale& scale, QWidget* parent)
-    : QSlider(Qt::Horizontal, parent), m_scale(scale)
+    : FineSlider(parent), m_scale(scale)
 {
     [[maybe_unused]] static const bool isKnown = [] {
         QAccessible::installFactory(makeAccessibleSlider);
@@ -60,7 +60,7 @@ void ParameterSlider::show(double value)
 void ParameterSlider::wheelEvent(QWheelEvent* event)
 {
     if (hasFocus())
-        QSlider::wheelEvent(event);
+        FineSlider::wheelEvent(event);
     else
         event->ignore();
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "panels/FineSlider.h"
 #include "panels/ParameterScale.h"
-
-#include <QSlider>
 
 namespace espalier {
 
 /// A slider for a parameter's value, which assistive tools read and set in the parameter's own unit. It uses
 /// the wheel only while it has the focus, so that the wheel scrolls the panel.
-class ParameterSlider : public QSlider {
+class ParameterSlider : public FineSlider {
     Q_OBJECT
 
 public:

@@ -111,13 +111,17 @@ void RadiusSlider::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton)
         return event->ignore();
     setSliderDown(true);
-    dragTo(event->position().y());
+    m_drag.begin(event->position().y(), event->position().y());
+    dragTo(m_drag.place());
 }
 
 void RadiusSlider::mouseMoveEvent(QMouseEvent* event)
 {
-    if (isSliderDown())
-        dragTo(event->position().y());
+    if (!isSliderDown())
+        return;
+    m_drag.move(event->position().y(), std::abs(event->position().x() - width() / 2.0),
+                event->modifiers().testFlag(Qt::ShiftModifier));
+    dragTo(m_drag.place());
 }
 
 void RadiusSlider::mouseReleaseEvent(QMouseEvent*)

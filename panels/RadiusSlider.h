@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "panels/FineDrag.h"
+
 #include <QAbstractSlider>
 
 namespace espalier {
 
 /// An upright, wedge-shaped slider for the brush's radius: wider where the radius is larger, finer where it
-/// is small.
+/// is small, and by the pointer (FineDrag).
 class RadiusSlider : public QAbstractSlider {
     Q_OBJECT
 
@@ -36,6 +38,7 @@ private:
     double yOf(int position) const;
     void dragTo(double y);
 
+    FineDrag m_drag;
     double m_maximum;
     double m_radius = 0.0;
 };

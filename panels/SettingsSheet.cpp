@@ -2,6 +2,7 @@
 #include "panels/SettingsSheet.h"
 
 #include "panels/Bar.h"
+#include "panels/FineSlider.h"
 #include "panels/PressureCurve.h"
 #include "panels/Theme.h"
 
@@ -14,7 +15,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QSlider>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -67,9 +67,9 @@ SettingsSheet::SettingsSheet(const Preferences& preferences, QWidget* parent)
       m_units(new QComboBox(this)),
       m_scale(new QComboBox(this)),
       m_curve(new PressureCurve(Preferences::kSoftest, Preferences::kFirmest, this)),
-      m_softness(new QSlider(Qt::Horizontal, this)),
-      m_distance(new QSlider(Qt::Horizontal, this)),
-      m_delay(new QSlider(Qt::Horizontal, this)),
+      m_softness(new FineSlider(this)),
+      m_distance(new FineSlider(this)),
+      m_delay(new FineSlider(this)),
       m_distanceText(new QLabel(this)),
       m_delayText(new QLabel(this)),
       m_mouse(new QComboBox(this)),

@@ -23,9 +23,6 @@ constexpr double kGrip = 16.0; ///< Distance from the handle's middle at which i
 /// The handle is pulled so far beyond the present before anything grows, and so far for each step, px.
 constexpr double kPull = 24.0;
 constexpr double kPullPerStep = 6.0;
-/// Up to this distance from the track a drag is as fast as the pointer, px; farther away it is finer.
-constexpr double kNear = 40.0;
-constexpr double kFine = 1.0 / 8.0; ///< With Shift
 
 } // namespace
 
@@ -70,7 +67,7 @@ QPointF TimeSlider::handlePlace() const
 {
     if (!isSliderDown())
         return placeOf(value());
-    return {std::clamp(m_x, kTrackEnd, width() - kTrackEnd), height() / 2.0};
+    return {std::clamp(m_drag.place(), kTrackEnd, width() - kTrackEnd), height() / 2.0};
 }
 
 /// The position of a handle at @p x.
@@ -125,10 +122,10 @@ void TimeSlider::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton)
         return event->ignore();
     const double x = event->position().x();
-    m_x = placeOf(value()).x();
-    if (std::abs(x - m_x) > kGrip)
+    const double handle = placeOf(value()).x();
+    if (std::abs(x - handle) > kGrip)
         return step(x);
-    m_lastX = x;
+    m_drag.begin(handle, x);
     m_position = value();
     m_hasMoved = false;
     setSliderDown(true);
@@ -140,14 +137,10 @@ void TimeSlider::mouseMoveEvent(QMouseEvent* event)
     if (!isSliderDown())
         return;
     const QPointF pointer = event->position();
-    const double away = std::max(std::abs(pointer.y() - height() / 2.0), kNear);
-    double gain = (kNear / away) * (kNear / away);
-    if (event->modifiers().testFlag(Qt::ShiftModifier))
-        gain *= kFine;
-    m_x += gain * (pointer.x() - m_lastX);
-    m_lastX = pointer.x();
+    m_drag.move(pointer.x(), std::abs(pointer.y() - height() / 2.0),
+                event->modifiers().testFlag(Qt::ShiftModifier));
     update();
-    const int position = positionAt(m_x);
+    const int position = positionAt(m_drag.place());
     if (std::exchange(m_position, position) == position)
         return;
     m_hasMoved = true;

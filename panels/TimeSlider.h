@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "panels/FineDrag.h"
+
 #include <QAbstractSlider>
 
 namespace espalier {
 
-/// A slider through a history. Its handle is dragged from where it is held; a drag is finer the farther the
-/// pointer is from the track, and with Shift. Beyond the mark of the present nothing happens until the handle
-/// is pulled well past it; then each further bit of the way is a new step. Escape takes a drag back.
+/// A slider through a history. Its handle is dragged from where it is held, finely if wanted (FineDrag).
+/// Beyond the mark of the present nothing happens until the handle is pulled well past it; then each further
+/// bit of the way is a new step. Escape takes a drag back.
 class TimeSlider : public QAbstractSlider {
     Q_OBJECT
 
@@ -50,9 +52,8 @@ private:
     int positionAt(double x) const;
     void step(double x);
 
-    double m_x = 0.0;     ///< Where the drag has led the handle to, px; not limited to the track
-    double m_lastX = 0.0; ///< Of the pointer, px
-    int m_position = 0;   ///< What moved() told last
+    FineDrag m_drag;
+    int m_position = 0; ///< What moved() told last
     bool m_hasMoved = false;
 };
 

@@ -24,7 +24,12 @@ fail() {
 }
 
 if [[ ! -f "$folder/build.ninja" ]]; then
-    cmake --preset "$preset" >"$log" 2>&1 || fail configuring
+    configure=(cmake --preset "$preset")
+    # Clang compiles this code in two thirds of the time that GCC takes.
+    if [[ "$preset" == release && -z "${CXX:-}" ]] && command -v clang++-16 >/dev/null; then
+        configure+=(-DCMAKE_CXX_COMPILER=clang++-16)
+    fi
+    "${configure[@]}" >"$log" 2>&1 || fail configuring
 fi
 
 build=(cmake --build --preset "$preset" --parallel "$(nproc)")

@@ -5,7 +5,7 @@
 set -euo pipefail
 
 readonly build=(
-    g++ cmake ninja-build ccache
+    g++ clang-16 cmake ninja-build ccache
     qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools qt6-translations-l10n
     libassimp-dev libeigen3-dev libmeshoptimizer-dev libopenmesh-dev libtbb-dev libzip-dev zlib1g-dev
 )

@@ -439,6 +439,22 @@
         <source>Show a person beside the tree, and how long a metre is.</source>
         <translation>Einen Menschen neben dem Baum zeigen, und wie lang ein Meter ist.</translation>
     </message>
+    <message>
+        <source>Tool Ring</source>
+        <translation>Werkzeugring</translation>
+    </message>
+    <message>
+        <source>Tools, undo and the size of the brush around the pointer. Hold the key, and let go over one.</source>
+        <translation>Werkzeuge, Rückgängig und die Größe des Pinsels rings um den Zeiger. Die Taste halten und über einem davon loslassen.</translation>
+    </message>
+    <message>
+        <source>Second View</source>
+        <translation>Zweite Ansicht</translation>
+    </message>
+    <message>
+        <source>Show the tree from the right in a corner; draw there, too, to give it depth.</source>
+        <translation>Den Baum in einer Ecke von rechts zeigen; auch dort zeichnen gibt ihm Tiefe.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -889,6 +905,10 @@ geschrieben werden konnte.
     <message>
         <source>Remove Envelope</source>
         <translation>Hülle entfernen</translation>
+    </message>
+    <message>
+        <source>Earlier Step</source>
+        <translation>Früherer Schritt</translation>
     </message>
 </context>
 <context>
@@ -5122,6 +5142,13 @@ geschrieben werden konnte.
     </message>
 </context>
 <context>
+    <name>espalier::RingMenu</name>
+    <message>
+        <source>Tools around the pointer</source>
+        <translation>Werkzeuge um den Zeiger</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RotationStrip</name>
     <message>
         <source>Rotation strip</source>
@@ -5540,6 +5567,10 @@ geschrieben werden konnte.
     <message>
         <source>Tree</source>
         <translation>Baum</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Von rechts</translation>
     </message>
 </context>
 <context>

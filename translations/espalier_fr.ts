@@ -439,6 +439,22 @@
         <source>Show a person beside the tree, and how long a metre is.</source>
         <translation>Montrer une personne à côté de l’arbre, et la longueur d’un mètre.</translation>
     </message>
+    <message>
+        <source>Tool Ring</source>
+        <translation>Anneau d’outils</translation>
+    </message>
+    <message>
+        <source>Tools, undo and the size of the brush around the pointer. Hold the key, and let go over one.</source>
+        <translation>Les outils, l’annulation et la taille du pinceau autour du pointeur. Maintenez la touche et relâchez-la sur l’un d’eux.</translation>
+    </message>
+    <message>
+        <source>Second View</source>
+        <translation>Seconde vue</translation>
+    </message>
+    <message>
+        <source>Show the tree from the right in a corner; draw there, too, to give it depth.</source>
+        <translation>Montrer l’arbre vu de droite dans un coin ; dessinez-y aussi pour lui donner de la profondeur.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -888,6 +904,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Remove Envelope</source>
         <translation>Retirer l’enveloppe</translation>
+    </message>
+    <message>
+        <source>Earlier Step</source>
+        <translation>Étape antérieure</translation>
     </message>
 </context>
 <context>
@@ -5121,6 +5141,13 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     </message>
 </context>
 <context>
+    <name>espalier::RingMenu</name>
+    <message>
+        <source>Tools around the pointer</source>
+        <translation>Outils autour du pointeur</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RotationStrip</name>
     <message>
         <source>Rotation strip</source>
@@ -5539,6 +5566,10 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
     <message>
         <source>Tree</source>
         <translation>Arbre</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>De droite</translation>
     </message>
 </context>
 <context>

@@ -439,6 +439,22 @@
         <source>Show a person beside the tree, and how long a metre is.</source>
         <translation>木の横に人と、1 メートルの長さを表示します。</translation>
     </message>
+    <message>
+        <source>Tool Ring</source>
+        <translation>ツールリング</translation>
+    </message>
+    <message>
+        <source>Tools, undo and the size of the brush around the pointer. Hold the key, and let go over one.</source>
+        <translation>ポインタのまわりに、ツール、元に戻す、ブラシの大きさを表示します。キーを押したまま、選ぶものの上で離します。</translation>
+    </message>
+    <message>
+        <source>Second View</source>
+        <translation>第 2 ビュー</translation>
+    </message>
+    <message>
+        <source>Show the tree from the right in a corner; draw there, too, to give it depth.</source>
+        <translation>隅に、右から見た木を表示します。そこにも描くと、木に奥行きが出ます。</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -881,6 +897,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Remove Envelope</source>
         <translation>外形を除く</translation>
+    </message>
+    <message>
+        <source>Earlier Step</source>
+        <translation>以前の操作</translation>
     </message>
 </context>
 <context>
@@ -5113,6 +5133,13 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     </message>
 </context>
 <context>
+    <name>espalier::RingMenu</name>
+    <message>
+        <source>Tools around the pointer</source>
+        <translation>ポインタのまわりのツール</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RotationStrip</name>
     <message>
         <source>Rotation strip</source>
@@ -5531,6 +5558,10 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
     <message>
         <source>Tree</source>
         <translation>木</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>右から</translation>
     </message>
 </context>
 <context>

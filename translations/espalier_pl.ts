@@ -439,6 +439,22 @@
         <source>Show a person beside the tree, and how long a metre is.</source>
         <translation>Pokazać człowieka obok drzewa i długość metra.</translation>
     </message>
+    <message>
+        <source>Tool Ring</source>
+        <translation>Pierścień narzędzi</translation>
+    </message>
+    <message>
+        <source>Tools, undo and the size of the brush around the pointer. Hold the key, and let go over one.</source>
+        <translation>Narzędzia, cofanie i rozmiar pędzla wokół wskaźnika. Przytrzymać klawisz i puścić nad jednym z nich.</translation>
+    </message>
+    <message>
+        <source>Second View</source>
+        <translation>Drugi widok</translation>
+    </message>
+    <message>
+        <source>Show the tree from the right in a corner; draw there, too, to give it depth.</source>
+        <translation>Pokazać w rogu drzewo z prawej; rysowanie także tam daje mu głębię.</translation>
+    </message>
 </context>
 <context>
     <name>AddBudsTool</name>
@@ -890,6 +906,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Remove Envelope</source>
         <translation>Usunięcie obwiedni</translation>
+    </message>
+    <message>
+        <source>Earlier Step</source>
+        <translation>Wcześniejszy krok</translation>
     </message>
 </context>
 <context>
@@ -5124,6 +5144,13 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     </message>
 </context>
 <context>
+    <name>espalier::RingMenu</name>
+    <message>
+        <source>Tools around the pointer</source>
+        <translation>Narzędzia wokół wskaźnika</translation>
+    </message>
+</context>
+<context>
     <name>espalier::RotationStrip</name>
     <message>
         <source>Rotation strip</source>
@@ -5542,6 +5569,10 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
     <message>
         <source>Tree</source>
         <translation>Drzewo</translation>
+    </message>
+    <message>
+        <source>From the right</source>
+        <translation>Z prawej</translation>
     </message>
 </context>
 <context>

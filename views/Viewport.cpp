@@ -91,9 +91,31 @@ void Viewport::moveCamera(const Camera& camera)
     if (sized == m_camera)
         return;
     m_camera = sized;
+    followSideView();
     m_pacer.disturb();
     redrawTree();
     Q_EMIT cameraChanged();
+}
+
+void Viewport::setFrameMargins(const QMargins& margins)
+{
+    m_frameMargins = margins;
+    followSideView();
+}
+
+/// Puts the second view where it belongs now.
+void Viewport::followSideView()
+{
+    const bool wasShown = m_side.isShown();
+    const QRect place = m_side.rect();
+    m_side.follow(m_camera, clearRect(), m_settings.values().sideViewShown);
+    if (m_side.rect() == place)
+        return;
+    if (wasShown && m_isInSideView) {
+        finishGesture();
+        m_isInSideView = false;
+    }
+    redrawTree();
 }
 
 void Viewport::setSeedlingView(double metres)
@@ -258,6 +280,7 @@ void Viewport::followSettings()
     if (values == m_shown)
         return;
     m_shown = values;
+    followSideView();
     m_scene.setFibresShown(values.fibresShown);
     m_pacer.disturb();
     redrawTree();
@@ -270,6 +293,7 @@ void Viewport::setTool(std::unique_ptr<Tool> tool)
     m_tool->leave();
     m_tool = std::move(tool);
     m_hand = m_tool.get();
+    m_isInSideView = false;
     setCursor(m_tool->cursor());
     update();
     Q_EMIT toolChanged();
@@ -418,6 +442,7 @@ void Viewport::releaseGl()
         return;
     makeCurrent();
     m_picture.reset();
+    m_side.releaseGl();
     m_overlayRenderer.reset();
     m_renderer.reset();
     doneCurrent();
@@ -441,6 +466,13 @@ void Viewport::drawPicture()
     // picture.
     gl.glFinish();
     m_pacer.frameTook(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
+    m_frame = m_renderer->frame();
+    const double now = m_pointers.now();
+    if (m_side.isShown() &&
+        (m_pacer.isAtRest() ? m_passes < SideView::kSamples : m_side.isDue(now) || !m_side.hasPicture())) {
+        m_side.drawPass(*m_renderer, m_scene, options, m_camera, devicePixelRatioF(), m_passes);
+        m_side.setDrawnAt(now);
+    }
     m_pictureIsOld = false;
     m_passIsDue = false;
     ++m_passes;
@@ -462,15 +494,26 @@ void Viewport::paintGL()
     gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
     m_overlay.clear();
     m_hand->paint(m_overlay);
-    if (m_hand != m_sun.get())
-        m_sun->paint(m_overlay);
     if (const Competitors& only = m_document.competitors(); !only.areAll()) {
         const BudRef bud{only.node, only.slot};
         const Vec3 place = budPosition(m_document.tree(), m_document.index(), bud, branchRadius(only.node));
         paintSelectionRings(m_overlay, m_camera, place, m_pointers.now() - m_selectedAt);
     }
-    m_overlayRenderer->render(m_overlay, m_camera, m_picture->depthTexture(), to, devicePixelRatioF());
+    const bool showsSide = m_side.isShown() && m_side.hasPicture();
+    if (showsSide)
+        m_sideOverlay = m_overlay;
+    if (m_hand != m_sun.get())
+        m_sun->paint(m_overlay);
+    m_renderer->bindFrame(m_frame);
+    m_overlayRenderer->render(m_overlay, m_camera, m_picture->depthTexture(), QRect(QPoint(), to),
+                              devicePixelRatioF());
     paintScale();
+    if (showsSide) {
+        gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
+        m_side.show(gl, *m_renderer, *m_overlayRenderer, m_sideOverlay, widgetBuffer, height(),
+                    devicePixelRatioF());
+        paintSideFrame();
+    }
     paintLabels();
 }
 
@@ -485,6 +528,21 @@ void Viewport::paintScale()
     const bool isOverLight = isBackdropLight(m_settings.values());
     paintPerson(painter, m_camera, m_personPlace, isOverLight);
     paintScaleBar(painter, m_camera, clearRect(), isOverLight);
+}
+
+/// The second view's edge and its name.
+void Viewport::paintSideFrame()
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool isOverLight = isBackdropLight(m_settings.values());
+    const QColor edge = isOverLight ? QColor(0, 0, 0, 110) : QColor(255, 255, 255, 110);
+    const QRectF frame = QRectF(m_side.rect()).adjusted(-0.5, -0.5, 0.5, 0.5);
+    painter.setPen(QPen(edge, m_isInSideView ? 2.0 : 1.0));
+    painter.drawRoundedRect(frame, 3.0, 3.0);
+    painter.setPen(isOverLight ? QColor(0, 0, 0, 190) : QColor(255, 255, 255, 190));
+    painter.drawText(frame.adjusted(8.0, 6.0, -8.0, -6.0), Qt::AlignTop | Qt::AlignLeft,
+                     tr("From the right"));
 }
 
 void Viewport::paintLabels()
@@ -508,6 +566,8 @@ void Viewport::paintLabels()
 
 std::optional<InternodeId> Viewport::labelAt(const QPointF& screen) const
 {
+    if (m_isInSideView)
+        return std::nullopt;
     const std::vector<QRectF> boxes = labelBoxes(m_overlay, m_camera, QFontMetricsF(font()));
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].contains(screen) && m_overlay.labels()[i].subject)

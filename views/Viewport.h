@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "views/SideView.h"
 #include "views/camera/CameraFlight.h"
 #include "views/input/GestureReader.h"
 #include "views/input/HeldKeys.h"
@@ -44,7 +45,7 @@ public:
     /// See TreeScene::setStrands().
     void showStrands(const std::shared_ptr<const ShownStrands>& strands, std::uint64_t revision);
 
-    const Camera& camera() const override { return m_camera; }
+    const Camera& mainCamera() const override { return m_camera; }
     /// Sets the camera at once and ends a flight. The camera's view size becomes the viewport's.
     void setCamera(const Camera& camera);
     /// Moves the camera smoothly.
@@ -69,7 +70,7 @@ public:
     void setPressureExponent(double exponent) { m_pointers.setPressureExponent(exponent); }
     void setStabilising(const Stabilising& stabilising) { m_stabiliser.set(stabilising); }
     /// Sets the margins that bars over the viewport cover, px: whole trees are framed in the rest of it.
-    void setFrameMargins(const QMargins& margins) { m_frameMargins = margins; }
+    void setFrameMargins(const QMargins& margins);
     /// The part of the viewport that bars leave free, px.
     QRect clearRect() const { return rect().marginsRemoved(m_frameMargins); }
     /// Moves the picture at once into the part that bars leave free, after the window got another size.
@@ -95,6 +96,8 @@ public:
     /// eraser end prunes with any tool.
     void setTool(std::unique_ptr<Tool> tool);
     const Tool& tool() const { return *m_tool; }
+    /// The second view, which shows the tree from the side; see ViewValues::sideViewShown.
+    const SideView& sideView() const { return m_side; }
     /// Place of the ball that moves the sun, px. SunTool gets the samples of a pointer that is on it.
     QPointF sunPlace() const;
 
@@ -131,6 +134,8 @@ Q_SIGNALS:
     /// The pointer goes down on the tree. The tool has not looked at the tree yet.
     void toolAboutToBegin();
     void gestureActiveChanged(bool active);
+    /// A click asks for a menu at @p place, px of the screen.
+    void menuAsked(const QPoint& place);
     /// 2...4 fingers have tapped the tree together.
     void fingersTapped(int fingers);
     void toolChanged();
@@ -151,6 +156,7 @@ protected:
 
 private:
     // ToolContext
+    const Camera& camera() const override { return m_isInSideView ? m_side.camera() : m_camera; }
     TreeDocument& document() override { return m_document; }
     ViewSettings& viewSettings() override { return m_settings; }
     std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const override;
@@ -170,8 +176,12 @@ private:
     void toolIsFinished() override;
     void toolIsCancelled() override;
     void toolHovers(const PointerSample& sample) override;
-    bool toolTakesFinger(const PointerSample& sample) override { return m_hand->takesFinger(sample); }
+    bool toolTakesFinger(const PointerSample& sample) override;
     void budIsAsked(const PointerSample& sample) override;
+    void menuIsAsked(const PointerSample& sample) override
+    {
+        Q_EMIT menuAsked(mapToGlobal(sample.position).toPoint());
+    }
     void fingersTap(int fingers) override { Q_EMIT fingersTapped(fingers); }
     void orbitBy(const QPointF& distance) override;
     void panBy(const QPointF& distance) override;
@@ -180,7 +190,13 @@ private:
     template <class Pick>
     auto withPickScene(Pick&& pick) const;
     double reachOf(PointerDevice device) const;
-    void takeInHand(const PointerSample& sample);
+    PointerSample takeInHand(const PointerSample& sample);
+    /// @p sample as the tool in hand gets it: in the view where its gesture began.
+    PointerSample inView(const PointerSample& sample) const
+    {
+        return m_isInSideView ? m_side.seenFromHere(sample) : sample;
+    }
+    void followSideView();
     void followDocument(const TreeChange& change);
     void followSettings();
     void moveCamera(const Camera& camera);
@@ -201,6 +217,7 @@ private:
         return m_pacer.isAtRest() && !m_pictureIsOld && m_passes < m_pacer.bestSamples();
     }
     void drawPicture();
+    void paintSideFrame();
     void paintLabels();
     void paintScale();
     void releaseGl();
@@ -223,7 +240,10 @@ private:
     std::unique_ptr<Tool> m_eraser; ///< Gets the samples while a pen is turned over
     std::unique_ptr<SunTool> m_sun; ///< Gets the samples while the pointer is on the sun
     Tool* m_hand;                   ///< The one of the three that gets the samples now
+    SideView m_side;
+    bool m_isInSideView = false; ///< The hand is in the second view
     Overlay m_overlay;
+    Overlay m_sideOverlay; ///< The same for the second view, which does not show the sun
     QPointer<LabelEditor> m_labelEditor;
 
     FramePacer m_pacer;
@@ -239,6 +259,7 @@ private:
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<OverlayRenderer> m_overlayRenderer;
     std::unique_ptr<RenderTarget> m_picture;
+    FrameUniforms m_frame; ///< Of the picture
 };
 
 } // namespace espalier

@@ -149,6 +149,7 @@ void Viewport::leaveEvent(QEvent* event)
 void Viewport::resizeEvent(QResizeEvent* event)
 {
     takeClearRect();
+    followSideView();
     m_gestures.setStrip(QRectF(0.0, height() - kStripHeight, width(), kStripHeight));
     QOpenGLWidget::resizeEvent(event);
 }
@@ -166,7 +167,7 @@ auto Viewport::withPickScene(Pick&& pick) const
         return std::min(branchRadius(id), greatest);
     };
     return pick(
-        PickScene{m_document.tree(), m_document.index(), m_document.pickIndex(), radius, greatest, m_camera});
+        PickScene{m_document.tree(), m_document.index(), m_document.pickIndex(), radius, greatest, camera()});
 }
 
 double Viewport::reachOf(PointerDevice device) const
@@ -191,40 +192,48 @@ std::vector<PickedBud> Viewport::pickBuds(const QPointF& screen, PointerDevice d
         [&](const PickScene& scene) { return espalier::pickBuds(scene, screen, factor * reachOf(device)); });
 }
 
-void Viewport::takeInHand(const PointerSample& sample)
+/// Between gestures, chooses the tool and the view that get the samples; returns the sample in that view.
+PointerSample Viewport::takeInHand(const PointerSample& sample)
 {
     if (m_hand->isActive())
-        return;
+        return inView(sample);
     Tool* hand = sample.isEraser && !m_tool->takesEraser() ? m_eraser.get() : m_tool.get();
-    if (m_sun->isAt(sample.position, reachOf(sample.device)))
+    m_isInSideView = m_side.isAt(sample.position);
+    if (!m_isInSideView && m_sun->isAt(sample.position, reachOf(sample.device)))
         hand = m_sun.get();
-    if (hand == m_hand)
-        return;
-    m_hand->leave();
-    m_hand = hand;
-    setCursor(m_hand->cursor());
+    if (hand != m_hand) {
+        m_hand->leave();
+        m_hand = hand;
+        setCursor(m_hand->cursor());
+    }
+    return inView(sample);
+}
+
+bool Viewport::toolTakesFinger(const PointerSample& sample)
+{
+    return m_hand->takesFinger(takeInHand(sample));
 }
 
 void Viewport::toolBegins(const PointerSample& sample)
 {
     Q_EMIT toolAboutToBegin();
-    takeInHand(sample);
+    const PointerSample first = takeInHand(sample);
     if (m_hand->isFreehand())
-        m_stabiliser.begin(sample);
-    m_hand->begin(sample);
+        m_stabiliser.begin(first);
+    m_hand->begin(first);
     startTicking();
     Q_EMIT gestureActiveChanged(true);
 }
 
 void Viewport::toolMoves(const PointerSample& sample)
 {
-    m_hand->move(m_hand->isFreehand() ? m_stabiliser.move(sample) : sample);
+    m_hand->move(m_hand->isFreehand() ? m_stabiliser.move(inView(sample)) : inView(sample));
 }
 
 /// A calmed stroke ends where the pointer is.
 void Viewport::toolEnds(const PointerSample& sample)
 {
-    m_hand->end(sample);
+    m_hand->end(inView(sample));
     Q_EMIT gestureActiveChanged(false);
 }
 
@@ -242,14 +251,13 @@ void Viewport::toolIsCancelled()
 
 void Viewport::toolHovers(const PointerSample& sample)
 {
-    takeInHand(sample);
-    m_hand->hover(sample);
+    m_hand->hover(takeInHand(sample));
 }
 
 void Viewport::budIsAsked(const PointerSample& sample)
 {
     Q_EMIT toolAboutToBegin();
-    const std::vector<PickedBud> buds = pickBuds(sample.position, sample.device, 1.0);
+    const std::vector<PickedBud> buds = pickBuds(takeInHand(sample).position, sample.device, 1.0);
     m_document.setCompetitors(buds.empty() ? Competitors{}
                                            : Competitors{buds.front().bud.node, buds.front().bud.slot});
 }
@@ -281,7 +289,7 @@ void Viewport::magnify(double factor, const QPointF& about)
 {
     m_flight.stop();
     Camera camera = m_camera;
-    camera.zoom(static_cast<float>(1.0 / factor), about);
+    camera.zoom(static_cast<float>(1.0 / factor), m_side.isAt(about) ? camera.targetPlace() : about);
     moveCamera(camera);
 }
 

@@ -3,6 +3,7 @@
 
 #include "commands/recipe/RecipeText.h"
 #include "commands/recipe/TravelOperation.h"
+#include "model/tree/JournalEdit.h"
 
 #include <QJsonDocument>
 
@@ -15,34 +16,18 @@ namespace {
 /// The number of runs of unknown steps that an error names.
 constexpr std::size_t kRunsNamed = 3;
 
-/// The deltas of one edit in a journal: [first, end).
-struct Run {
-    std::size_t first;
-    std::size_t end;
-};
-
 /// Whether the operation of the edit that begins with @p delta is known.
 bool isKnown(const TreeDelta& delta)
 {
     return delta.record && !delta.record->operation.isEmpty();
 }
 
-/// The edit that begins at @p first, as far as the journal has it.
-Run editAt(const Journal& journal, std::size_t first)
-{
-    const std::size_t deltas = journal[first]->record ? journal[first]->record->deltas : 1;
-    std::size_t end = first + 1;
-    while (end < journal.size() && end - first < deltas && !journal[end]->record)
-        ++end;
-    return {first, end};
-}
-
 /// The steps without a known operation; consecutive ones are joined.
-std::vector<Run> unknownSteps(const Journal& journal)
+std::vector<JournalEdit> unknownSteps(const Journal& journal)
 {
-    std::vector<Run> unknown;
+    std::vector<JournalEdit> unknown;
     for (std::size_t i = 0; i < journal.size();) {
-        const Run edit = editAt(journal, i);
+        const JournalEdit edit = JournalEdit::at(journal, i);
         i = edit.end;
         if (isKnown(*journal[edit.first]))
             continue;
@@ -54,11 +39,11 @@ std::vector<Run> unknownSteps(const Journal& journal)
     return unknown;
 }
 
-Error notKnown(const std::vector<Run>& unknown, std::size_t steps)
+Error notKnown(const std::vector<JournalEdit>& unknown, std::size_t steps)
 {
     std::size_t count = 0;
     QStringList runs;
-    for (const Run& run : unknown) {
+    for (const JournalEdit& run : unknown) {
         count += run.end - run.first;
         if (runs.size() < static_cast<qsizetype>(kRunsNamed)) {
             runs.append(run.end == run.first + 1 ? QString::number(run.end)
@@ -104,7 +89,7 @@ Result<Recipe> recipeOf(const Project& project)
 {
     const Journal& journal = project.journal;
     const QList<TreeParameters>& sets = project.tree.parameterSets();
-    if (const std::vector<Run> unknown = unknownSteps(journal); !unknown.empty())
+    if (const std::vector<JournalEdit> unknown = unknownSteps(journal); !unknown.empty())
         return notKnown(unknown, journal.size());
     if (!beginsWithASeedling(project))
         return inputError(
@@ -117,7 +102,7 @@ Result<Recipe> recipeOf(const Project& project)
     recipe.parameters = journal.empty() ? project.tree.parameters() : sets[journal.front()->parametersBefore];
     RecipeReading reading({});
     for (std::size_t i = 0; i < journal.size();) {
-        const Run edit = editAt(journal, i);
+        const JournalEdit edit = JournalEdit::at(journal, i);
         const TreeDelta& first = *journal[edit.first];
         // If an edit changes parameters, its first delta does.
         reading.setParameters(sets[first.parametersAfter]);

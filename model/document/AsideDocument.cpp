@@ -31,7 +31,9 @@ AsideDocument AsideDocument::takenFrom(TreeDocument& document)
 
 void AsideDocument::bringBackTo(TreeDocument& document)
 {
-    document.reset(std::move(tree));
+    const SceneLook look = tree.look.value_or(SceneLook());
+    document.replaceBy(std::move(tree));
+    document.setLook(look);
     QUndoStack& stack = document.m_undoStack;
     stack.setUndoLimit(undoLimit);
     std::vector<EditCommand*> commands;

@@ -24,7 +24,7 @@ void TreeDocument::reset(Tree tree, Journal journal, std::size_t ahead)
     reset(PreparedTree(std::move(tree), std::move(journal), ahead));
 }
 
-void TreeDocument::reset(PreparedTree prepared)
+void TreeDocument::replaceBy(PreparedTree prepared)
 {
     interruptEdit();
     m_undoStack.clear();
@@ -37,7 +37,6 @@ void TreeDocument::reset(PreparedTree prepared)
     m_growthModel = std::move(prepared.growthModel);
     m_pickIndex = std::move(prepared.pickIndex);
     tell({TreeChange::Kind::Reset, nullptr});
-    setLook(prepared.look.value_or(SceneLook()));
 }
 
 void TreeDocument::swapWith(PreparedTree& other)

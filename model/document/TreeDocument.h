@@ -93,9 +93,12 @@ public:
     /// Replaces the tree by a seedling, in the default look of a scene; clears the undo stack.
     void reset(std::uint64_t seed, const TreeParameters& parameters = {});
     /// Replaces the tree by one that was read from a file, with its journal. The last @p ahead deltas of the
-    /// journal become the future; clears the undo stack.
+    /// journal become the future. The undo stack then has the steps that the journal tells of, as if they had
+    /// just been done: one a recorded edit, and a travel if there is a future. What an edit had replaced or
+    /// ended is not in the journal; undo does not bring it back.
     void reset(Tree tree, Journal journal, std::size_t ahead = 0);
-    /// The same; apart from the listeners of changed() and the old tree's destruction, in constant time.
+    /// The same; apart from the steps, the listeners of changed() and the old tree's destruction, in constant
+    /// time.
     void reset(PreparedTree prepared);
 
     /// Exchanges the tree and its whole history, the future included, as one undo step named @p text, after
@@ -157,6 +160,9 @@ private:
     void apply(std::shared_ptr<TreeDelta> delta);
     /// Reverts the journal's last delta and takes it out.
     void revertLast();
+    /// Sets everything but the look to @p prepared; clears the undo stack.
+    void replaceBy(PreparedTree prepared);
+    void restoreSteps();
     /// Swaps everything with @p other.
     void swapWith(PreparedTree& other);
     /// Goes back or forth in the history, to where @p position deltas of it have been applied.

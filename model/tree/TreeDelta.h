@@ -4,6 +4,7 @@
 #include "model/tree/TreeTables.h"
 
 #include <QByteArray>
+#include <QString>
 
 #include <cstddef>
 #include <memory>
@@ -18,15 +19,16 @@ struct TreeRows {
     KeptValues kept;
 };
 
-/// The operation that made the deltas of one edit. The model stores this text and does not interpret it.
+/// What made the deltas of one edit. The model stores these texts and does not interpret them.
 struct EditRecord {
     /// The greatest size of an operation, bytes; longer ones are not recorded.
     static constexpr qsizetype kMostBytes = 64 << 20;
 
     QByteArray operation;     ///< Compact JSON of a recipe's operation; empty if it is unknown
     std::uint32_t deltas = 1; ///< Of the whole edit; a journal that ends within the edit has fewer
+    QString step{};           ///< Name of the undo step, for the user; empty in files that are older than it
 
-    /// The record of an edit whose operation is not known, or not known yet.
+    /// The record of an edit of which nothing is known, or nothing yet.
     static const std::shared_ptr<const EditRecord>& unknown();
     bool operator==(const EditRecord&) const = default;
 };

@@ -32,7 +32,7 @@ void main()
     vec3 front = frame.eye.xyz + (ahead - halfway) * view;
     vec3 back = frame.eye.xyz + (ahead + halfway) * view;
     // Parts of the scene inside the ball are tinted more than those in front of it.
-    float depth = texture(sceneDepth, gl_FragCoord.xy / overlaySize).r;
+    float depth = texture(sceneDepth, (gl_FragCoord.xy - overlayOrigin) / overlaySize).r;
     float reached = depth < depthOf(front) ? 0.3 : 1.0;
     float within = depth >= depthOf(front) && depth < depthOf(back) ? 1.5 : 1.0;
     vec3 normal = normalize(front - centre);

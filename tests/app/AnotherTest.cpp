@@ -80,7 +80,7 @@ void AnotherTest::key_showsSixTreesOfWhichOneIsTaken()
 {
     drawTree();
     const Tree before = document().tree();
-    const Camera camera = viewport().camera();
+    const Camera camera = viewport().mainCamera();
     ask();
     // All of them are there, and no two are the same.
     std::set<QByteArray> pictures;
@@ -99,7 +99,7 @@ void AnotherTest::key_showsSixTreesOfWhichOneIsTaken()
     QVERIFY(document().index().livingCount() > 20);
     QVERIFY(m_window->isWindowModified());
     // The view stays, so that the two can be compared.
-    QCOMPARE(viewport().camera(), camera);
+    QCOMPARE(viewport().mainCamera(), camera);
 }
 
 void AnotherTest::undo_bringsTheOwnTreeBackWithItsHistory()

@@ -48,7 +48,10 @@ private Q_SLOTS:
 private:
     void drawTrunk();
     void drawLimb(const QPointF& from, const QPointF& to, double speed, double rate, bool isBusy);
-    QPointF limbBegin() { return viewport().camera().project(Vec3(0.0F, 1.2F, 0.0F)).value_or(QPointF()); }
+    QPointF limbBegin()
+    {
+        return viewport().mainCamera().project(Vec3(0.0F, 1.2F, 0.0F)).value_or(QPointF());
+    }
 };
 
 /// A document with nothing but a trunk of two metres.
@@ -147,7 +150,7 @@ void BrushingTest::line_arrivesAtAnySpeed()
         const QPointF to = from + QPointF(220.0, -90.0);
         drawLimb(from, to, speed, rate, isBusy);
         QCOMPARE(document.undoStack().count(), 2);
-        const Vec3 end = viewport().camera().onPlane(to, Vec3(0.0F, 1.2F, 0.0F));
+        const Vec3 end = viewport().mainCamera().onPlane(to, Vec3(0.0F, 1.2F, 0.0F));
         float nearest = std::numeric_limits<float>::infinity();
         for (InternodeId id = 0; id < document.tree().size(); ++id)
             nearest = std::min(nearest, (document.index().nodePosition(id) - end).norm());
@@ -319,8 +322,8 @@ void BrushingTest::bendAndWidth_areAtHand()
             top = id;
     }
     const auto seen = [&](InternodeId id) {
-        return viewport().mapTo(m_window.get(),
-                                viewport().camera().project(document.index().nodePosition(id))->toPoint());
+        return viewport().mapTo(
+            m_window.get(), viewport().mainCamera().project(document.index().nodePosition(id))->toPoint());
     };
     QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ShiftModifier);
     QVERIFY(action(ActionId::Bend)->isChecked());

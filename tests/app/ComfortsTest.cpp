@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/HeldToolKey.h"
+#include "panels/RingMenu.h"
 #include "tests/support/TestClasses.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
 
 #include <QAction>
+#include <QCursor>
 #include <QPoint>
 #include <QPointingDevice>
 #include <QTest>
@@ -23,8 +25,12 @@ private Q_SLOTS:
     void heldKey_waitsForTheEndOfTheGesture();
     void shiftDrag_changesTheRadiusInPlace();
     void fingersThatTap_undoRedoAndHide();
+    void ring_isUsedByClicks();
+    void ring_isUsedWithTheKeyHeld();
+    void ring_goesAwayWithoutAChoice();
 
 private:
+    RingMenu& ring() { return *m_window->findChild<RingMenu*>(); }
     bool hasTool(ActionId id) { return action(id)->isChecked(); }
     void tap(int fingers);
 };
@@ -80,12 +86,94 @@ void ComfortsTest::heldKey_waitsForTheEndOfTheGesture()
     QCOMPARE(m_window->document().undoStack().count(), steps + 1);
 }
 
+void ComfortsTest::ring_isUsedByClicks()
+{
+    makeTree();
+    const QPoint place = at(0.6F, 1.0F);
+    const auto open = [&] {
+        QTest::mouseClick(handle(), Qt::RightButton, {}, place);
+        QTRY_VERIFY(ring().isVisible());
+        // Its middle is under the pointer.
+        const QPoint middle = ring().mapToGlobal(ring().rect().center());
+        QVERIFY((middle - handle()->mapToGlobal(place)).manhattanLength() <= 4);
+    };
+    const auto click = [&](ActionId id) {
+        QTest::mouseClick(&ring(), Qt::LeftButton, {}, ring().placeOf(id).toPoint());
+    };
+    open();
+    QTRY_VERIFY(ring().isVisible());
+    click(ActionId::Prune);
+    QTRY_VERIFY(hasTool(ActionId::Prune));
+    QVERIFY(!ring().isVisible());
+
+    const std::uint32_t whole = m_window->document().index().livingCount();
+    open();
+    click(ActionId::Undo);
+    QTRY_VERIFY(m_window->document().index().livingCount() < whole);
+    open();
+    click(ActionId::Redo);
+    QTRY_COMPARE(m_window->document().index().livingCount(), whole);
+
+    // The brush is made larger as often as one likes.
+    const auto radius = [&] { return m_window->viewSettings().values().brushRadius; };
+    const double before = radius();
+    open();
+    click(ActionId::LargerBrush);
+    const double once = radius();
+    QVERIFY(once > before && ring().isVisible());
+    click(ActionId::LargerBrush);
+    QVERIFY(radius() > once);
+    click(ActionId::SmallerBrush);
+    QCOMPARE(radius(), once);
+    QTest::keyClick(&ring(), Qt::Key_Escape);
+    QVERIFY(!ring().isVisible());
+    // The keys belong to the tree again.
+    QTest::keyClick(handle(), Qt::Key_B);
+    QTRY_VERIFY(hasTool(ActionId::Brush));
+}
+
+void ComfortsTest::ring_isUsedWithTheKeyHeld()
+{
+    QCursor::setPos(handle()->mapToGlobal(at(0.6F, 1.0F)));
+    QTest::keyPress(handle(), Qt::Key_D);
+    QTRY_VERIFY(ring().isVisible());
+    const QPoint lasso = ring().placeOf(ActionId::Lasso).toPoint();
+    QTest::mouseMove(&ring(), lasso);
+    QTest::keyRelease(&ring(), Qt::Key_D);
+    QTRY_VERIFY(hasTool(ActionId::Lasso));
+    QVERIFY(!ring().isVisible());
+
+    // A tap of the key leaves it open for clicks.
+    QTest::keyClick(handle(), Qt::Key_D);
+    QTRY_VERIFY(ring().isVisible());
+    QTest::mouseClick(&ring(), Qt::LeftButton, {}, ring().placeOf(ActionId::Bend).toPoint());
+    QTRY_VERIFY(hasTool(ActionId::Bend));
+}
+
+void ComfortsTest::ring_goesAwayWithoutAChoice()
+{
+    QTest::mouseClick(handle(), Qt::RightButton, {}, at(0.6F, 1.0F));
+    QTRY_VERIFY(ring().isVisible());
+    QTest::mouseClick(&ring(), Qt::LeftButton, {}, ring().rect().center());
+    QVERIFY(!ring().isVisible());
+    QVERIFY(hasTool(ActionId::Brush));
+    // A turn of the view opens none.
+    const float azimuth = viewport().mainCamera().azimuth();
+    const QPoint from = at(0.6F, 1.0F);
+    QTest::mousePress(handle(), Qt::RightButton, {}, from);
+    QTest::mouseMove(handle(), from + QPoint(30, 0));
+    QTest::mouseMove(handle(), from + QPoint(60, 0));
+    QTest::mouseRelease(handle(), Qt::RightButton, {}, from + QPoint(60, 0));
+    QVERIFY(viewport().mainCamera().azimuth() != azimuth);
+    QVERIFY(!ring().isVisible());
+}
+
 void ComfortsTest::shiftDrag_changesTheRadiusInPlace()
 {
     const auto radius = [&] { return m_window->viewSettings().values().brushRadius; };
     const double before = radius();
-    const double perMetre =
-        static_cast<double>(viewport().camera().pixelsPerMetre(viewport().camera().depth(Vec3::Zero())));
+    const double perMetre = static_cast<double>(
+        viewport().mainCamera().pixelsPerMetre(viewport().mainCamera().depth(Vec3::Zero())));
     const QPoint from = at(0.5F, 1.0F);
     const auto drag = [&](int by) {
         QTest::mousePress(handle(), Qt::LeftButton, Qt::ShiftModifier, from);

@@ -249,7 +249,7 @@ void EveryWidgetTest::drawFlatTree(bool hasDepth)
 void EveryWidgetTest::prepare(QWidget& widget)
 {
     prepareDocument();
-    workspace().viewport().setCamera(workspace().viewport().camera().turnedTo(NamedView::Front));
+    workspace().viewport().setCamera(workspace().viewport().mainCamera().turnedTo(NamedView::Front));
     // Colours and places can only be set while they are shown.
     ViewValues view;
     view.shadowsShown = false;
@@ -315,7 +315,7 @@ EveryWidgetTest::State EveryWidgetTest::state(QWidget& pane)
     QStringList& rest = now.rest;
     for (const QWidget* widget : workspace().findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
         rest << QString::number(widget->isVisible());
-    const Camera& camera = workspace().viewport().camera();
+    const Camera& camera = workspace().viewport().mainCamera();
     rest << workspace().viewport().tool().tip() << QString::number(m_hand->closedCount())
          << QString::number(document().tree().step()) << QString::number(document().journal().size())
          << QString::number(document().competitors().areAll()) << workspace().help().page()

@@ -6,6 +6,7 @@
 #include "views/Viewport.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QCoreApplication>
 #include <QDialog>
@@ -104,6 +105,18 @@ void FilesTest::brushUndoRedoSaveReopen_givesTheSameDocument()
     QTRY_VERIFY_WITH_TIMEOUT(document.tree() == grown, 30'000);
     QCOMPARE(document.journal().size(), history);
     QVERIFY(!m_window->isWindowModified());
+
+    // Its steps are there again.
+    const auto* steps = workspace().findChild<QAbstractItemView*>(QStringLiteral("history"));
+    QCOMPARE(steps->model()->rowCount(), 3);
+    for (int row = 1; row < 3; ++row)
+        QVERIFY(steps->model()->index(row, 0).data().toString().startsWith(QStringLiteral("Brush Stroke")));
+    QTest::keyClick(handle(), Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(document.undoStack().index(), 1);
+    QVERIFY(m_window->isWindowModified());
+    QTest::keyClick(handle(), Qt::Key_Y, Qt::ControlModifier);
+    QTRY_VERIFY(!m_window->isWindowModified());
+    QVERIFY(document.tree() == grown);
 }
 
 void FilesTest::brokenFile_isRefusedInOneSentenceAndTheTreeStays()

@@ -367,7 +367,7 @@ void HelpTest::tour_leadsToATreeAndGoesOnByDoing()
     const Tree& tree = m_window->document().tree();
 
     // A trunk: one axis.
-    const auto base = workspace().viewport().camera().project(Vec3::Zero());
+    const auto base = workspace().viewport().mainCamera().project(Vec3::Zero());
     const QPoint seedling = workspace().viewport().mapTo(m_window.get(), base->toPoint());
     drag(seedling, seedling - QPoint(0, 260));
     QTRY_COMPARE(tour.step(), 1);

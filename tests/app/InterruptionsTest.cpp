@@ -307,12 +307,12 @@ void InterruptionsTest::undo_ofAPressThatDidNothing_leavesTheStepBefore()
 
 void InterruptionsTest::camera_staysInTheHand()
 {
-    const float azimuth = viewport().camera().azimuth();
+    const float azimuth = viewport().mainCamera().azimuth();
     QTest::mousePress(handle(), Qt::RightButton, {}, at(0.5F, 0.5F));
     QTest::keyClick(handle(), Qt::Key_P);
     QTest::mouseMove(handle(), at(0.5F, 0.5F) + QPoint(40, 0));
     QTest::mouseRelease(handle(), Qt::RightButton, {}, at(0.5F, 0.5F) + QPoint(40, 0));
-    QVERIFY(viewport().camera().azimuth() != azimuth);
+    QVERIFY(viewport().mainCamera().azimuth() != azimuth);
     QVERIFY(action(ActionId::Prune)->isChecked());
 }
 

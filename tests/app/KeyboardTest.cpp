@@ -57,9 +57,9 @@ private:
     /// Whether an arrow key turns the view.
     bool doArrowsTurn()
     {
-        const float before = viewport().camera().azimuth();
+        const float before = viewport().mainCamera().azimuth();
         QTest::keyClick(handle(), Qt::Key_Right);
-        return viewport().camera().azimuth() != before;
+        return viewport().mainCamera().azimuth() != before;
     }
     ParameterRow& row(const char* key)
     {

@@ -113,7 +113,8 @@ void workIn(MainWindow& window)
     for (const ActionId id :
          {ActionId::LeafSheet, ActionId::History, ActionId::Bend, ActionId::Help, ActionId::Settings})
         window.actions()[id]->trigger();
-    window.workspace().viewport().setCamera(window.workspace().viewport().camera().turnedTo(NamedView::Top));
+    window.workspace().viewport().setCamera(
+        window.workspace().viewport().mainCamera().turnedTo(NamedView::Top));
     // Until the counts are right.
     QTest::qWait(300);
 }
@@ -144,7 +145,7 @@ void LanguagesTest::language_changesAtOnceAndKeepsAll()
     const int steps = stack.count();
     const std::uint32_t size = window.document().tree().size();
     QVERIFY(steps == 2 && size > 2);
-    const Camera camera = window.workspace().viewport().camera();
+    const Camera camera = window.workspace().viewport().mainCamera();
     const QString page = window.workspace().help().page();
     const qsizetype objects = window.findChildren<QObject*>().size();
     for (const char* code : {"de", "ja", "en"}) {
@@ -165,7 +166,7 @@ void LanguagesTest::language_changesAtOnceAndKeepsAll()
         QVERIFY(window.actions()[ActionId::Bend]->isChecked());
         QVERIFY(window.workspace().isHelpShown());
         QCOMPARE(window.workspace().help().page(), page);
-        QVERIFY(window.workspace().viewport().camera() == camera);
+        QVERIFY(window.workspace().viewport().mainCamera() == camera);
         // The tree is the same, and so is its undo stack.
         QCOMPARE(stack.count(), steps);
         QCOMPARE(window.document().tree().size(), size);

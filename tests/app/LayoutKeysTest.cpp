@@ -142,15 +142,15 @@ void LayoutKeysTest::signAtTheLettersPlace_isTheLetter()
 
 void LayoutKeysTest::cameraKeys_turnTheView()
 {
-    const float azimuth = viewport().camera().azimuth();
+    const float azimuth = viewport().mainCamera().azimuth();
     key(QEvent::KeyPress, u'Й', 24);
     QTest::qWait(100);
     key(QEvent::KeyRelease, u'Й', 24);
-    const float turned = viewport().camera().azimuth();
+    const float turned = viewport().mainCamera().azimuth();
     QVERIFY(turned != azimuth);
     // The key is not held any more.
     QTest::qWait(100);
-    QCOMPARE(viewport().camera().azimuth(), turned);
+    QCOMPARE(viewport().mainCamera().azimuth(), turned);
 }
 
 void LayoutKeysTest::latinLayouts_areLeftAlone()

@@ -124,8 +124,8 @@ void MoveToolTest::middle_goesAroundATreeWithDepth()
     const InternodeId tip = tipOf(branch);
     const Vec3 middle = 0.5F * (index().basePosition(tree(), branch) + index().nodePosition(tip));
     const Vec3 before = index().nodePosition(tip);
-    const QPointF seen = *viewport().camera().project(middle);
-    const QPointF target = *viewport().camera().project(Vec3(0.3F * middle.x(), middle.y(), middle.z()));
+    const QPointF seen = *viewport().mainCamera().project(middle);
+    const QPointF target = *viewport().mainCamera().project(Vec3(0.3F * middle.x(), middle.y(), middle.z()));
     const std::uint32_t size = tree().size();
     drag(viewport().mapTo(m_window.get(), seen.toPoint()),
          viewport().mapTo(m_window.get(), target.toPoint()));

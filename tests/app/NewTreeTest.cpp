@@ -45,7 +45,7 @@ private:
 
 double NewTreeTest::shownHeight()
 {
-    const Camera& camera = viewport().camera();
+    const Camera& camera = viewport().mainCamera();
     return camera.viewSize().height() / double{camera.pixelsPerMetre(camera.depth(Vec3::Zero()))};
 }
 
@@ -83,7 +83,7 @@ void NewTreeTest::size_setsViewBrushAndInternodes()
     QVERIFY(!m_window->isWindowModified());
     QCOMPARE(m_window->document().index().livingCount(), 1U);
     // The whole tree shows: what is above ground, with a little room.
-    const auto top = viewport().camera().project(Vec3(0.0F, static_cast<float>(preset.height), 0.0F));
+    const auto top = viewport().mainCamera().project(Vec3(0.0F, static_cast<float>(preset.height), 0.0F));
     QVERIFY(top && viewport().clearRect().contains(top->toPoint()));
     QVERIFY(parameters == parametersOfSize(size));
     QVERIFY(size != TreeSize::StreetTree || parameters == TreeParameters());
@@ -130,6 +130,7 @@ void NewTreeTest::startFromThis_opensAtTheTreesScaleWithItsNameAndBrush()
     QVERIFY(m_window->viewSettings().values().brushRadius < 0.3);
     QVERIFY(m_window->windowTitle().contains(QStringLiteral("Bonsai")));
     QVERIFY(m_window->files().file().fileName().isEmpty() && !m_window->isWindowModified());
+    QVERIFY(!sizes().isVisible());
     start("oak");
     QVERIFY2(shownHeight() > 6.0 && shownHeight() < 14.0, qPrintable(QString::number(shownHeight())));
     QVERIFY(m_window->viewSettings().values().brushRadius > 0.4);
@@ -140,7 +141,7 @@ void NewTreeTest::person_standsBesideTheTreeAndIsInNoPicture()
 {
     choose(TreeSize::StreetTree);
     QTRY_VERIFY(viewport().isAtRest());
-    const Camera& camera = viewport().camera();
+    const Camera& camera = viewport().mainCamera();
     const Vec3 foot = personPlace(Box3()) * camera.right();
     const QPointF low = *camera.project(foot);
     const QPointF high = *camera.project(foot + static_cast<float>(kPersonHeight) * Vec3::UnitY());

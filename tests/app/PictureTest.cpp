@@ -201,7 +201,7 @@ void PictureTest::namedView_doesNotDependOnTheWindow()
     makeTree();
     const PictureSettings front{.size = {240, 240}, .view = PictureSettings::View::Front};
     const QImage before = savedAs(front);
-    Camera camera = viewport().camera();
+    Camera camera = viewport().mainCamera();
     camera.orbit(1.3F, 0.2F);
     viewport().setCamera(camera);
     QCOMPARE(savedAs(front), before);
@@ -213,7 +213,7 @@ void PictureTest::narrowPicture_showsAllThatTheWindowShows()
 {
     makeTree();
     action(ActionId::FrameAll)->trigger();
-    QTRY_VERIFY(viewport().camera() == viewport().cameraAtRest());
+    QTRY_VERIFY(viewport().mainCamera() == viewport().cameraAtRest());
     const QImage picture = savedAs({.size = {200, 600}, .transparent = true, .shadow = false});
     const QRect tree = coveredPart(picture);
     QVERIFY(tree.left() > 0 && tree.right() < picture.width() - 1);

@@ -303,7 +303,7 @@ void ProfilesTest::copyAndInterpolate_goToTheOtherEnd()
         other = index.mainChild(other);
     QVERIFY(above > 0);
     const Vec3& place = m_window->document().index().nodePosition(other);
-    const QPointF seen = viewport().camera().project(place).value_or(QPointF());
+    const QPointF seen = viewport().mainCamera().project(place).value_or(QPointF());
     QTest::mouseClick(handle(), Qt::LeftButton, {}, viewport().mapTo(m_window.get(), seen.toPoint()));
     QVERIFY(m_window->profiles().chosen().has_value());
     QCOMPARE(*m_window->profiles().chosen(), first);

@@ -198,7 +198,7 @@ void ReproduceToolTest::pen_drawsBothStrokes()
 void ReproduceToolTest::turnedView_isTheDrawingsPlane()
 {
     takeTool();
-    Camera camera = viewport().camera();
+    Camera camera = viewport().mainCamera();
     camera.setAzimuth(static_cast<float>(radians(75)));
     camera.setElevation(static_cast<float>(radians(12)));
     viewport().setCamera(camera);
@@ -296,7 +296,7 @@ void ReproduceToolTest::seedling_saysThatThereIsNoTree()
 void ReproduceToolTest::viewFromAbove_isRefused()
 {
     takeTool();
-    Camera camera = viewport().camera();
+    Camera camera = viewport().mainCamera();
     camera.setElevation(static_cast<float>(radians(80)));
     viewport().setCamera(camera);
     const int before = steps();

@@ -186,7 +186,7 @@ void SceneLookTest::useForNewTrees_keepsTheLookButNotThePicture()
 
 void SceneLookTest::pinnedSun_staysWhereItWasSaved()
 {
-    Camera camera = viewport().camera();
+    Camera camera = viewport().mainCamera();
     camera.orbit(0.7F, 0.0F);
     viewport().setCamera(camera);
     action(ActionId::Background)->trigger();

@@ -300,7 +300,7 @@ void SettingsTest::pressureExponent_reachesTheBrush()
     // With the same pressure, which scales the radius, a soft curve gives the wider tree.
     const auto widthWith = [this](double exponent) {
         viewport().setPressureExponent(exponent);
-        const Camera& camera = viewport().camera();
+        const Camera& camera = viewport().mainCamera();
         const QPointF from = camera.project(Vec3(Vec3::Zero())).value_or(QPointF());
         const QPointF to = camera.project(Vec3(1.6F * Vec3::UnitY())).value_or(QPointF());
         for (int i = 0; i <= 26; ++i) {
@@ -329,7 +329,7 @@ void SettingsTest::stabiliser_calmsTheBrush()
 {
     m_window->viewSettings().set(&ViewValues::brushRadius, 0.0);
     const auto widthDrawn = [this] {
-        const Camera& camera = viewport().camera();
+        const Camera& camera = viewport().mainCamera();
         const QPoint foot = camera.project(Vec3(Vec3::Zero())).value_or(QPointF()).toPoint();
         QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, foot);
         for (int i = 1; i <= 30; ++i)
@@ -360,11 +360,11 @@ void SettingsTest::stabiliser_calmsTheBrush()
 void SettingsTest::mouseScheme_reachesTheCamera()
 {
     const auto drag = [this](Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
-        const Camera before = viewport().camera();
+        const Camera before = viewport().mainCamera();
         const QPoint from = viewport().rect().center();
         QTest::mousePress(&viewport(), button, modifiers, from);
         QTest::mouseRelease(&viewport(), button, modifiers, from + QPoint(60, -40));
-        const Camera& after = viewport().camera();
+        const Camera& after = viewport().mainCamera();
         const bool turned = before.azimuth() != after.azimuth();
         const bool zoomed = before.distance() != after.distance();
         viewport().setCamera(before);

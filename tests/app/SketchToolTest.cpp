@@ -125,7 +125,7 @@ void SketchToolTest::strokes_becomeTrunkAndBranches()
     QVERIFY(isFlat(tree(), index()));
     // The tip is where the stroke ended, within two pixels.
     const InternodeId tip = tree().size() - 1;
-    const QPointF seen = viewport().camera().project(index().nodePosition(tip)).value_or(QPointF());
+    const QPointF seen = viewport().mainCamera().project(index().nodePosition(tip)).value_or(QPointF());
     const QPoint wanted = at(-0.9F, 2.0F);
     QVERIFY((viewport().mapTo(m_window.get(), seen.toPoint()) - wanted).manhattanLength() <= 3);
     action(ActionId::Undo)->trigger();
@@ -365,7 +365,7 @@ void SketchToolTest::strokesAfterwards_lieParallelToTheScreen()
     QVERIFY(tree().size() > before);
     const Vec3 base = index().basePosition(tree(), before);
     for (InternodeId id = before; id < tree().size(); ++id)
-        QVERIFY(std::abs((index().nodePosition(id) - base).dot(viewport().camera().forward())) < 1e-3F);
+        QVERIFY(std::abs((index().nodePosition(id) - base).dot(viewport().mainCamera().forward())) < 1e-3F);
 }
 
 void SketchToolTest::loop_isALeaf()

@@ -201,13 +201,13 @@ void WindowLayoutTest::sheets_leaveTheTreeInView()
     m_window->resize(1440, 900);
     Viewport& viewport = workspace().viewport();
     test::growAtRandom(m_window->document(), 3, 200, 400);
-    viewport.setCamera(viewport.framed(viewport.camera()));
+    viewport.setCamera(viewport.framed(viewport.mainCamera()));
     for (const GrowthModelKind model : {GrowthModelKind::TreeSketch, GrowthModelKind::Vigour}) {
         TreeParameters parameters = m_window->document().parameters();
         parameters.growth.model = model;
         setParameters(m_window->document(), parameters);
         QVERIFY(viewport.isTreeClear());
-        const Camera before = viewport.camera();
+        const Camera before = viewport.mainCamera();
         for (const ActionId sheet : {ActionId::Architecture, ActionId::LeafSheet, ActionId::BranchSheet}) {
             const QByteArray name = action(sheet)->objectName().toUtf8();
             action(sheet)->trigger();
@@ -228,8 +228,8 @@ void WindowLayoutTest::sheets_leaveTheTreeInView()
             QTRY_VERIFY2(viewport.isTreeClear(), name);
         }
         action(ActionId::BranchSheet)->trigger();
-        QTRY_VERIFY((viewport.camera().target() - before.target()).norm() < 0.01F &&
-                    std::abs(viewport.camera().distance() / before.distance() - 1.0F) < 0.01F);
+        QTRY_VERIFY((viewport.mainCamera().target() - before.target()).norm() < 0.01F &&
+                    std::abs(viewport.mainCamera().distance() / before.distance() - 1.0F) < 0.01F);
     }
     m_window->resize(1024, 700);
     m_window->document().reset(1, TreeParameters());
@@ -260,7 +260,7 @@ void WindowLayoutTest::panes_leaveWhatWasSeenInView()
     crown.setDistance(0.5F * crown.distance());
     viewport.setCamera(crown);
     QVERIFY(!viewport.isTreeClear());
-    const Camera before = viewport.camera();
+    const Camera before = viewport.mainCamera();
     const QRectF clear = QRectF(viewport.clearRect()).adjusted(1.0, 1.0, -1.0, -1.0);
     const std::array corners{clear.topLeft(), clear.topRight(), clear.bottomLeft(), clear.bottomRight()};
     opened->trigger();

@@ -158,7 +158,8 @@ private:
     QPoint placeOf(const Vec3& point)
     {
         Viewport& viewport = m_window->workspace().viewport();
-        return viewport.mapTo(m_window.get(), viewport.camera().project(point).value_or(QPointF()).toPoint());
+        return viewport.mapTo(m_window.get(),
+                              viewport.mainCamera().project(point).value_or(QPointF()).toPoint());
     }
 
     void shootMenu()

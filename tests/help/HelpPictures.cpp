@@ -126,13 +126,13 @@ public:
     /// Looks at the box from the front.
     void look(const Box3& box)
     {
-        viewport().setCamera(viewport().camera().turnedTo(NamedView::Front).framing(box));
+        viewport().setCamera(viewport().mainCamera().turnedTo(NamedView::Front).framing(box));
         rest();
     }
     /// The place at @p up m above the ground and @p right m to the right of the trunk's base.
     QPoint at(double right, double up)
     {
-        const Camera& camera = viewport().camera();
+        const Camera& camera = viewport().mainCamera();
         const Vec3 place =
             static_cast<float>(right) * camera.right() + static_cast<float>(up) * Vec3::UnitY();
         return viewport().mapTo(&m_window, camera.project(place).value_or(QPointF()).toPoint());

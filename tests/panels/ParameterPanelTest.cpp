@@ -32,6 +32,7 @@
 #include <QLatin1String>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QPoint>
 #include <QPointF>
 #include <QPushButton>
@@ -42,6 +43,7 @@
 #include <QUrl>
 #include <QWidget>
 
+#include <cmath>
 #include <map>
 
 using namespace espalier;
@@ -59,6 +61,7 @@ private Q_SLOTS:
     void escape_takesADragThatShowsBack();
     void doubleClick_bringsTheDefaultBackAsOneStep();
     void keys_stride();
+    void drag_isFineFarFromTheTrackAndWithShift();
     void typedNumber_isPutInForceAndUndone();
     void looks_areListedWithSwatchesAndAWayToChooseAnImage();
     void imageOfOnesOwn_isListedUntilADrawnLookIsChosen();
@@ -193,6 +196,35 @@ void ParameterPanelTest::doubleClick_bringsTheDefaultBackAsOneStep()
     QCOMPARE(document.undoStack().count(), 2);
     document.undoStack().undo();
     QVERIFY(document.parameters().leaves.droop > 0.8);
+}
+
+void ParameterPanelTest::drag_isFineFarFromTheTrackAndWithShift()
+{
+    TreeDocument document;
+    ParameterPanel panel(document, ParameterSheet::Leaves);
+    panel.show();
+    auto* slider = panel.row("leaves.droop")->findChild<QSlider*>();
+    // What a drag by 60 px from the middle to the right changes, with the pointer so far below the track.
+    const auto dragged = [&](int below, Qt::KeyboardModifiers modifiers) {
+        const QPoint middle = slider->rect().center();
+        QTest::mousePress(slider, Qt::LeftButton, modifiers, middle);
+        const int before = slider->value();
+        for (const int x : {0, 20, 40, 60}) {
+            const QPoint place = middle + QPoint(x, below);
+            QMouseEvent move(QEvent::MouseMove, place, slider->mapToGlobal(place), Qt::NoButton,
+                             Qt::LeftButton, modifiers);
+            QCoreApplication::sendEvent(slider, &move);
+        }
+        QTest::mouseRelease(slider, Qt::LeftButton, modifiers, middle + QPoint(60, below));
+        return slider->value() - before;
+    };
+    const int near = dragged(0, {});
+    QVERIFY(near > 100);
+    QVERIFY(std::abs(dragged(30, {}) - near) <= near / 10);
+    const int far = dragged(120, {});
+    QVERIFY2(far > 0 && far < near / 5, qPrintable(QString::number(far)));
+    const int shifted = dragged(0, Qt::ShiftModifier);
+    QVERIFY2(shifted > 0 && shifted < near / 5, qPrintable(QString::number(shifted)));
 }
 
 void ParameterPanelTest::keys_stride()

@@ -29,7 +29,7 @@ private Q_SLOTS:
     void cleanup();
 
 protected:
-    QPoint at(const Vec3& point) const { return m_view->camera().project(point)->toPoint(); }
+    QPoint at(const Vec3& point) const { return m_view->mainCamera().project(point)->toPoint(); }
     void press(const Vec3& point) { QTest::mousePress(m_view.get(), Qt::LeftButton, {}, at(point)); }
     void release(const Vec3& point) { QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at(point)); }
     /// Moves a held mouse evenly along a line while time goes by.
@@ -73,7 +73,7 @@ inline void ViewportFixture::drag(const Vec3& from, const Vec3& to, int millisec
     constexpr int kStep = 20;
     for (int time = kStep; time <= milliseconds; time += kStep) {
         const Vec3 point = from + static_cast<float>(time) / static_cast<float>(milliseconds) * (to - from);
-        const QPointF place = *m_view->camera().project(point);
+        const QPointF place = *m_view->mainCamera().project(point);
         QMouseEvent event(QEvent::MouseMove, place, m_view->mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
                           Qt::NoModifier);
         QCoreApplication::sendEvent(m_view.get(), &event);

@@ -74,7 +74,7 @@ void WindowFixture::cleanup()
 
 QPoint WindowFixture::at(float right, float up)
 {
-    const Camera& camera = viewport().camera();
+    const Camera& camera = viewport().mainCamera();
     const auto point = camera.project(right * camera.right() + up * Vec3::UnitY());
     return viewport().mapTo(m_window.get(), point.value_or(QPointF()).toPoint());
 }

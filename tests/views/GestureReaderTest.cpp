@@ -59,6 +59,7 @@ protected:
     bool toolTakesFinger(const PointerSample& sample) override { return sample.position.y() < fingersAbove; }
     void toolHovers(const PointerSample& sample) override { note("hover", sample); }
     void budIsAsked(const PointerSample& sample) override { note("bud", sample); }
+    void menuIsAsked(const PointerSample& sample) override { note("menu", sample); }
     void fingersTap(int fingers) override { taps << fingers; }
     void orbitBy(const QPointF& distance) override { orbited += distance; }
     void panBy(const QPointF& distance) override { panned += distance; }
@@ -107,6 +108,8 @@ private Q_SLOTS:
     void palm_thatCameFirstIsTakenBack();
     void pen_endsTheStrokeOfAFinger();
     void penInReach_keepsFingersOut();
+    void rightClick_asksForAMenu_data();
+    void rightClick_asksForAMenu();
     void time_neverRunsBack();
     void stripFinger_rotatesWhileAnotherDraws();
     void altClick_asksForABud();
@@ -623,6 +626,31 @@ void GestureReaderTest::altClick_asksForABud()
     QCOMPARE(m_pad->log, QStringList{"bud"});
     QCOMPARE(m_pad->samples.back().position, QPointF(50, 60));
     QCOMPARE(m_pad->orbited, QPointF());
+}
+
+void GestureReaderTest::rightClick_asksForAMenu_data()
+{
+    QTest::addColumn<MouseScheme>("scheme");
+    QTest::newRow("Espalier") << MouseScheme::Espalier;
+    QTest::newRow("Blender") << MouseScheme::Blender;
+    QTest::newRow("Maya") << MouseScheme::Maya;
+}
+
+void GestureReaderTest::rightClick_asksForAMenu()
+{
+    QFETCH(const MouseScheme, scheme);
+    m_pad->gestures.setScheme(scheme);
+    QTest::mouseClick(m_pad.get(), Qt::RightButton, {}, {50, 60});
+    QCOMPARE(m_pad->log, QStringList{QStringLiteral("menu")});
+    QCOMPARE(m_pad->samples.back().position, QPointF(50, 60));
+    QVERIFY(!m_pad->gestures.isBusy());
+    // A drag does not, and a click with a key does not either.
+    m_pad->log.clear();
+    QTest::mousePress(m_pad.get(), Qt::RightButton, {}, {50, 60});
+    QTest::mouseMove(m_pad.get(), {90, 60});
+    QTest::mouseRelease(m_pad.get(), Qt::RightButton, {}, {90, 60});
+    QTest::mouseClick(m_pad.get(), Qt::MiddleButton, {}, {50, 60});
+    QVERIFY2(!m_pad->log.contains(QStringLiteral("menu")), qPrintable(m_pad->log.join(QLatin1Char(' '))));
 }
 
 void GestureReaderTest::time_neverRunsBack()

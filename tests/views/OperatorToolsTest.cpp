@@ -303,7 +303,7 @@ void OperatorToolsTest::budsTap_addsBudsAroundTheBranch()
     QCOMPARE(m_document->undoStack().count(), 1);
     // The middle one is under the pointer, on the near side.
     const Vec3 third = m_document->index().nodePosition(before.tree.size() + 2);
-    QVERIFY((m_view->camera().project(third)->toPoint() - at(place)).manhattanLength() < 4);
+    QVERIFY((m_view->mainCamera().project(third)->toPoint() - at(place)).manhattanLength() < 4);
     QVERIFY(third.z() > 0.0F);
     for (InternodeId id = before.tree.size(); id < tree.size(); ++id)
         QCOMPARE(m_document->index().axis(tree.parent(id)), InternodeId{0});

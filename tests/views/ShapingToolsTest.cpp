@@ -136,7 +136,7 @@ void ShapingToolsTest::dragPixels(const QPoint& from, const QPoint& to)
 
 QPoint ShapingToolsTest::handleEnd(InternodeId id) const
 {
-    const Camera& camera = m_view->camera();
+    const Camera& camera = m_view->mainCamera();
     Vec3 across = m_document->index().heading(id).cross(camera.forward()).normalized();
     if (across.dot(camera.right()) < 0.0F)
         across = -across;
@@ -245,7 +245,7 @@ void ShapingToolsTest::bendTwoFingers_lowerIsTheBase()
 {
     take<BendTool>();
     const DocumentState before(*m_document);
-    const Camera camera = m_view->camera();
+    const Camera camera = m_view->mainCamera();
     const InternodeId base = kBranch + 2;
     const QPoint lower = at(middle(base));
     const QPoint from = at(node(kTip));
@@ -265,7 +265,7 @@ void ShapingToolsTest::bendTwoFingers_lowerIsTheBase()
     QVERIFY(DocumentState(*m_document) == done);
     QVERIFY((node(kTip) - target).norm() < 0.05F);
     QVERIFY(isPositionedLikeBefore(before, base));
-    QVERIFY(m_view->camera() == camera);
+    QVERIFY(m_view->mainCamera() == camera);
     QCOMPARE(m_document->undoStack().count(), 1);
     m_document->undoStack().undo();
     QVERIFY(DocumentState(*m_document) == before);
@@ -322,7 +322,7 @@ void ShapingToolsTest::bendFingersOffTheBranch_moveTheCamera()
 {
     take<BendTool>();
     const DocumentState before(*m_document);
-    const Camera camera = m_view->camera();
+    const Camera camera = m_view->mainCamera();
     const QPoint from = at(node(kTip));
     QTest::touchEvent(m_view.get(), m_touch.get()).press(0, from);
     touchMove({{0, from + QPoint(0, 20)}});
@@ -337,7 +337,7 @@ void ShapingToolsTest::bendFingersOffTheBranch_moveTheCamera()
         .release(0, from + QPoint(30, 40))
         .release(1, beside + QPoint(30, 0));
     QVERIFY(DocumentState(*m_document) == before);
-    QVERIFY(!(m_view->camera() == camera));
+    QVERIFY(!(m_view->mainCamera() == camera));
 }
 
 void ShapingToolsTest::bendPen_pullsTheBranch()
@@ -418,7 +418,7 @@ void ShapingToolsTest::widthEnds_setTheWidth()
     const double was = diameter(id);
     const QPoint end = handleEnd(id);
     dragPixels(end, end + QPoint(15, 0));
-    const Camera& camera = m_view->camera();
+    const Camera& camera = m_view->mainCamera();
     const double metres = 15.0 / static_cast<double>(camera.pixelsPerMetre(camera.depth(middle(id))));
     QVERIFY2(std::abs(diameter(id) - was - 2.0 * metres) < 1e-3,
              qPrintable(QStringLiteral("%1 for %2").arg(diameter(id)).arg(was + 2.0 * metres)));
@@ -493,7 +493,8 @@ QPoint ShapingToolsTest::labelPlace(InternodeId id) const
 {
     Overlay overlay;
     m_view->tool().paint(overlay);
-    const std::vector<QRectF> boxes = labelBoxes(overlay, m_view->camera(), QFontMetricsF(m_view->font()));
+    const std::vector<QRectF> boxes =
+        labelBoxes(overlay, m_view->mainCamera(), QFontMetricsF(m_view->font()));
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (overlay.labels()[i].subject == id)
             return boxes[i].center().toPoint();
@@ -553,7 +554,7 @@ void ShapingToolsTest::widthLabel_doubleClickPutsNoHandleOnATwigBehind()
     click(middle(7));
     QTRY_VERIFY(m_view->toolContext().labelAt(labelPlace(7)) == InternodeId{7});
     // A branch behind the label.
-    const Vec3 behind = m_view->camera().onPlane(labelPlace(7), middle(7) - Vec3(0.0F, 0.0F, 0.3F));
+    const Vec3 behind = m_view->mainCamera().onPlane(labelPlace(7), middle(7) - Vec3(0.0F, 0.0F, 0.3F));
     const std::vector<NewInternode> twig{
         {.parent = 2,
          .slot = 1,
@@ -571,7 +572,7 @@ void ShapingToolsTest::widthLabels_doNotCoverEachOther()
     take<WidthTool>();
     for (const InternodeId id : {5U, 6U, 7U})
         setWidth(*m_document, id, 0.1 + 0.01 * id);
-    Camera camera = m_view->camera();
+    Camera camera = m_view->mainCamera();
     camera.setDistance(6.0F * camera.distance());
     m_view->setCamera(camera);
     Overlay overlay;

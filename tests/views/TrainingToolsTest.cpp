@@ -335,7 +335,7 @@ void TrainingToolsTest::eraserStroke_goesOnWhileTheCameraTurns()
     takePruning(PruneMode::Erase);
     press(trunkAt(0.7F));
     drag(trunkAt(0.7F), trunkAt(0.9F), 60);
-    Camera camera = m_view->camera();
+    Camera camera = m_view->mainCamera();
     camera.orbit(0.8F, 0.2F);
     m_view->setCamera(camera);
     drag(trunkAt(0.9F), trunkAt(1.5F), 100);
@@ -562,7 +562,7 @@ void TrainingToolsTest::stripFinger_windsTheTrunk()
 {
     m_settings->set(&ViewValues::brushRadius, 0.0);
     const int bottom = m_view->height() - Viewport::kStripHeight / 2;
-    const float azimuth = m_view->camera().azimuth();
+    const float azimuth = m_view->mainCamera().azimuth();
     const QPoint start = at({0.3F, 0.3F, 0.0F});
     const auto touch = [&] { return QTest::touchEvent(m_view.get(), m_touch.get()); };
     touch().press(0, {100, bottom}).press(1, start);
@@ -571,7 +571,7 @@ void TrainingToolsTest::stripFinger_windsTheTrunk()
         QTest::qWait(25);
     }
     touch().release(0, {400, bottom}).release(1, start - QPoint(0, 120));
-    QVERIFY(std::abs(m_view->camera().azimuth() - azimuth) > 1.0F);
+    QVERIFY(std::abs(m_view->mainCamera().azimuth() - azimuth) > 1.0F);
     QCOMPARE(m_document->undoStack().count(), 1);
     // The finger stayed 0.3 m right of the axis: the trunk goes around it.
     Box3 box;

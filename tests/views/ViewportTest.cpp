@@ -2,10 +2,12 @@
 #include "tests/support/TestClasses.h"
 #include "tests/support/ViewportFixture.h"
 #include "views/tools/BrushTool.h"
+#include "views/tools/PruneTool.h"
 
 #include <QSignalSpy>
 #include <QWheelEvent>
 
+#include <cmath>
 #include <numbers>
 
 using namespace espalier;
@@ -36,6 +38,10 @@ private Q_SLOTS:
     void picture_changesWithTheTreeAndComesToRest();
     void brushRadius_doesNotRedrawTheTree();
     void window_canBeChanged();
+    void sideView_givesDepthToWhatIsDrawnInIt();
+    void sideView_isPickedIn();
+    void sideView_zoomsAndTurnsWithTheLargeOne();
+    void sideView_needsRoom();
     void sun_isDraggedAndNothingIsUndone();
     void sun_goesBehindTheTreeBeyondTheRim();
     void escape_putsTheSunBack();
@@ -61,7 +67,7 @@ void ViewportTest::seedling_isShownBySettingOut()
 {
     Camera expected;
     expected.setViewSize(m_view->size());
-    QCOMPARE(m_view->camera(), expected);
+    QCOMPARE(m_view->mainCamera(), expected);
 }
 
 void ViewportTest::mouseStroke_growsTheTreeAndIsOneUndoStep()
@@ -117,11 +123,11 @@ void ViewportTest::secondFinger_takesTheStrokeBack()
     QTest::touchEvent(m_view.get(), m_touch.get()).stationary(0).press(1, base + QPoint(100, 0));
     QVERIFY(!m_view->isGestureActive());
     QCOMPARE(alive(), 1U);
-    const Vec3 target = m_view->camera().target();
+    const Vec3 target = m_view->mainCamera().target();
     QTest::touchEvent(m_view.get(), m_touch.get())
         .move(0, base - QPoint(-30, 100))
         .move(1, base + QPoint(130, 0));
-    QVERIFY((m_view->camera().target() - target).norm() > 0.01F);
+    QVERIFY((m_view->mainCamera().target() - target).norm() > 0.01F);
     QTest::touchEvent(m_view.get(), m_touch.get())
         .release(0, base - QPoint(-30, 100))
         .release(1, base + QPoint(130, 0));
@@ -166,7 +172,7 @@ void ViewportTest::strokeFromANode_drawsInItsDepth()
 {
     // From the side, draw away from the front; then from the front, begin at the tip of that.
     m_settings->set(&ViewValues::brushRadius, 0.0);
-    Camera side = m_view->camera().turnedTo(NamedView::Side);
+    Camera side = m_view->mainCamera().turnedTo(NamedView::Side);
     m_view->setCamera(side);
     stroke(Vec3::Zero(), {0.0F, 1.0F, 0.9F}, 700);
     m_view->setCamera(side.turnedTo(NamedView::Front));
@@ -207,12 +213,12 @@ void ViewportTest::controlWheel_changesTheRadiusDuringAStroke()
     press({0.0F, 1.0F, 0.0F});
     const double before = m_settings->values().brushRadius;
     const QPointF place(320, 240);
-    const Camera camera = m_view->camera();
+    const Camera camera = m_view->mainCamera();
     QWheelEvent event(place, m_view->mapToGlobal(place), {}, {0, 240}, Qt::LeftButton, Qt::ControlModifier,
                       Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(m_view.get(), &event);
     QVERIFY(std::abs(m_settings->values().brushRadius - before * 1.21) < 1e-9);
-    QCOMPARE(m_view->camera(), camera);
+    QCOMPARE(m_view->mainCamera(), camera);
     Overlay overlay;
     m_view->tool().paint(overlay);
     QVERIFY(std::abs(static_cast<double>(overlay.spheres().front().radius) - before * 1.21) < 1e-6);
@@ -226,7 +232,7 @@ void ViewportTest::keysDuringAStroke_windTheTrunk()
     drag(Vec3::Zero(), Vec3(0.5F, 0.4F, 0.0F), 300);
     QTest::keyPress(m_view.get(), Qt::Key_E);
     // On the screen the pointer moves straight up beside the axis; in the world it goes around it.
-    const QPointF from = *m_view->camera().project({0.5F, 0.4F, 0.0F});
+    const QPointF from = *m_view->mainCamera().project({0.5F, 0.4F, 0.0F});
     for (int i = 1; i <= 60; ++i) {
         const QPointF place = from - QPointF(0, 2 * i);
         QMouseEvent event(QEvent::MouseMove, place, m_view->mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
@@ -235,7 +241,7 @@ void ViewportTest::keysDuringAStroke_windTheTrunk()
         QTest::qWait(20);
     }
     QTest::keyRelease(m_view.get(), Qt::Key_E);
-    QVERIFY(m_view->camera().azimuth() > static_cast<float>(radians(30)));
+    QVERIFY(m_view->mainCamera().azimuth() > static_cast<float>(radians(30)));
     QVERIFY(m_view->isGestureActive());
     QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, (from - QPointF(0, 120)).toPoint());
     float farthestBack = 0.0F;
@@ -247,19 +253,19 @@ void ViewportTest::keysDuringAStroke_windTheTrunk()
 
 void ViewportTest::orbitAndZoom_moveTheCameraAndLeaveTheTreeAlone()
 {
-    const Camera before = m_view->camera();
+    const Camera before = m_view->mainCamera();
     QTest::mousePress(m_view.get(), Qt::RightButton, {}, {300, 200});
     QTest::mouseRelease(m_view.get(), Qt::RightButton, {}, {360, 220});
-    QVERIFY(m_view->camera().azimuth() < before.azimuth());
-    QVERIFY(m_view->camera().elevation() > before.elevation());
+    QVERIFY(m_view->mainCamera().azimuth() < before.azimuth());
+    QVERIFY(m_view->mainCamera().elevation() > before.elevation());
     const QPointF place(320, 240);
     QWheelEvent event(place, m_view->mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(m_view.get(), &event);
-    QVERIFY(m_view->camera().distance() < before.distance());
-    const float distance = m_view->camera().distance();
+    QVERIFY(m_view->mainCamera().distance() < before.distance());
+    const float distance = m_view->mainCamera().distance();
     QTest::keyClick(m_view.get(), Qt::Key_Minus);
-    QVERIFY(m_view->camera().distance() > distance);
+    QVERIFY(m_view->mainCamera().distance() > distance);
     QCOMPARE(alive(), 1U);
     QCOMPARE(m_document->undoStack().count(), 0);
 }
@@ -267,12 +273,12 @@ void ViewportTest::orbitAndZoom_moveTheCameraAndLeaveTheTreeAlone()
 void ViewportTest::frameAll_fliesToTheWholeTree()
 {
     stroke(Vec3::Zero(), {0.0F, 3.0F, 0.0F}, 600);
-    Camera away = m_view->camera();
+    Camera away = m_view->mainCamera();
     away.setTarget({30.0F, 0.0F, 0.0F});
     m_view->setCamera(away);
     QTest::keyClick(m_view.get(), Qt::Key_F);
-    QVERIFY(m_view->camera().target().x() > 29.0F);
-    QTRY_VERIFY(std::abs(m_view->camera().target().x()) < 1.0F);
+    QVERIFY(m_view->mainCamera().target().x() > 29.0F);
+    QTRY_VERIFY(std::abs(m_view->mainCamera().target().x()) < 1.0F);
     const QRect visible = m_view->rect();
     for (InternodeId id = 0; id < m_document->tree().size(); ++id) {
         if (m_document->tree().isAlive(id))
@@ -283,7 +289,7 @@ void ViewportTest::frameAll_fliesToTheWholeTree()
 void ViewportTest::namedViews_turnAndKeepTargetAndDistance()
 {
     stroke(Vec3::Zero(), {0.0F, 2.0F, 0.0F}, 400);
-    Camera canvas = m_view->camera();
+    Camera canvas = m_view->mainCamera();
     canvas.setTarget({0.2F, 1.7F, 0.1F});
     canvas.setDistance(2.5F);
     m_view->setCamera(canvas);
@@ -291,44 +297,44 @@ void ViewportTest::namedViews_turnAndKeepTargetAndDistance()
          {NamedView::Side, NamedView::Top, NamedView::ThreeQuarter, NamedView::Front}) {
         m_view->showFrom(side);
         const Camera turned = canvas.turnedTo(side);
-        QTRY_VERIFY(std::abs(m_view->camera().elevation() - turned.elevation()) < 1e-4F &&
-                    std::abs(std::remainder(m_view->camera().azimuth() - turned.azimuth(),
+        QTRY_VERIFY(std::abs(m_view->mainCamera().elevation() - turned.elevation()) < 1e-4F &&
+                    std::abs(std::remainder(m_view->mainCamera().azimuth() - turned.azimuth(),
                                             2.0F * std::numbers::pi_v<float>)) < 1e-4F);
-        QVERIFY((m_view->camera().target() - canvas.target()).norm() < 1e-4F);
-        QVERIFY(std::abs(m_view->camera().distance() - canvas.distance()) < 1e-4F);
+        QVERIFY((m_view->mainCamera().target() - canvas.target()).norm() < 1e-4F);
+        QVERIFY(std::abs(m_view->mainCamera().distance() - canvas.distance()) < 1e-4F);
     }
 }
 
 void ViewportTest::frameAllDuringATurn_comesToBothEnds()
 {
     stroke(Vec3::Zero(), {0.0F, 3.0F, 0.0F}, 600);
-    Camera away = m_view->camera();
+    Camera away = m_view->mainCamera();
     away.setTarget({30.0F, 0.0F, 0.0F});
     m_view->setCamera(away);
     m_view->showFrom(NamedView::Side);
-    QTRY_VERIFY(m_view->camera().azimuth() > 0.2F);
+    QTRY_VERIFY(m_view->mainCamera().azimuth() > 0.2F);
     QTest::keyClick(m_view.get(), Qt::Key_F);
-    QTRY_VERIFY(std::abs(m_view->camera().azimuth() - static_cast<float>(radians(90))) < 1e-4F);
-    QVERIFY(std::abs(m_view->camera().target().x()) < 1.0F);
+    QTRY_VERIFY(std::abs(m_view->mainCamera().azimuth() - static_cast<float>(radians(90))) < 1e-4F);
+    QVERIFY(std::abs(m_view->mainCamera().target().x()) < 1.0F);
 }
 
 void ViewportTest::turnDuringAFlight_isKept()
 {
     stroke(Vec3::Zero(), {0.0F, 3.0F, 0.0F}, 600);
-    Camera away = m_view->camera();
+    Camera away = m_view->mainCamera();
     away.setTarget({30.0F, 0.0F, 0.0F});
     m_view->setCamera(away);
     QTest::mousePress(m_view.get(), Qt::RightButton, {}, {200, 200});
     QTest::keyClick(m_view.get(), Qt::Key_F);
     QTest::qWait(60);
-    const float azimuth = m_view->camera().azimuth();
+    const float azimuth = m_view->mainCamera().azimuth();
     QMouseEvent dragged(QEvent::MouseMove, {240.0, 200.0}, m_view->mapToGlobal(QPointF(240.0, 200.0)),
                         Qt::NoButton, Qt::RightButton, Qt::NoModifier);
     QCoreApplication::sendEvent(m_view.get(), &dragged);
-    const float turned = m_view->camera().azimuth();
+    const float turned = m_view->mainCamera().azimuth();
     QVERIFY(std::abs(turned - azimuth) > 0.1F);
-    QTRY_VERIFY(std::abs(m_view->camera().target().x()) < 1.0F);
-    QVERIFY(std::abs(m_view->camera().azimuth() - turned) < 0.05F);
+    QTRY_VERIFY(std::abs(m_view->mainCamera().target().x()) < 1.0F);
+    QVERIFY(std::abs(m_view->mainCamera().azimuth() - turned) < 0.05F);
     QTest::mouseRelease(m_view.get(), Qt::RightButton, {}, {240, 200});
 }
 
@@ -386,6 +392,99 @@ void ViewportTest::window_canBeChanged()
     m_view->setParent(nullptr);
 }
 
+void ViewportTest::sideView_givesDepthToWhatIsDrawnInIt()
+{
+    m_settings->set(&ViewValues::sideViewShown, true);
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    stroke(Vec3::Zero(), {0.0F, 2.0F, 0.0F}, 300);
+    const SideView& side = m_view->sideView();
+    QVERIFY(m_view->rect().contains(side.rect()));
+    // In the view from the right, the right is away from the viewer of the large one.
+    const auto place = [&](const Vec3& point) {
+        return (side.camera().project(point)->toPoint() + side.rect().topLeft());
+    };
+    const std::uint32_t trunk = alive();
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, place({0.0F, 1.4F, 0.0F}));
+    for (int i = 1; i <= 20; ++i) {
+        const float share = static_cast<float>(i) / 20.0F;
+        QTest::mouseMove(m_view.get(), place({0.0F, 1.4F + 0.5F * share, -0.9F * share}));
+        QTest::qWait(20);
+    }
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, place({0.0F, 1.9F, -0.9F}));
+    QVERIFY(alive() > trunk + 2);
+    Box3 limb;
+    for (InternodeId id = 0; id < m_document->tree().size(); ++id)
+        limb.extend(m_document->index().nodePosition(id));
+    QVERIFY2(limb.min().z() < -0.6F, qPrintable(QString::number(limb.min().z())));
+    QVERIFY(limb.max().z() < 0.2F);
+    QVERIFY(limb.max().x() < 0.2F && limb.min().x() > -0.2F);
+    QCOMPARE(m_document->undoStack().count(), 2);
+
+    // The pointer that comes back to the large view draws there again.
+    const std::uint32_t before = alive();
+    stroke({0.0F, 1.0F, 0.0F}, {0.8F, 1.4F, 0.0F}, 400);
+    QVERIFY(alive() > before + 1);
+    for (InternodeId id = 0; id < m_document->tree().size(); ++id)
+        limb.extend(m_document->index().nodePosition(id));
+    QVERIFY(limb.max().x() > 0.5F);
+}
+
+void ViewportTest::sideView_isPickedIn()
+{
+    m_settings->set(&ViewValues::sideViewShown, true);
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    stroke(Vec3::Zero(), {0.0F, 2.0F, 0.0F}, 300);
+    m_view->setTool(std::make_unique<PruneTool>(m_view->toolContext()));
+    const SideView& side = m_view->sideView();
+    const QPoint middle = side.camera().project({0.0F, 1.0F, 0.0F})->toPoint() + side.rect().topLeft();
+    const std::uint32_t trunk = alive();
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, middle);
+    QTRY_VERIFY(alive() < trunk);
+    QCOMPARE(m_document->undoStack().count(), 2);
+}
+
+void ViewportTest::sideView_zoomsAndTurnsWithTheLargeOne()
+{
+    m_settings->set(&ViewValues::sideViewShown, true);
+    const SideView& side = m_view->sideView();
+    const auto right = [&] { return static_cast<double>(side.camera().azimuth()); };
+    const auto large = [&] { return static_cast<double>(m_view->mainCamera().azimuth()); };
+    QVERIFY(std::abs(right() - large() - std::numbers::pi / 2.0) < 1e-6);
+    const QPoint middle = side.rect().center();
+    QTest::mousePress(m_view.get(), Qt::RightButton, {}, middle);
+    QTest::mouseMove(m_view.get(), middle + QPoint(40, 0));
+    QTest::mouseRelease(m_view.get(), Qt::RightButton, {}, middle + QPoint(40, 0));
+    QVERIFY(std::abs(large()) > 0.1);
+    QVERIFY(std::abs(right() - large() - std::numbers::pi / 2.0) < 1e-6);
+    // The wheel over it does not move the tree sideways in the large view.
+    const Vec3 target = m_view->mainCamera().target();
+    const float distance = m_view->mainCamera().distance();
+    QWheelEvent wheel(middle, m_view->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(m_view.get(), &wheel);
+    QVERIFY(m_view->mainCamera().distance() < distance);
+    QVERIFY((m_view->mainCamera().target() - target).norm() < 1e-5F);
+}
+
+void ViewportTest::sideView_needsRoom()
+{
+    QVERIFY(!m_view->sideView().isShown());
+    m_settings->set(&ViewValues::sideViewShown, true);
+    QVERIFY(m_view->sideView().isShown());
+    m_view->setFrameMargins({200, 100, 200, 100});
+    QVERIFY(!m_view->sideView().isShown());
+    m_view->setFrameMargins({0, 0, 0, 0});
+    QVERIFY(m_view->sideView().isShown());
+    // It is drawn, and the large picture beside it stays the same.
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20'000);
+    const QImage with = m_view->grabFramebuffer();
+    m_settings->set(&ViewValues::sideViewShown, false);
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20'000);
+    const QImage without = m_view->grabFramebuffer();
+    QCOMPARE(with.copy(0, 0, 300, 480), without.copy(0, 0, 300, 480));
+    QVERIFY(with != without);
+}
+
 void ViewportTest::sun_isDraggedAndNothingIsUndone()
 {
     const ViewValues before = m_settings->values();
@@ -435,7 +534,7 @@ void ViewportTest::escape_putsTheSunBack()
 void ViewportTest::pinnedSun_staysOnTheScreen()
 {
     const auto turn = [&](float angle) {
-        Camera camera = m_view->camera();
+        Camera camera = m_view->mainCamera();
         camera.orbit(angle, 0.0F);
         m_view->setCamera(camera);
     };
@@ -457,7 +556,7 @@ void ViewportTest::heldSun_staysUnderThePointerWhileTheTreeTurns()
     pressSun();
     moveHeld(target);
     const double azimuth = m_settings->values().sunAzimuth;
-    Camera camera = m_view->camera();
+    Camera camera = m_view->mainCamera();
     camera.orbit(0.6F, 0.0F);
     m_view->setCamera(camera);
     QTRY_VERIFY(isSunAt(target));

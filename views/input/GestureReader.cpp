@@ -103,13 +103,13 @@ GestureReader::Mode GestureReader::modeOfButton(const PointerSample& sample) con
     switch (m_scheme) {
     case MouseScheme::Blender:
         if (!isMiddle)
-            return Mode::Idle;
+            return Mode::Menu;
         if (sample.modifiers.testFlag(Qt::ControlModifier))
             return Mode::Zoom;
         break;
     case MouseScheme::Maya:
         if (!alt)
-            return Mode::Idle;
+            return isMiddle ? Mode::Idle : Mode::Menu;
         return isMiddle ? Mode::Pan : Mode::Zoom;
     case MouseScheme::Espalier:
         break;
@@ -132,7 +132,9 @@ void GestureReader::readPointer(const PointerSample& sample)
         m_device = sample.device;
         m_button = sample.button;
         m_position = m_pressedAt = sample.position;
-        m_mayBeClick = m_button == Qt::LeftButton && m_mode == Mode::Orbit;
+        m_mayBeClick =
+            m_mode == Mode::Menu || (m_mode == Mode::Orbit && m_button != Qt::MiddleButton &&
+                                     (m_button == Qt::LeftButton || sample.modifiers == Qt::NoModifier));
         if (m_mode == Mode::Tool && m_strip.contains(sample.position))
             m_mode = Mode::Strip;
         if (m_mode == Mode::Tool) {
@@ -155,8 +157,10 @@ void GestureReader::readPointer(const PointerSample& sample)
         else
             m_target.toolMoves(sample);
     } else if (m_mayBeClick && isNear(m_pressedAt, sample.position)) {
-        if (ends && sample.phase == PointerPhase::Release)
+        if (ends && sample.phase == PointerPhase::Release && m_button == Qt::LeftButton)
             m_target.budIsAsked(sample);
+        else if (ends && sample.phase == PointerPhase::Release)
+            m_target.menuIsAsked(sample);
     } else if (!distance.isNull()) {
         // A click that becomes a drag turns the view by the whole distance.
         const QPointF whole = std::exchange(m_mayBeClick, false) ? sample.position - m_pressedAt : distance;

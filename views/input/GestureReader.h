@@ -28,6 +28,9 @@ public:
     /// A click with Alt held, without a move of the view: it selects a bud.
     virtual void budIsAsked(const PointerSample& sample) = 0;
 
+    /// A click with the right button, or with the side button of a pen: it asks for a menu.
+    virtual void menuIsAsked(const PointerSample& sample) = 0;
+
     /// @p fingers, 2...4, have tapped the screen together.
     virtual void fingersTap(int fingers) = 0;
 
@@ -40,7 +43,8 @@ public:
 
 /// Recognises gestures before samples go to tools (TreeSketch §3.1): one finger, a pen's tip or the left
 /// mouse button works with the tool; two fingers pan and pinch, three rotate. Other mouse buttons move the
-/// camera as MouseScheme says, and the left one pans while the space bar is held. When a second finger joins
+/// camera as MouseScheme says, and the left one pans while the space bar is held. A
+/// click of the right button asks for a menu. When a second finger joins
 /// the first, the tool's gesture is cancelled, unless the tool uses the second finger too. So a second finger
 /// corresponds to Escape on a keyboard. Several fingers that come and go at their places within kTapTime tap.
 /// While a pen is near or down, touches are treated as a palm and ignored.
@@ -85,6 +89,7 @@ private:
         TwoFingers,
         ThreeFingers,
         Strip,
+        Menu,  ///< The right button is down and does not move the camera
         Spent, ///< Waits until everything is lifted
     };
     struct Finger {
@@ -120,8 +125,9 @@ private:
     Qt::MouseButton m_button = Qt::NoButton;       ///< Button that began the gesture
     QPointF m_position;
     QPointF m_pressedAt;
-    double m_begun = 0.0;      ///< When the tool's gesture began, s
-    bool m_mayBeClick = false; ///< Alt and the left button are held, and the pointer has not moved
+    double m_begun = 0.0; ///< When the tool's gesture began, s
+    /// The right button is held, or the left one with Alt, and the pointer has not moved.
+    bool m_mayBeClick = false;
     QRectF m_strip;
     bool m_panKey = false;
     MouseScheme m_scheme = MouseScheme::Espalier;

@@ -61,21 +61,25 @@ OverlayRenderer::OverlayRenderer(Gl& gl)
 OverlayRenderer::~OverlayRenderer() = default;
 
 void OverlayRenderer::render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth,
-                             const QSize& size, double pixelRatio)
+                             const QRect& part, double pixelRatio)
 {
-    m_gl.glViewport(0, 0, size.width(), size.height());
+    m_gl.glViewport(part.left(), part.top(), part.width(), part.height());
+    m_gl.glScissor(part.left(), part.top(), part.width(), part.height());
+    m_gl.glEnable(GL_SCISSOR_TEST);
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glEnable(GL_BLEND);
     m_gl.glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_gl.glActiveTexture(GL_TEXTURE0);
     m_gl.glBindTexture(GL_TEXTURE_2D, sceneDepth);
-    const QVector2D overlaySize(static_cast<float>(size.width()), static_cast<float>(size.height()));
+    const QVector2D overlaySize(static_cast<float>(part.width()), static_cast<float>(part.height()));
+    const QVector2D overlayOrigin(static_cast<float>(part.left()), static_cast<float>(part.top()));
     for (QOpenGLShaderProgram* program : {m_gridProgram.get(), m_sphereProgram.get(), m_surfaceProgram.get(),
                                           m_lineProgram.get(), m_dotProgram.get()}) {
         program->bind();
         program->setUniformValue("sceneDepth", 0);
         program->setUniformValue("overlaySize", overlaySize);
+        program->setUniformValue("overlayOrigin", overlayOrigin);
     }
     const auto ratio = static_cast<float>(pixelRatio);
     drawGrids(overlay);
@@ -83,6 +87,7 @@ void OverlayRenderer::render(const Overlay& overlay, const Camera& camera, GLuin
     drawSurfaces(overlay);
     drawLines(overlay, camera, ratio);
     drawDots(overlay, ratio);
+    m_gl.glDisable(GL_SCISSOR_TEST);
     m_gl.glDisable(GL_BLEND);
 }
 

@@ -16,9 +16,9 @@ public:
     explicit OverlayRenderer(Gl& gl);
     ~OverlayRenderer();
 
-    /// Draws into the bound framebuffer, which has @p size pixels and @p pixelRatio pixels for a
-    /// device-independent one.
-    void render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth, const QSize& size,
+    /// Draws into the part @p part of the bound framebuffer, pixels counted from its lower left corner, that
+    /// shows the picture; @p pixelRatio pixels are a device-independent one.
+    void render(const Overlay& overlay, const Camera& camera, GLuint sceneDepth, const QRect& part,
                 double pixelRatio);
 
 private:

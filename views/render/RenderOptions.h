@@ -24,6 +24,8 @@ struct RenderOptions {
     bool mayLag = false;
     /// Shadows may be those of an earlier state, or of an earlier sun.
     bool keepsShadows = false;
+    /// The detail of the tree's surface stays as it is for another camera.
+    bool keepsDetail = false;
     bool isPlain = false; ///< Light is computed per vertex: a fast approximation
 };
 

@@ -130,7 +130,8 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
 {
     const QSize size(static_cast<int>(camera.viewSize().width()),
                      static_cast<int>(camera.viewSize().height()));
-    scene.setPixelSize(1.0 / static_cast<double>(camera.pixelsPerMetre(camera.distance())));
+    if (!options.keepsDetail)
+        scene.setPixelSize(1.0 / static_cast<double>(camera.pixelsPerMetre(camera.distance())));
     if (options.mayLag)
         scene.prepareSome();
     else
@@ -167,6 +168,12 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
     target.finish(pass);
     // Overlays use the same matrix in all passes, so that they do not tremble.
     m_frame.viewProjection = m_frame.centredViewProjection;
+    sendFrame();
+}
+
+void Renderer::bindFrame(const FrameUniforms& frame)
+{
+    m_frame = frame;
     sendFrame();
 }
 

@@ -32,6 +32,9 @@ public:
 
     /// The frame's uniforms, which stay bound after render() for overlays.
     const FrameUniforms& frame() const { return m_frame; }
+    /// Binds the uniforms of an earlier frame, for overlays over its picture.
+    void bindFrame(const FrameUniforms& frame);
+    Gl& gl() const { return m_gl; }
 
 private:
     void updateShadows(const TreeScene& scene, const Camera& camera, const RenderOptions& options);

@@ -70,7 +70,7 @@ Vec3 directionAt(const QPointF& screen, bool behind, const Camera& camera)
 
 QPointF SunTool::place() const
 {
-    const Camera& camera = context().camera();
+    const Camera& camera = context().mainCamera();
     return placeOf(towardSun(context().viewSettings().values(), camera), camera);
 }
 
@@ -85,7 +85,7 @@ bool SunTool::isAt(const QPointF& screen, double reach) const
 void SunTool::begin(const PointerSample& sample)
 {
     const ViewValues& values = context().viewSettings().values();
-    const Camera& camera = context().camera();
+    const Camera& camera = context().mainCamera();
     m_grip = Grip{place() - sample.position, espalier::isBehind(towardSun(values, camera), camera), values};
     m_pointer = sample.position;
 }
@@ -139,7 +139,7 @@ void SunTool::tick(double)
 
 void SunTool::follow()
 {
-    const Camera& camera = context().camera();
+    const Camera& camera = context().mainCamera();
     ViewValues values = context().viewSettings().values();
     putSun(values, camera, directionAt(m_pointer + m_grip->offset, m_grip->isBehind, camera));
     context().viewSettings().setValues(values);
@@ -150,7 +150,7 @@ void SunTool::paint(Overlay& overlay) const
     const ViewValues& values = context().viewSettings().values();
     if (!values.sunShown)
         return;
-    const Camera& camera = context().camera();
+    const Camera& camera = context().mainCamera();
     const Vec3 toward = towardSun(values, camera);
     // A ball behind the tree is drawn at a greater depth than the tree, so that the tree hides it.
     constexpr float kMostDepth = 3.0F; // m

@@ -18,7 +18,10 @@ public:
 
     virtual TreeDocument& document() = 0;
     virtual ViewSettings& viewSettings() = 0;
+    /// The camera of the view that the pointer is in. Positions of samples are in that view.
     virtual const Camera& camera() const = 0;
+    /// The camera of the large view, which shows the sun.
+    virtual const Camera& mainCamera() const = 0;
     /// The branch under the pointer, within the distance for that kind of pointer.
     virtual std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const = 0;
     /// The same, but thin branches in front of thick ones are passed over (pickThickBranch).

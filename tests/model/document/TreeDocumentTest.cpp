@@ -22,6 +22,8 @@ private Q_SLOTS:
     void nothingToUndo_isNoEvent();
     void reset_startsAnew();
     void resetToAJournal_revertsThroughIt();
+    void resetToAJournal_bringsTheStepsBack();
+    void resetToAnEarlierMoment_canUndoTheTravel();
     void exchange_isUndoneAndRedoneWithAllThatSurroundsIt();
     void revertAndApplyOfEachDelta_passesThroughTheSameTrees();
     void memoryOfALivingInternode_isLimited();
@@ -173,6 +175,70 @@ void TreeDocumentTest::resetToAJournal_revertsThroughIt()
     QCOMPARE(indexFault(other), QString());
     travel(other, 0);
     QCOMPARE(other.index().livingCount(), 1U);
+    QCOMPARE(indexFault(other), QString());
+}
+
+void TreeDocumentTest::resetToAJournal_bringsTheStepsBack()
+{
+    for (std::uint64_t seed = 60; seed < 66; ++seed) {
+        TreeDocument document;
+        growAtRandom(document, seed, 60, 300);
+        travel(document, document.journal().size() + document.future().size());
+        TreeDocument other;
+        int indexChanges = 0;
+        connect(&other.undoStack(), &QUndoStack::indexChanged, this, [&] { ++indexChanges; });
+        other.reset(document.tree(), document.journal());
+        QVERIFY(indexChanges <= 2);
+        const QUndoStack& stack = other.undoStack();
+        QVERIFY(stack.isClean());
+        QVERIFY(stack.canUndo() && !stack.canRedo());
+
+        // A step an edit, with the name that it was committed with.
+        QStringList names;
+        for (const auto& delta : document.journal()) {
+            if (delta->record)
+                names.append(delta->record->step);
+        }
+        QCOMPARE(stack.count(), names.size());
+        for (int i = 0; i < stack.count(); ++i)
+            QCOMPARE(stack.text(i), names[i]);
+        QVERIFY(!names.contains(QString()));
+
+        while (stack.canUndo())
+            other.undo();
+        QCOMPARE(other.index().livingCount(), 1U);
+        QCOMPARE(other.journal().size(), std::size_t{0});
+        QCOMPARE(indexFault(other), QString());
+        while (stack.canRedo())
+            other.redo();
+        QVERIFY(other.tree() == document.tree());
+        QVERIFY(stack.isClean());
+        QCOMPARE(indexFault(other), QString());
+    }
+}
+
+void TreeDocumentTest::resetToAnEarlierMoment_canUndoTheTravel()
+{
+    TreeDocument document;
+    growAtRandom(document, 52);
+    travel(document, document.journal().size() + document.future().size());
+    const std::size_t whole = document.journal().size();
+    QVERIFY(whole > 3);
+    TreeDocument other;
+    other.reset(document.tree(), document.journal(), 2);
+    QCOMPARE(other.journal().size(), whole - 2);
+    QVERIFY(other.undoStack().isClean());
+    other.undo();
+    QCOMPARE(other.journal().size(), whole);
+    QVERIFY(other.tree() == document.tree());
+    other.redo();
+    QCOMPARE(other.future().size(), std::size_t{2});
+    while (other.undoStack().canUndo())
+        other.undo();
+    QCOMPARE(other.index().livingCount(), 1U);
+    while (other.undoStack().canRedo())
+        other.redo();
+    QCOMPARE(other.journal().size(), whole - 2);
     QCOMPARE(indexFault(other), QString());
 }
 

@@ -45,8 +45,8 @@ QImage picture()
 Project recordedProject()
 {
     Project project = sampleProject(50);
-    project.journal[0]->record =
-        std::make_shared<const EditRecord>(EditRecord{R"({"op":"grow","steps":2})", 2});
+    project.journal[0]->record = std::make_shared<const EditRecord>(
+        EditRecord{R"({"op":"grow","steps":2})", 2, QStringLiteral("Grow, 2 steps")});
     project.journal[2]->record = EditRecord::unknown();
     return project;
 }
@@ -89,6 +89,7 @@ private Q_SLOTS:
     void wrongColumns_areRefused_data();
     void wrongColumns_areRefused();
     void records_areKept();
+    void nameOfAStep_isOneShortLine();
     void wrongRecords_areRefused_data();
     void wrongRecords_areRefused();
     void zipBomb_isRefusedBeforeItIsUnpacked();
@@ -636,15 +637,32 @@ void ProjectFileTest::records_areKept()
     QVERIFY(sameJournal(back->journal, project.journal));
     QCOMPARE(back->journal[0]->record->operation, QByteArray(R"({"op":"grow","steps":2})"));
     QCOMPARE(back->journal[0]->record->deltas, 2U);
+    QCOMPARE(back->journal[0]->record->step, QStringLiteral("Grow, 2 steps"));
     QVERIFY(!back->journal[1]->record);
     QVERIFY(back->journal[2]->record->operation.isEmpty());
-    // Files of before have none.
+    // Files of before have no names of steps, or no records.
     ZipEntries entries = unpackEntries(*packProject(project));
+    std::erase_if(entries, [](const auto& e) { return e.first == "journal/records.steps"; });
+    const Result<Project> nameless = unpackProject(packEntries(entries));
+    QVERIFY(nameless);
+    QCOMPARE(nameless->journal[0]->record->deltas, 2U);
+    QVERIFY(nameless->journal[0]->record->step.isEmpty());
     std::erase_if(entries, [](const auto& e) { return e.first.startsWith("journal/records"); });
     const Result<Project> old = unpackProject(packEntries(entries));
     QVERIFY(old);
     QVERIFY(old->tree == project.tree);
     QVERIFY(std::ranges::none_of(old->journal, [](const auto& delta) { return delta->record != nullptr; }));
+}
+
+void ProjectFileTest::nameOfAStep_isOneShortLine()
+{
+    ZipEntries entries = unpackEntries(*packProject(recordedProject()));
+    entry(entries, "journal/records.steps") =
+        "[\"Grow\\n\\u0007 twice\",\"" + QByteArray(100'000, 'x') + "\"]";
+    const Result<Project> project = unpackProject(packEntries(entries));
+    QVERIFY2(project, project ? "" : qPrintable(project.error().message));
+    QCOMPARE(project->journal[0]->record->step, QStringLiteral("Grow twice"));
+    QCOMPARE(project->journal[2]->record->step, QString(200, QLatin1Char('x')));
 }
 
 void ProjectFileTest::wrongRecords_areRefused_data()
@@ -665,6 +683,9 @@ void ProjectFileTest::wrongRecords_areRefused_data()
     QTest::newRow("more edits than sizes") << QByteArray("journal/records.size") << QByteArray(4, '\1')
                                            << QStringLiteral("journal/records.size");
     QTest::newRow("huge size") << QByteArray("journal/records.size") << QByteArray(8, '\x7f') << parts;
+    const QByteArray steps = "journal/records.steps";
+    QTest::newRow("steps that are no array") << steps << QByteArray("{}") << parts;
+    QTest::newRow("more steps than edits") << steps << QByteArray(R"(["Grow","","Prune"])") << parts;
     QTest::newRow("huge count") << QByteArray("journal/records.deltas") << QByteArray() << parts;
 }
 

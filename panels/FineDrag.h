@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace espalier {
+
+/// The way of a handle that is dragged along a track: as far as the pointer goes if it is near the track,
+/// less far the farther it is away, and with Shift. Lengths in px.
+class FineDrag {
+public:
+    /// The pointer takes the handle at @p place, while it is at @p pointer along the track.
+    void begin(double place, double pointer);
+    /// The pointer moved to @p pointer, @p away from the track (≥ 0).
+    void move(double pointer, double away, bool isShiftHeld);
+    /// Where the handle was dragged to, not limited to the track.
+    double place() const { return m_place; }
+
+private:
+    double m_place = 0.0;
+    double m_pointer = 0.0;
+};
+
+} // namespace espalier
