@@ -50,6 +50,13 @@ RingMenu::RingMenu(const Actions& actions, QWidget* parent)
     setAccessibleName(tr("Tools around the pointer"));
 }
 
+void RingMenu::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        setAccessibleName(tr("Tools around the pointer"));
+    QWidget::changeEvent(event);
+}
+
 void RingMenu::openAt(const QPoint& place, int key)
 {
     QPoint corner = place - rect().center();

@@ -204,8 +204,13 @@ public:
     {
         BranchStroke stroke{.stroke = operation.stroke, .base = {}, .radii = operation.radii};
         stroke.isMirrored = operation.mirror;
-        if (operation.on)
-            stroke.base = BranchPlace{operation.on->number(), operation.along};
+        if (operation.on) {
+            // A hand begins on a branch that is there.
+            const InternodeId base = operation.on->number();
+            if (base >= m_document.tree().size() || !m_document.tree().isAlive(base))
+                return;
+            stroke.base = BranchPlace{base, operation.along};
+        }
         // Refused if a stroke has hardly any length.
         (void)sketchBranch(m_document, stroke);
     }

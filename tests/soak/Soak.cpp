@@ -91,7 +91,7 @@ QString Soak::run()
         const int most = m_reloads == 0 && m_random.onceIn(20) ? 1000 : undoable();
         RecipeOperation operation = m_random.next(m_document, most);
         // After reading, the same holds for redo.
-        if (operation.as<RedoOperation>() && m_document.undoStack().count() == 0)
+        if (operation.as<RedoOperation>() && m_document.undoStack().count() <= m_restored)
             continue;
         if (!m_log.add(operation))
             return QStringLiteral("%1 could not be written").arg(m_log.fileName());
@@ -127,13 +127,15 @@ QString Soak::saveAndReload()
         return QStringLiteral("reading what was saved: ") + project.error().message;
 
     const QUndoStack& stack = m_document.undoStack();
-    if (stack.index() > 0)
-        m_floor = EditCommand::at(stack, stack.index() - 1).isTravel() ? 1 : 0;
+    const bool wasTravel = stack.index() > 0 && EditCommand::at(stack, stack.index() - 1).isTravel();
     const Tree tree = m_document.tree();
     const std::size_t journal = m_document.journal().size();
     showProject(m_document, std::move(*project));
     if (!(m_document.tree() == tree) || m_document.journal().size() != journal)
         return QStringLiteral("the tree that was read is not the one that was saved");
+    m_restored = stack.count();
+    // A travel that led back to the present is not among the steps that were read.
+    m_floor = m_restored + (wasTravel && m_document.future().empty() ? 1 : 0);
     QFile file(fileName);
     const Result<QByteArray> again = packProject(projectOf(m_document, QStringLiteral("soak")));
     if (!file.open(QIODevice::ReadOnly) || !again || file.readAll() != *again)

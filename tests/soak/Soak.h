@@ -63,7 +63,8 @@ private:
     TreeDocument m_document;
     QTemporaryDir m_folder;
     RecipeLog m_log;
-    int m_floor = 0; ///< Commands that are not undone
+    int m_restored = 0; ///< Commands that the last reading restored
+    int m_floor = 0;    ///< Commands that are not undone
     std::vector<Milestone> m_milestones;
     QHash<QString, int> m_done; ///< By the name of the operation
     int m_reloads = 0;

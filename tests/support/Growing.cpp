@@ -73,9 +73,11 @@ std::vector<BrushSample> randomStroke(Random& random, const GrowthParameters& gr
 {
     const auto l = static_cast<float>(growth.internodeLength);
     std::vector<Vec3> points;
-    Vec3 point =
-        l * Vec3(static_cast<float>(random.uniform(-5, 5)), static_cast<float>(random.uniform(2, 12)),
-                 static_cast<float>(random.uniform(-5, 5)));
+    // One after another: the order in which arguments are evaluated is the compiler's choice.
+    const auto z = static_cast<float>(random.uniform(-5, 5));
+    const auto y = static_cast<float>(random.uniform(2, 12));
+    const auto x = static_cast<float>(random.uniform(-5, 5));
+    Vec3 point = l * Vec3(x, y, z);
     for (int i = 0; i < 4; ++i) {
         points.push_back(point);
         point += 4.0F * l * random.direction();
