@@ -162,7 +162,7 @@ void MainWindow::connectView()
         {ActionId::Markers, &ViewValues::markersShown},
         {ActionId::Leaves, &ViewValues::leavesShown},
         {ActionId::Person, &ViewValues::personShown},
-        {ActionId::SecondView, &ViewValues::sideViewShown},
+        {ActionId::SecondView, &ViewValues::secondViewShown},
         {ActionId::Fibres, &ViewValues::fibresShown}};
     for (const auto& [id, field] : switches) {
         QAction* action = m_actions[id];

@@ -133,7 +133,13 @@ private:
     RingMenu* m_ringMenu;
     bool m_offersSizes = true; ///< The new tree's size may be chosen before the first stroke
     QElapsedTimer m_followClock;
-    std::optional<Camera> m_asideCamera; ///< Of the document that is set aside
+    /// How the document that is set aside was shown.
+    struct AsideView {
+        Camera camera;
+        QRect clear; ///< See Viewport::clearRect()
+        bool showedTree;
+    };
+    std::optional<AsideView> m_aside;
     std::unique_ptr<Workspace> m_workspace;
     std::unique_ptr<FileController> m_files;
     std::unique_ptr<LibraryController> m_library;

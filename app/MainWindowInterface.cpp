@@ -19,6 +19,7 @@
 
 #include <QCursor>
 #include <QFontDatabase>
+#include <QGuiApplication>
 #include <QImage>
 #include <QLocale>
 
@@ -263,7 +264,7 @@ void MainWindow::connectViewport()
         Notice& notice = m_workspace->notice();
         // Messages, questions and the progress of other tasks stay.
         if (notice.isHidden() || notice.showsProgressOf(m_strandRunner))
-            notice.showProgress(m_strandRunner, tr("Making the wood of strands"), share,
+            notice.showProgress(m_strandRunner, tr("Building the wood from strands"), share,
                                 [this] { m_strandRunner.cancel(); });
     });
     connect(&m_strandRunner, &StrandRunner::ended, &m_workspace->notice(),
@@ -277,9 +278,10 @@ void MainWindow::connectViewport()
         if (active)
             m_lassoRunner.end();
     });
-    // A hand at work ends a film that is playing; it goes on from what is seen.
+    // A gesture ends a time-lapse that is playing, and begins at the moment that is shown.
     connect(&viewport, &Viewport::gestureActiveChanged, &m_timeRunner, &TimeRunner::release);
-    // Likewise growth, unless the hand holds it: what two make at once could not be undone apart.
+    // It also ends growth, unless it is the gesture that lets the tree grow: otherwise both would be one undo
+    // step.
     connect(&viewport, &Viewport::gestureActiveChanged, this, [this, &viewport](bool active) {
         if (active && !(toolInHand() == ActionId::Grow && viewport.tool().isActive()))
             m_growRunner.end();
@@ -295,13 +297,14 @@ void MainWindow::connectViewport()
             m_actions[ActionId::HideInterface]->trigger();
     });
     connect(&viewport, &Viewport::menuAsked, m_ringMenu, [this](const QPoint& place) {
-        if (!isBusy())
+        // The release of a button that is held would go to the ring.
+        if (!isBusy() && QGuiApplication::mouseButtons() == Qt::NoButton)
             m_ringMenu->openAt(place);
     });
     QAction* ring = m_actions[ActionId::ToolRing];
     ring->setAutoRepeat(false);
     connect(ring, &QAction::triggered, m_workspace.get(), [this, ring, &viewport] {
-        if (isBusy() || viewport.isGestureActive())
+        if (isBusy() || viewport.isPointerDown() || QGuiApplication::mouseButtons() != Qt::NoButton)
             return;
         const QPoint pointer = QCursor::pos();
         const bool isOverTree = viewport.clearRect().contains(viewport.mapFromGlobal(pointer));

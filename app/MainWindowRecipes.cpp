@@ -82,7 +82,7 @@ void MainWindow::showRecipeWarnings()
     if (warnings.isEmpty())
         return;
     m_workspace->notice().showWarning(
-        tr("%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3")
+        tr("Not everything that the recipe names was found in the tree (%1 of %2 operations): %3")
             .arg(warnings.size())
             .arg(m_recipeRunner.operationCount())
             .arg(joinedFaults(warnings)));

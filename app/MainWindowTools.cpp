@@ -54,7 +54,7 @@ void MainWindow::connectTools()
     });
     connect(&m_timeRunner, &TimeRunner::runningChanged, this, &MainWindow::updateEnabled);
     connect(&m_growRunner, &GrowRunner::exhausted, this,
-            [this] { m_workspace->notice().showInformation(tr("The tree has no more room to grow in.")); });
+            [this] { m_workspace->notice().showInformation(tr("The tree has no room left to grow.")); });
     connect(&m_growRunner, &GrowRunner::runningChanged, this, &MainWindow::updateEnabled);
     connect(&m_lassoRunner, &LassoRunner::runningChanged, this, &MainWindow::updateEnabled);
     connect(&m_lassoRunner, &LassoRunner::refused, this,

@@ -45,7 +45,8 @@ bool MainWindow::makeRoom()
         return m_files->mayLeaveShown();
     // A tree that is the same as when it was begun, without a file, is not worth coming back to.
     if (m_files->file().isModified() || !m_files->file().fileName().isEmpty()) {
-        m_asideCamera = m_workspace->viewport().cameraAtRest();
+        const Viewport& viewport = m_workspace->viewport();
+        m_aside = AsideView{viewport.cameraAtRest(), viewport.clearRect(), viewport.isTreeClear()};
         m_files->setAside();
     }
     return true;
@@ -58,11 +59,9 @@ void MainWindow::backToOwnTree()
     if (!m_files->bringBack())
         return;
     Viewport& viewport = m_workspace->viewport();
-    if (m_asideCamera) {
-        Camera camera = *m_asideCamera;
-        camera.setViewSize(viewport.mainCamera().viewSize());
-        viewport.setCamera(camera);
-    }
+    // Bars may have come or gone meanwhile.
+    if (m_aside)
+        viewport.setCamera(viewport.inRoom(m_aside->camera, m_aside->clear, m_aside->showedTree));
     viewport.setFocus();
 }
 

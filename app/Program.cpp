@@ -143,6 +143,8 @@ int runProgram(int argc, char** argv)
         return runWithoutWindow(arguments);
     }
     scaleInterface();
+    // A stroke has all the places of its pointer, also those that wait while a picture is drawn.
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication application(argc, argv);
     speakLanguage(Settings().preferences().language);
     return runWindow(*line, application);

@@ -26,7 +26,7 @@ ReproduceController::ReproduceController(TreeDocument& document, ViewSettings& s
 void ReproduceController::expect(FigureStroke due, bool isSecond)
 {
     if (!isSecond)
-        m_popOut.setHint(tr("Draw the new trunk, from its foot to its tip."));
+        m_popOut.setHint(tr("Draw the new trunk, from its base to its tip."));
     else if (due == FigureStroke::Silhouette)
         m_popOut.setHint(tr("Now draw the silhouette of the crown around its tip."));
     else

@@ -90,7 +90,7 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
       m_library(new LibraryPanel(libraryPicture, this)),
       m_help(new HelpPanel(this)),
       m_strip(new RotationStrip(this)),
-      m_onlyOne(new QPushButton(tr("Only one branch grows  ✕"), this)),
+      m_onlyOne(new QPushButton(tr("Only one bud grows  ✕"), this)),
       m_wayBack(new QPushButton(tr("Back to My Tree"), this)),
       m_notice(new Notice(this)),
       m_counts(new QLabel(this)),
@@ -107,12 +107,12 @@ Workspace::Workspace(TreeDocument& document, ViewSettings& settings, const Actio
     }
     m_tip->setObjectName(QStringLiteral("tip"));
     m_onlyOne->setObjectName(QStringLiteral("growAll"));
-    m_onlyOne->setToolTip(tr("Let all buds grow again"));
+    m_onlyOne->setToolTip(tr("Let all buds grow again."));
     m_onlyOne->setMinimumHeight(theme::kTarget);
     connect(m_onlyOne, &QPushButton::clicked, this, [&document] { document.setCompetitors({}); });
     connect(&document, &TreeDocument::competitorsChanged, this, &Workspace::arrange);
     m_wayBack->setObjectName(QStringLiteral("wayBack"));
-    m_wayBack->setToolTip(tr("Show your own tree again, as it was before this recipe was played"));
+    m_wayBack->setToolTip(tr("Show your own tree again, as it was before this recipe was played."));
     m_wayBack->setMinimumHeight(theme::kTarget);
     connect(m_wayBack, &QPushButton::clicked, this, &Workspace::wayBackAsked);
     connect(m_viewport, &Viewport::cameraChanged, this,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/BrushGesture.h"
 
+#include "commands/EditTitle.h"
 #include "commands/RecordedEdit.h"
 #include "commands/recipe/RecipeJson.h"
 
@@ -32,21 +33,6 @@ StrokePlacement recordable(StrokePlacement placement)
     placement.around = withoutNegativeZeros(placement.around);
     placement.copies = std::clamp(placement.copies, 1, StrokePlacement::kMostCopies);
     return placement;
-}
-
-/// What the undo step of a stroke is called: with the number of branches that it grew.
-QString titleOf(const Edit& edit)
-{
-    const TreeDocument& document = edit.document();
-    int branches = 0;
-    for (std::size_t i = document.journal().size() - edit.deltaCount(); i < document.journal().size(); ++i) {
-        const IdRange born = document.journal()[i]->born;
-        for (InternodeId id = born.first; id < born.end(); ++id)
-            branches += document.tree().isAlive(id) && document.index().axis(id) == id ? 1 : 0;
-    }
-    return branches > 1
-               ? QCoreApplication::translate("Commands", "Brush Stroke, %n branches", nullptr, branches)
-               : QCoreApplication::translate("Commands", "Brush Stroke");
 }
 
 } // namespace
@@ -185,7 +171,10 @@ void BrushGesture::finish()
         holdUntil(m_last.time);
     while (settle()) {
     }
-    commitRecorded(m_edit, titleOf(m_edit), [this] { return operation(); });
+    const Journal& journal = m_edit.document().journal();
+    const QString title =
+        titleOfBrushStroke(m_edit.document().tree(), std::span(journal).last(m_edit.deltaCount()));
+    commitRecorded(m_edit, title, [this] { return operation(); });
 }
 
 } // namespace espalier

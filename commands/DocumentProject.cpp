@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/DocumentProject.h"
 
+#include "commands/EditTitle.h"
+
 namespace espalier {
 
 Project projectOf(const TreeDocument& document, const QString& name)
@@ -15,10 +17,30 @@ Project projectOf(const TreeDocument& document, const QString& name)
     return project;
 }
 
+namespace {
+
+/// The undo steps that the history of @p project tells of.
+std::vector<RestoredStep> stepsOf(const Project& project)
+{
+    std::vector<RestoredStep> steps;
+    const Journal& history = project.journal;
+    for (std::size_t i = 0; i < history.size(); i = steps.back().deltas.end) {
+        const JournalEdit edit = JournalEdit::at(history, i);
+        steps.push_back({titleOfStep(project.tree, history, edit), edit});
+    }
+    if (project.ahead > 0)
+        steps.push_back({titleOfGrowth(0), {history.size(), history.size()}});
+    return steps;
+}
+
+} // namespace
+
 PreparedTree prepared(Project project)
 {
+    std::vector<RestoredStep> steps = stepsOf(project);
     PreparedTree tree(std::move(project.tree), std::move(project.journal), project.ahead);
     tree.look = std::move(project.look);
+    tree.steps = std::move(steps);
     return tree;
 }
 

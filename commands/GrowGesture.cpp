@@ -3,8 +3,6 @@
 
 #include "commands/recipe/GrowOperation.h"
 
-#include <QCoreApplication>
-
 namespace espalier {
 
 namespace {
@@ -28,8 +26,7 @@ private:
 } // namespace
 
 GrowGesture::GrowGesture(TreeDocument& document, Competitors competitors)
-    : GrowthGesture(document, QCoreApplication::translate("Commands", "Grow")),
-      m_only(BudReference::to(document, competitors))
+    : GrowthGesture(document, {}), m_only(BudReference::to(document, competitors))
 {
     setProcess(std::make_unique<AutonomousGrowth>(competitors));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "commands/EditTitle.h"
 #include "commands/GrowthGesture.h"
 #include "commands/recipe/BudReference.h"
 
@@ -13,6 +14,7 @@ public:
     explicit GrowGesture(TreeDocument& document, Competitors competitors = {});
 
 private:
+    QString title() const override { return titleOfGrowth(static_cast<int>(stepCount())); }
     RecipeOperation operation() const override;
 
     BudReference m_only;

@@ -48,7 +48,7 @@ bool GrowthGesture::add(GrownStep grown)
 
 void GrowthGesture::finish()
 {
-    commitRecorded(*m_edit, m_text, [this] { return operation(); });
+    commitRecorded(*m_edit, title(), [this] { return operation(); });
 }
 
 } // namespace espalier

@@ -48,6 +48,8 @@ protected:
     GrowthGesture(TreeDocument& document, QString text, const std::function<void(Edit&)>& prepare = {});
     /// To be called once, before the first step. The process starts at the tree that @p prepare left.
     void setProcess(std::unique_ptr<GrowthProcess> process);
+    /// The name of the undo step; the text that the gesture was made with, unless it is overridden.
+    virtual QString title() const { return m_text; }
     /// The recipe's operation that makes the steps applied so far.
     virtual RecipeOperation operation() const = 0;
 

@@ -84,7 +84,7 @@ void setProfile(TreeDocument& document, std::span<const InternodeId> internodes,
         changeProfile(document.tree(), delta, id, &kept);
     if (!delta.sparse.profile.empty())
         edit.apply(std::move(delta));
-    commitRecorded(edit, QCoreApplication::translate("Commands", "Profile"), [&] { return operation; });
+    commitRecorded(edit, QCoreApplication::translate("Commands", "Draw Profile"), [&] { return operation; });
 }
 
 void blendProfiles(TreeDocument& document, InternodeId first, InternodeId last, const StrandProfile& profile,
@@ -133,7 +133,8 @@ void clearProfiles(TreeDocument& document, std::span<const InternodeId> internod
         changeProfile(document.tree(), delta, id, nullptr);
     if (!delta.sparse.profile.empty())
         edit.apply(std::move(delta));
-    commitRecorded(edit, QCoreApplication::translate("Commands", "Clear Profile"), [&] { return operation; });
+    commitRecorded(edit, QCoreApplication::translate("Commands", "Remove Profile"),
+                   [&] { return operation; });
 }
 
 } // namespace espalier

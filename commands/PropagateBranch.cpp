@@ -16,7 +16,7 @@ Result<void> propagateBranch(TreeDocument& document, const Propagation& propagat
         return delta.error();
     const PropagateOperation operation = PropagateOperation::of(document, propagation);
     edit.apply(std::move(*delta));
-    commitRecorded(edit, QCoreApplication::translate("Commands", "Propagate Branch"),
+    commitRecorded(edit, QCoreApplication::translate("Commands", "Pass On Branch"),
                    [&] { return operation; });
     return {};
 }

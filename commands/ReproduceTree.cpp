@@ -48,7 +48,7 @@ Result<std::uint32_t> reproduceTree(TreeDocument& document, TreeFigure figure)
     if (!result)
         return result.error();
     edit.apply(std::move(result->delta));
-    commitRecorded(edit, QCoreApplication::translate("Commands", "Reproduce Tree"),
+    commitRecorded(edit, QCoreApplication::translate("Commands", "Reshape Tree"),
                    [&] { return ReproduceOperation{std::move(figure)}; });
     return result->outside;
 }

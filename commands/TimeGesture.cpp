@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/TimeGesture.h"
 
+#include "commands/EditTitle.h"
 #include "commands/RecordedEdit.h"
 #include "commands/recipe/GrowOperation.h"
 
@@ -50,13 +51,7 @@ bool TimeGesture::grow()
 void TimeGesture::finish()
 {
     const auto steps = static_cast<int>(m_edit.deltaCount());
-    commitRecorded(m_edit,
-                   steps > 1    ? QCoreApplication::translate("Commands", "Grow, %n steps", nullptr, steps)
-                   : steps == 1 ? QCoreApplication::translate("Commands", "Grow")
-                                : QCoreApplication::translate("Commands", "Travel in Time"),
-                   [&] {
-                       return GrowOperation{steps, m_only};
-                   });
+    commitRecorded(m_edit, titleOfGrowth(steps), [&] { return GrowOperation{steps, m_only}; });
 }
 
 } // namespace espalier

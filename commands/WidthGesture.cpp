@@ -53,7 +53,7 @@ void WidthGesture::finish()
         return width;
     };
     commitRecorded(m_edit,
-                   m_diameter ? QCoreApplication::translate("Commands", "Width")
+                   m_diameter ? QCoreApplication::translate("Commands", "Set Width")
                               : QCoreApplication::translate("Commands", "Remove Width"),
                    operation);
 }

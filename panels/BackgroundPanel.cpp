@@ -89,8 +89,8 @@ constexpr std::array<ViewField, FieldCount> kFields{{
                                         "otherwise it turns with the tree.")),
     {{"view.sunAzimuth", Quantity::Angle, -180, 180},
      {"view.sunAzimuth", QT_TRANSLATE_NOOP("Parameters", "Direction"), "",
-      QT_TRANSLATE_NOOP("Parameters", "Where the sun stands: 0° before the tree, 90° to its right; of a "
-                                      "pinned sun, as you look at it."),
+      QT_TRANSLATE_NOOP("Parameters", "Where the sun stands: 0° in front of the tree, 90° to its right; for "
+                                      "a pinned sun, as seen on the screen."),
       kLinear, 0, "°"},
      shownAzimuth,
      [](ViewValues& values, double value) { values.sunAzimuth = radians(value); }},
@@ -103,7 +103,7 @@ constexpr std::array<ViewField, FieldCount> kFields{{
                                          QT_TRANSLATE_NOOP("Parameters", "How opaque the picture is."), 0, 1,
                                          kLinear, ""),
     tracingField<&TracingImage::height>("view.tracing.height", QT_TRANSLATE_NOOP("Parameters", "Height"),
-                                        QT_TRANSLATE_NOOP("Parameters", "How high the picture is."), 0.1,
+                                        QT_TRANSLATE_NOOP("Parameters", "How tall the picture is."), 0.1,
                                         TracingImage::kMaxHeight, kLogarithmic, "m"),
     tracingField<&TracingImage::right>(
         "view.tracing.right", QT_TRANSLATE_NOOP("Parameters", "To the right"),
@@ -149,8 +149,9 @@ BackgroundPanel::BackgroundPanel(ViewSettings& settings, QWidget* parent)
 
     QVBoxLayout* behind = addBarColumn(*m_content, tr("Background"), kBehindWidth);
     addRow(*behind, BackdropField);
-    m_colour = addColour(*behind, "backgroundColour", tr("The colour, or that at the lower edge."),
-                         &ViewValues::backgroundColour);
+    m_colour =
+        addColour(*behind, "backgroundColour", tr("The colour of the background, or of its lower edge."),
+                  &ViewValues::backgroundColour);
     m_topColour =
         addColour(*behind, "backgroundTop", tr("The colour at the upper edge."), &ViewValues::backgroundTop);
     m_useForNew = makeButton(tr("Use for New Trees"), "lookForNewTrees", *behind, behind->parentWidget());

@@ -197,7 +197,7 @@ void TopBar::showTitle()
     const bool fits = room >= m_title->fontMetrics().averageCharWidth() * kLeastTitle;
     m_title->setText(fits ? m_title->fontMetrics().elidedText(m_name, Qt::ElideMiddle, room) + mark()
                           : QString());
-    m_title->setToolTip(m_modified ? tr("%1 has changes that are not saved.").arg(m_name) : m_name);
+    m_title->setToolTip(m_modified ? tr("%1 has unsaved changes.").arg(m_name) : m_name);
 }
 
 void TopBar::showEvent(QShowEvent* event)

@@ -39,15 +39,16 @@ BendPopOut::BendPopOut(ViewSettings& settings, QWidget* parent) : Bar(parent), m
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(14, 12, 14, 10);
     column->setSpacing(2);
-    m_bending = addSlider(QStringLiteral("bendingWeight"), tr("Bending"),
-                          tr("<b>Bending</b><br>How much a branch resists being bent: a stiff one bends in a "
-                             "wide curve and is stretched sooner."),
-                          &ViewValues::bendingWeight);
-    m_stretching =
-        addSlider(QStringLiteral("stretchingWeight"), tr("Stretching"),
-                  tr("<b>Stretching</b><br>How much a branch resists being stretched: it keeps its "
-                     "length, or follows the hand further."),
-                  &ViewValues::stretchingWeight);
+    m_bending =
+        addSlider(QStringLiteral("bendingWeight"), tr("Stiffness"),
+                  tr("<b>Stiffness</b><br>How much a branch resists being bent: a stiff one bends in a "
+                     "wide curve and is stretched sooner."),
+                  &ViewValues::bendingWeight);
+    m_stretching = addSlider(
+        QStringLiteral("stretchingWeight"), tr("Holds length"),
+        tr("<b>Holds length</b><br>How much a branch resists being stretched: with little, it follows "
+           "the hand further."),
+        &ViewValues::stretchingWeight);
     connect(&settings, &ViewSettings::changed, this, &BendPopOut::showValues);
     showValues();
 }

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 
 namespace espalier {
@@ -25,12 +26,16 @@ constexpr std::array kSwitches{
     viewSwitch<&ViewValues::markersShown>(
         "view.markersShown", QT_TRANSLATE_NOOP("Parameters", "Markers"),
         QT_TRANSLATE_NOOP("Parameters",
-                          "Show the points of free space that the brush spreads and shoots grow toward.")),
+                          "Show the points of free space that the brush spreads and shoots grow towards.")),
     viewSwitch<&ViewValues::planeShown>(
         "view.planeShown", QT_TRANSLATE_NOOP("Parameters", "Drawing plane"),
         QT_TRANSLATE_NOOP("Parameters",
                           "Show how deep in the tree the brush draws: a faint grid around it.")),
 };
+
+/// The radius at the upper end of the slider, in internodes; and the least one, m.
+constexpr double kMostInInternodes = 50.0;
+constexpr double kLeastRange = 0.2;
 
 constexpr ViewField kBrushPlane{
     {"view.brushPlane", Quantity::Choice, 0, kBrushPlaneCount - 1, "screen trunk spread"},
@@ -75,9 +80,8 @@ BrushRadius::BrushRadius(const TreeDocument& document, ViewSettings& settings, Q
     small.setPointSizeF(small.pointSizeF() * 0.88);
     m_meaning->setFont(small);
     theme::setTone(*m_meaning, theme::Tone::Dim);
-    m_slider->setToolTip(
-        tr("<b>Brush radius</b> [ ]<br>A large brush grows a crown into the space it passes; toward zero it "
-           "draws a single branch exactly along the stroke."));
+    m_slider->setToolTip(tr("<b>Brush radius</b> [ ]<br>A large brush grows a crown into the space it "
+                            "passes; towards zero it draws a single branch exactly along the stroke."));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
@@ -100,6 +104,9 @@ void BrushRadius::showValues()
 {
     const double radius = m_settings.values().brushRadius;
     m_number->setText(lengthText(radius));
+    // A small tree needs a fine scale, a large one a large brush.
+    const double internode = m_document.parameters().growth.internodeLength;
+    m_slider->setMaximumRadius(std::clamp(kMostInInternodes * internode, kLeastRange, kMaxBrushRadius));
     const bool draws = radius < m_document.parameters().growth.internodeLength;
     m_meaning->setText(draws ? tr("draws a branch") : tr("grows a crown"));
     m_slider->setRadius(radius);

@@ -13,8 +13,10 @@ constexpr double kWithShift = 1.0 / 8.0;
 
 } // namespace
 
-void FineDrag::begin(double place, double pointer)
+void FineDrag::begin(double place, double pointer, double least, double most)
 {
+    m_least = least;
+    m_most = most;
     m_place = place;
     m_pointer = pointer;
 }
@@ -22,7 +24,8 @@ void FineDrag::begin(double place, double pointer)
 void FineDrag::move(double pointer, double away, bool isShiftHeld)
 {
     const double share = kNear / std::max(away, kNear);
-    m_place += share * share * (isShiftHeld ? kWithShift : 1.0) * (pointer - m_pointer);
+    const double way = share * share * (isShiftHeld ? kWithShift : 1.0) * (pointer - m_pointer);
+    m_place = std::clamp(m_place + way, m_least, m_most);
     m_pointer = pointer;
 }
 

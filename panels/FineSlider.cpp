@@ -3,13 +3,15 @@
 
 #include <QMouseEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace espalier {
 
 void FineSlider::mousePressEvent(QMouseEvent* event)
 {
-    m_drag.begin(event->position().x(), event->position().x());
+    const double x = event->position().x();
+    m_drag.begin(x, x, std::min(x, 0.0), std::max<double>(x, width()));
     QSlider::mousePressEvent(event);
 }
 

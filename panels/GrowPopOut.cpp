@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/GrowPopOut.h"
 
-#include "panels/EditTitle.h"
+#include "commands/EditTitle.h"
 #include "panels/Icon.h"
 #include "panels/Theme.h"
 #include "panels/TimeSlider.h"
@@ -35,7 +35,7 @@ GrowPopOut::GrowPopOut(const TreeDocument& document, QWidget* parent)
     m_play->setCheckable(true);
     m_play->setFixedSize(theme::kTarget, theme::kTarget);
     m_play->setAccessibleName(tr("Play"));
-    m_play->setToolTip(tr("Play what happened from here on, or all of it"));
+    m_play->setToolTip(tr("Play what happened from here on, or all of it."));
     m_play->setFocusPolicy(Qt::TabFocus);
     auto* hold = new QPushButton(icon(QStringLiteral("grow")), tr("Hold to grow"), this);
     hold->setObjectName(QStringLiteral("holdToGrow"));

@@ -99,7 +99,7 @@ HelpPage::HelpPage(QWidget* parent) : QTextBrowser(parent)
     setOpenLinks(false);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setAccessibleName(tr("Page of the help"));
+    setAccessibleName(tr("Help page"));
     viewport()->setAutoFillBackground(false);
     document()->setDocumentMargin(kPageMargin);
     document()->setIndentWidth(24.0);

@@ -63,7 +63,7 @@ HelpPanel::HelpPanel(QWidget* parent)
         button->setToolTip(tip.isEmpty() ? text : tip);
     };
     auto* close = new BarButton(BarButton::Look::Icon, this);
-    name(m_back, "back", tr("Back"), tr("Back to the page before"));
+    name(m_back, "back", tr("Back"), tr("Back to the previous page"));
     name(m_contents, "contents", tr("Contents"), {});
     name(close, "close", tr("Close the help"), tr("Close the help (Esc)"));
     m_back->setObjectName(QStringLiteral("helpBack"));
@@ -73,11 +73,11 @@ HelpPanel::HelpPanel(QWidget* parent)
 
     m_search->setObjectName(QStringLiteral("helpSearch"));
     m_search->setPlaceholderText(tr("Search"));
-    m_search->setAccessibleName(tr("Search in the help"));
+    m_search->setAccessibleName(tr("Search the help"));
     m_search->setClearButtonEnabled(true);
     m_search->setMinimumHeight(theme::kTarget);
     m_list->setObjectName(QStringLiteral("helpList"));
-    m_list->setAccessibleName(tr("Pages of the help"));
+    m_list->setAccessibleName(tr("Help pages"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);

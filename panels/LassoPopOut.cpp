@@ -22,7 +22,7 @@ LassoPopOut::LassoPopOut(const TreeDocument& document, ViewSettings& settings, Q
     m_regrow->setObjectName(QStringLiteral("lassoRegrow"));
     m_regrow->setToolTip(tr("<b>Regrow</b><br>Take the tree back to where it stood before its envelope was "
                             "drawn, and let it fill the envelope again with the parameters that are in force "
-                            "now. What you did to it since goes."));
+                            "now. What you have done to it since is lost."));
     m_remove->setObjectName(QStringLiteral("lassoRemove"));
     m_remove->setToolTip(tr("<b>Remove</b><br>Take the envelope away; the tree stays as it grew."));
     m_stop->setObjectName(QStringLiteral("lassoStop"));

@@ -23,11 +23,11 @@ constexpr std::array<EngineText, kLeafEngines.size()> kEngineTexts{{
      QT_TRANSLATE_NOOP("espalier::LeafChoices",
                        "One more leaf at this place; all of them stand evenly around the branch.")},
     {QT_TRANSLATE_NOOP("espalier::LeafChoices", "Whorls"),
-     QT_TRANSLATE_NOOP("espalier::LeafChoices", "Such whorls at this distance along the whole branch.")},
+     QT_TRANSLATE_NOOP("espalier::LeafChoices",
+                       "Whorls like this along the whole branch, at the same spacing.")},
     {QT_TRANSLATE_NOOP("espalier::LeafChoices", "Alternate"),
-     QT_TRANSLATE_NOOP(
-         "LeafChoices",
-         "One leaf at a time along the branch, each turned as the second is against the first.")},
+     QT_TRANSLATE_NOOP("LeafChoices", "One leaf at a time along the branch, each turned from the one before "
+                                      "as the second is from the first.")},
     {QT_TRANSLATE_NOOP("espalier::LeafChoices", "Opposite"),
      QT_TRANSLATE_NOOP("espalier::LeafChoices", "Pairs of leaves along the branch, all in one plane.")},
     {QT_TRANSLATE_NOOP("espalier::LeafChoices", "Decussate"),
@@ -42,7 +42,7 @@ LeafChoices::LeafChoices(QWidget* parent) : Bar(parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(2);
-    column->addWidget(barHeading(tr("Go on with"), this));
+    column->addWidget(barHeading(tr("Continue with"), this));
     m_grid = new QGridLayout;
     m_grid->setSpacing(2);
     column->addLayout(m_grid);

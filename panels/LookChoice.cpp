@@ -78,12 +78,11 @@ LookChoice::LookChoice(LookKind kind, const QStringList& drawn, QWidget* parent)
     addItems(drawn);
     addItem(icon(QStringLiteral("open")), tr("Choose an image…"));
     sizeItems();
-    setItemData(
-        m_drawnCount,
-        kind == LookKind::Leaf
-            ? tr("A PNG or JPEG of one leaf, stalk down, on a transparent or plain background")
-            : tr("A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too"),
-        Qt::ToolTipRole);
+    setItemData(m_drawnCount,
+                kind == LookKind::Leaf
+                    ? tr("A PNG or JPEG of one leaf, stalk down, on a transparent or plain background")
+                    : tr("A PNG or JPEG of bark; normal and roughness maps found beside it are used, too"),
+                Qt::ToolTipRole);
     setIconSize({kSwatch, kSwatch});
     // As wide as its place allows; the open list is as wide as its longest line.
     setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

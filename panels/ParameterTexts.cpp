@@ -40,13 +40,13 @@ constexpr ParameterText kVigourShoot[] = {
 };
 
 constexpr ParameterText kVigourAxis[] = {
-    {"vigour.rollSpread", QT_TRANSLATE_NOOP("Parameters", "Spread of the roll"), "",
+    {"vigour.rollSpread", QT_TRANSLATE_NOOP("Parameters", "Variation in roll"), "",
      QT_TRANSLATE_NOOP("Parameters", "How irregularly branches stand around their axis."), Linear, 0, "°",
      1.0, "", QT_TRANSLATE_NOOP("Parameters", "Standard deviation of the divergence angle.")},
     {"vigour.apicalSpread", QT_TRANSLATE_NOOP("Parameters", "Wandering"), "",
      QT_TRANSLATE_NOOP("Parameters", "How much an axis changes its direction from node to node."), Linear, 1,
      "°", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Standard deviation of the apical angle.")},
-    {"vigour.maximumOrder", QT_TRANSLATE_NOOP("Parameters", "Orders of branches"), "",
+    {"vigour.maximumOrder", QT_TRANSLATE_NOOP("Parameters", "Branch orders"), "",
      QT_TRANSLATE_NOOP("Parameters",
                        "How many orders of branches there are at most: branches, their branches, and so on."),
      Linear, 0, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Highest order of an axis.")},
@@ -71,24 +71,24 @@ constexpr ParameterText kVigourControl[] = {
                        "Above 1 the trunk outgrows its branches, as in a spruce; below 1 they outgrow it."),
      Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Excurrent above 1, decurrent below.")},
     {"vigour.distanceControl", QT_TRANSLATE_NOOP("Parameters", "Loss with distance"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How much less shoots far from the root grow."), Linear, 2, "", 1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with the distance to the root.")},
+     QT_TRANSLATE_NOOP("Parameters", "How much less a shoot grows far from the root."), Linear, 2, "", 1.0,
+     "", QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with the distance to the root.")},
     {"vigour.heightControl", QT_TRANSLATE_NOOP("Parameters", "Loss with height"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How much less high shoots grow: more makes flat crowns."), Linear, 2,
-     "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with height.")},
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How much less a shoot grows the higher it is: more makes the crown flat."),
+     Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the potential with height.")},
 };
 
 constexpr ParameterText kVigourTropisms[] = {
     {"vigour.gravitropism", QT_TRANSLATE_NOOP("Parameters", "Gravitropism"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Above 0 shoots turn up at each node, below 0 branches turn down."),
-     Linear, 2, "", 1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "Orthotropic above 0, positively gravitropic below.")},
+     QT_TRANSLATE_NOOP("Parameters", "Above 0 shoots turn upwards at each node, below 0 downwards."), Linear,
+     2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Orthotropic above 0, positively gravitropic below.")},
     {"vigour.phototropism", QT_TRANSLATE_NOOP("Parameters", "Phototropism"), "",
      QT_TRANSLATE_NOOP("Parameters", "How far shoots turn to the light at each node."), Cubic, 2, "", 1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "Growth toward the brightest direction.")},
+     QT_TRANSLATE_NOOP("Parameters", "Growth towards the brightest direction.")},
     {"vigour.horizontalTropism", QT_TRANSLATE_NOOP("Parameters", "Level branches"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How far a new branch turns to the level when it begins."), Linear, 2,
-     "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Plagiotropy of lateral shoots.")},
+     QT_TRANSLATE_NOOP("Parameters", "How far a new branch turns towards the horizontal where it begins."),
+     Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Plagiotropy of lateral shoots.")},
 };
 
 constexpr ParameterText kVigourWeight[] = {
@@ -99,16 +99,18 @@ constexpr ParameterText kVigourWeight[] = {
      QT_TRANSLATE_NOOP("Parameters", "How much thick wood resists: more bends only the thin ends."), Linear,
      2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Exponent of thickness in flexural stiffness.")},
     {"vigour.bendingMaximum", QT_TRANSLATE_NOOP("Parameters", "Greatest sag"), "",
-     QT_TRANSLATE_NOOP("Parameters", "At most this part of the angle to straight down, for each internode."),
+     QT_TRANSLATE_NOOP("Parameters",
+                       "An internode sags by at most this share of the angle between it and straight down."),
      Cubic, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Limit of the bend of an internode.")},
     {"vigour.lightPruning", QT_TRANSLATE_NOOP("Parameters", "Shade pruning"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Ends of branches with less light than this fall."), Linear, 2, "", 1.0,
-     "", QT_TRANSLATE_NOOP("Parameters", "Cladoptosis of shaded shoots.")},
+     QT_TRANSLATE_NOOP("Parameters", "Branch ends that get less light than this drop off."), Linear, 2, "",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Cladoptosis of shaded shoots.")},
 };
 
 constexpr ParameterText kTropism[] = {
     {"growth.setPointAngle", QT_TRANSLATE_NOOP("Parameters", "Set-point angle"), "θ",
-     QT_TRANSLATE_NOOP("Parameters", "Where shoots turn: 0° is up, 90° level, and more makes them weep."),
+     QT_TRANSLATE_NOOP("Parameters",
+                       "The direction that shoots turn to: 0° is up, 90° level, and more makes them weep."),
      Linear, 0, "°", 1.0, "",
      QT_TRANSLATE_NOOP("Parameters", "Gravitropic set-point angle: orthotropic at 0°, plagiotropic near 90°, "
                                      "positively gravitropic beyond.")},
@@ -116,12 +118,14 @@ constexpr ParameterText kTropism[] = {
 
 constexpr ParameterText kGravimorphism[] = {
     {"growth.ellipseVertical", QT_TRANSLATE_NOOP("Parameters", "Buds above and below"), "s_v",
-     QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds above and below a leaning branch."), Cubic, 2, "",
-     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Vertical semi-axis of the gravimorphic ellipse.")},
-    {"growth.ellipseParallel", QT_TRANSLATE_NOOP("Parameters", "Buds at the sides"), "s_p",
+     QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds on the upper and lower sides of a leaning branch."),
+     Cubic, 2, "", 1.0, "",
+     QT_TRANSLATE_NOOP("Parameters", "Vertical semi-axis of the gravimorphic ellipse.")},
+    {"growth.ellipseParallel", QT_TRANSLATE_NOOP("Parameters", "Buds on the sides"), "s_p",
      QT_TRANSLATE_NOOP("Parameters", "Vigour of the buds on the sides of a leaning branch."), Cubic, 2, "",
      1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "Semi-axis parallel to the ground; the greater one is amphitony.")},
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Semi-axis parallel to the ground; if it is the greater one, amphitony.")},
     {"growth.ellipseOffset", QT_TRANSLATE_NOOP("Parameters", "Upper or lower buds"), "e_v",
      QT_TRANSLATE_NOOP("Parameters", "Above 0 the buds on the upper side are stronger, as in fruit trees; "
                                      "below 0 those on the lower side."),
@@ -137,7 +141,8 @@ constexpr ParameterText kBranching[] = {
      QT_TRANSLATE_NOOP("Parameters", "How far an axis turns away from a branch that it bears: 0 keeps it "
                                      "straight, more makes it zigzag."),
      Linear, 0, "°", 1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "The main axis yields to a lateral, as toward sympodial growth.")},
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How far the main axis gives way to a lateral: a tendency to sympodial growth.")},
 };
 
 constexpr ParameterText kDirection[] = {
@@ -145,10 +150,10 @@ constexpr ParameterText kDirection[] = {
      QT_TRANSLATE_NOOP("Parameters", "How much a shoot keeps the direction that it has."), Linear, 2, "", 1.0,
      "", QT_TRANSLATE_NOOP("Parameters", "Weight of the heading H of the axis.")},
     {"growth.tropismWeight", QT_TRANSLATE_NOOP("Parameters", "Tropism"), "β",
-     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns toward the set-point angle."), Linear, 2, "",
+     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns towards the set-point angle."), Linear, 2, "",
      1.0, "", QT_TRANSLATE_NOOP("Parameters", "Weight of gravitropism T.")},
     {"growth.spaceWeight", QT_TRANSLATE_NOOP("Parameters", "Free space"), "γ",
-     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns toward where there is room."), Linear, 2, "",
+     QT_TRANSLATE_NOOP("Parameters", "How much a shoot turns towards where there is room."), Linear, 2, "",
      1.0, "",
      QT_TRANSLATE_NOOP(
          "Parameters",
@@ -181,7 +186,7 @@ constexpr ParameterText kVigour[] = {
      Logarithmic, 2, "", 1.0, "",
      QT_TRANSLATE_NOOP(
          "Parameters",
-         "Exponent of the response to light: high for trees that demand it, low for those that bear shade.")},
+         "Exponent of the response to light: high for light-demanding trees, low for shade-tolerant ones.")},
     {"growth.shedding", QT_TRANSLATE_NOOP("Parameters", "Shedding"), "Th",
      QT_TRANSLATE_NOOP("Parameters", "Branches with less vigour than this die: 0 keeps them all."), Cubic, 3,
      "", 1.0, "",
@@ -208,13 +213,14 @@ constexpr ParameterText kHabit[] = {
 constexpr ParameterText kShoot[] = {
     {"growth.internodeLength", QT_TRANSLATE_NOOP("Parameters", "Internode"), "l",
      QT_TRANSLATE_NOOP("Parameters", "Length of one internode. It is the measure of everything that grows: "
-                                     "smaller ones make finer trees."),
+                                     "shorter ones make finer trees."),
      Logarithmic, 1, "cm", 100.0, "", QT_TRANSLATE_NOOP("Parameters", "Length of a metamer.")},
     {"growth.lateralsPerNode", QT_TRANSLATE_NOOP("Parameters", "Buds at a node"), "",
      QT_TRANSLATE_NOOP("Parameters", "One is alternate, two opposite, more a whorl, as in pines."), Linear, 0,
      "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Alternate, opposite or verticillate.")},
     {"growth.irregularity", QT_TRANSLATE_NOOP("Parameters", "Irregularity"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Spread of angles and lengths: 0 is a diagram, 1 as wild as nature."),
+     QT_TRANSLATE_NOOP("Parameters",
+                       "Spread of angles and lengths: 0 is as regular as a diagram, 1 as wild as nature."),
      Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Variance of the angles and of the metamers.")},
     {"growth.markersPerBud", QT_TRANSLATE_NOOP("Parameters", "Room at a bud"), "",
      QT_TRANSLATE_NOOP(
@@ -230,7 +236,7 @@ constexpr ParameterText kShadow[] = {
      QT_TRANSLATE_NOOP("Parameters", "Intensity of the penumbra that a metamer casts.")},
     {"growth.shadowFalloff", QT_TRANSLATE_NOOP("Parameters", "Shadow falloff"), "b",
      QT_TRANSLATE_NOOP("Parameters", "How fast a shadow fades on its way down."), Logarithmic, 2, "", 1.0, "",
-     QT_TRANSLATE_NOOP("Parameters", "Base of its decay from layer to layer.")},
+     QT_TRANSLATE_NOOP("Parameters", "Base of the shadow's decay from layer to layer.")},
     {"growth.shadowDepth", QT_TRANSLATE_NOOP("Parameters", "Shadow depth"), "q",
      QT_TRANSLATE_NOOP("Parameters", "How many layers below an internode its shadow reaches."), Linear, 0, "",
      1.0, "", QT_TRANSLATE_NOOP("Parameters", "Height of the pyramid of shadow, in voxels.")},
@@ -238,17 +244,16 @@ constexpr ParameterText kShadow[] = {
 
 constexpr ParameterText kMarkers[] = {
     {"growth.markerDensity", QT_TRANSLATE_NOOP("Parameters", "Brush density"), "",
-     QT_TRANSLATE_NOOP(
-         "Parameters",
-         "How much room to grow the brush spreads, in points per cubic internode. More makes denser growth."),
+     QT_TRANSLATE_NOOP("Parameters", "How densely the brush spreads room to grow, in points per cubic "
+                                     "internode. More makes denser growth."),
      Logarithmic, 3, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Density of the markers of free space.")},
     {"growth.markerAge", QT_TRANSLATE_NOOP("Parameters", "Brush memory"), "",
      QT_TRANSLATE_NOOP("Parameters",
-                       "Growth steps after which the room that the brush has spread is forgotten."),
+                       "Growth steps after which the room to grow that the brush has spread is forgotten."),
      Logarithmic, 0, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Maximum age of a marker.")},
     {"growth.tropismFromStroke", QT_TRANSLATE_NOOP("Parameters", "Follow the stroke"), "",
      QT_TRANSLATE_NOOP("Parameters",
-                       "Shoots turn toward where the brush goes, instead of to the set-point angle."),
+                       "Shoots turn the way the brush goes, instead of to the set-point angle."),
      Linear, 2, "", 1.0, "",
      QT_TRANSLATE_NOOP("Parameters", "The set-point angle is inferred from the direction of the stroke.")},
 };
@@ -261,8 +266,8 @@ constexpr ParameterText kLeafForm[] = {
     {"leaves.length", QT_TRANSLATE_NOOP("Parameters", "Length"), "",
      QT_TRANSLATE_NOOP("Parameters", "From the stalk to the tip."), Logarithmic, 1, "cm", 100.0},
     {"leaves.aspect", QT_TRANSLATE_NOOP("Parameters", "Breadth"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Width by length."), Logarithmic},
-    {"leaves.sizeVariation", QT_TRANSLATE_NOOP("Parameters", "Variation of size"), "",
+     QT_TRANSLATE_NOOP("Parameters", "Width as a share of length."), Logarithmic},
+    {"leaves.sizeVariation", QT_TRANSLATE_NOOP("Parameters", "Variation in size"), "",
      QT_TRANSLATE_NOOP("Parameters", "How much the sizes of leaves differ.")},
 };
 
@@ -285,22 +290,22 @@ constexpr ParameterText kLeafPlace[] = {
      QT_TRANSLATE_NOOP("Parameters", "Between a shoot and the leaf's stalk."), Linear, 0, "°"},
     {"leaves.droop", QT_TRANSLATE_NOOP("Parameters", "Droop"), "",
      QT_TRANSLATE_NOOP("Parameters", "How far leaves hang down.")},
-    {"leaves.upward", QT_TRANSLATE_NOOP("Parameters", "Toward the sky"), "",
+    {"leaves.upward", QT_TRANSLATE_NOOP("Parameters", "Towards the sky"), "",
      QT_TRANSLATE_NOOP("Parameters", "How far leaves turn their faces up.")},
 };
 
 constexpr ParameterText kLeafColour[] = {
     {"leaves.hue", QT_TRANSLATE_NOOP("Parameters", "Hue"), "",
      QT_TRANSLATE_NOOP("Parameters", "0° is red, 60° yellow, 120° green."), Linear, 0, "°"},
-    {"leaves.hueVariation", QT_TRANSLATE_NOOP("Parameters", "Variation of hue"), "",
+    {"leaves.hueVariation", QT_TRANSLATE_NOOP("Parameters", "Variation in hue"), "",
      QT_TRANSLATE_NOOP("Parameters", "How much the colours of leaves differ."), Linear, 0, "°"},
     {"leaves.saturation", QT_TRANSLATE_NOOP("Parameters", "Saturation"), "",
      QT_TRANSLATE_NOOP("Parameters",
-                       "How strong the colour is: little of it makes blossom and silver leaves.")},
+                       "How strong the colour is: low values suit blossom and silvery leaves.")},
     {"leaves.brightness", QT_TRANSLATE_NOOP("Parameters", "Brightness"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How light the leaves are.")},
+     QT_TRANSLATE_NOOP("Parameters", "How bright the leaves are.")},
     {"leaves.vigourHue", QT_TRANSLATE_NOOP("Parameters", "Yellowing"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How far the leaves of weak shoots turn toward yellow and red.")},
+     QT_TRANSLATE_NOOP("Parameters", "How far the leaves of weak shoots turn towards yellow and red.")},
 };
 
 constexpr ParameterText kWidths[] = {
@@ -349,8 +354,8 @@ constexpr ParameterText kStrands[] = {
      QT_TRANSLATE_NOOP("Parameters",
                        "How far the ridges of single strands are smoothed: 0 shows each of them.")},
     {"wood.flutes", QT_TRANSLATE_NOOP("Parameters", "Flutes"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How far the trunk bulges below its limbs and toward its roots, and how "
-                                     "deep the hollows of lost limbs are. At 0 the wood is round.")},
+     QT_TRANSLATE_NOOP("Parameters", "How far the trunk bulges below its limbs and towards its roots, and "
+                                     "how deep the hollows of lost limbs are. At 0 the wood is round.")},
 };
 
 constexpr ParameterText kBark[] = {

@@ -27,7 +27,7 @@ constexpr int kBoxWidth = 260;
 
 QStringList presetNames(const QSize& window)
 {
-    return {PictureSheet::tr("As the window, %1 × %2").arg(window.width()).arg(window.height()),
+    return {PictureSheet::tr("Like the window, %1 × %2").arg(window.width()).arg(window.height()),
             PictureSheet::tr("Full HD, 1920 × 1080"),
             PictureSheet::tr("4K, 3840 × 2160"),
             PictureSheet::tr("Square, 1080 × 1080"),

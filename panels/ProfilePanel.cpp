@@ -83,9 +83,8 @@ void ProfilePanel::addModes(QVBoxLayout& column)
     };
     const ModeText modes[] = {
         {ProfileCanvas::Mode::Outline, "profileOutline", tr("Outline"),
-         tr("<b>Outline</b><br>Draw a closed line. One beside others splits the wood, one within another is "
-            "a "
-            "hollow.")},
+         tr("<b>Outline</b><br>Draw a closed line. One beside another splits the wood; one within another is "
+            "a hollow.")},
         {ProfileCanvas::Mode::Attractor, "profileAttractor", tr("Attractor"),
          tr("<b>Attractor</b><br>Drag a straight line that the strands gather at.")},
         {ProfileCanvas::Mode::Points, "profilePoints", tr("Points"),
@@ -174,16 +173,16 @@ void ProfilePanel::addActions(QVBoxLayout& column)
     auto* first = new QHBoxLayout;
     first->setSpacing(6);
     m_copy = addButton(*first, "profileCopy", tr("Copy to branch"),
-                       tr("<b>Copy to branch</b><br>Then tap another place of this branch: all between get "
-                          "this profile."));
+                       tr("<b>Copy to branch</b><br>Then tap another place on this branch: everything "
+                          "between gets this profile."));
     m_blend = addButton(*first, "profileBlend", tr("Blend"),
-                        tr("<b>Blend</b><br>Then tap another place of this branch that has a profile: "
-                           "those between change from the one to the other."));
+                        tr("<b>Blend</b><br>Then tap another place on this branch that has a profile: the "
+                           "sections between change from one to the other."));
     auto* second = new QHBoxLayout;
     second->setSpacing(6);
-    QPushButton* down = addButton(*second, "profileDown", tr("▼"), tr("To the next place down the branch"));
-    QPushButton* up = addButton(*second, "profileUp", tr("▲"), tr("To the next place up the branch"));
-    QPushButton* fit = addButton(*second, "profileFit", tr("Fit"), tr("Show the whole section"));
+    QPushButton* down = addButton(*second, "profileDown", tr("▼"), tr("To the next place down the branch."));
+    QPushButton* up = addButton(*second, "profileUp", tr("▲"), tr("To the next place up the branch."));
+    QPushButton* fit = addButton(*second, "profileFit", tr("Fit"), tr("Show the whole cross-section."));
     m_clear = addButton(*second, "profileClear", tr("Clear"),
                         tr("<b>Clear</b><br>Take the profile away: the strands are packed round again."));
     down->setAccessibleName(tr("Down the branch"));

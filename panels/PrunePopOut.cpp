@@ -20,7 +20,7 @@ constexpr int kPruneWidth = 156; ///< px
 constexpr ViewField kPruneRadius{
     {"view.brushRadius", Quantity::Metres, 0, kMaxBrushRadius},
     {"view.brushRadius", QT_TRANSLATE_NOOP("Parameters", "Radius"), "",
-     QT_TRANSLATE_NOOP("Parameters", "Radius of the brush, the same as that of the brush that paints."),
+     QT_TRANSLATE_NOOP("Parameters", "Radius of the brush, shared with the Brush tool."),
      ParameterText::Scale::Cubic, 1, "cm", 100.0},
     [](const ViewValues& values) { return values.brushRadius; },
     [](ViewValues& values, double value) { values.brushRadius = value; }};
@@ -36,7 +36,7 @@ constexpr ViewField kEraserThickest{
 
 constexpr ViewField kThinShareField{
     {"view.thinShare", Quantity::Number, kLeastThinShare, 1},
-    {"view.thinShare", QT_TRANSLATE_NOOP("Parameters", "Takes"), "",
+    {"view.thinShare", QT_TRANSLATE_NOOP("Parameters", "Share of twigs"), "",
      QT_TRANSLATE_NOOP("Parameters", "The share of the twigs under the brush that a stroke takes. They are "
                                      "chosen evenly along each limb."),
      ParameterText::Scale::Linear, 0, "%", 100.0},
@@ -58,17 +58,18 @@ struct ModeTexts {
 constexpr std::array<ModeTexts, kPruneModeCount> kModes{{
     {"pruneCut", QT_TRANSLATE_NOOP("espalier::PrunePopOut", "Cut"),
      QT_TRANSLATE_NOOP("espalier::PrunePopOut",
-                       "Tap a branch to take it off, or draw a line across several.")},
+                       "Tap a branch to cut it off, or draw a line across several.")},
     {"pruneKeepClear", QT_TRANSLATE_NOOP("espalier::PrunePopOut", "Keep clear"),
      QT_TRANSLATE_NOOP("espalier::PrunePopOut",
-                       "Drag up along a trunk or a branch: the shoots below your hand go, and "
-                       "no new ones come. Drag the ring down again to let buds shoot.")},
+                       "Drag up along a trunk or a branch: the shoots below your hand are removed, and no "
+                       "new ones come. Drag the ring down again to let buds shoot.")},
     {"pruneErase", QT_TRANSLATE_NOOP("espalier::PrunePopOut", "Erase"),
      QT_TRANSLATE_NOOP("espalier::PrunePopOut",
                        "Brush over twigs and leaves to take them away, however deep in the "
                        "crown they are. Limbs stay.")},
     {"pruneThin", QT_TRANSLATE_NOOP("espalier::PrunePopOut", "Thin out"),
-     QT_TRANSLATE_NOOP("espalier::PrunePopOut", "Brush over the crown to take some of its twigs, evenly.")},
+     QT_TRANSLATE_NOOP("espalier::PrunePopOut",
+                       "Brush over the crown to take out some of its twigs evenly.")},
 }};
 
 } // namespace

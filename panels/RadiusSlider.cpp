@@ -9,7 +9,9 @@
 #include <QPainterPath>
 #include <QSignalBlocker>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace espalier {
 
@@ -34,13 +36,22 @@ RadiusSlider::RadiusSlider(double maximum, QWidget* parent) : QAbstractSlider(pa
     setAccessibleName(tr("Brush radius"));
 }
 
+void RadiusSlider::setMaximumRadius(double metres)
+{
+    if (std::exchange(m_maximum, metres) != metres)
+        showRadius(m_radius);
+}
+
 void RadiusSlider::setRadius(double metres)
 {
-    if (metres == m_radius)
-        return;
-    m_radius = metres;
+    if (metres != m_radius)
+        showRadius(metres);
+}
+
+void RadiusSlider::showRadius(double metres)
+{
     const QSignalBlocker quiet(this);
-    setValue(static_cast<int>(std::lround(std::cbrt(metres / m_maximum) * kRadiusSteps)));
+    setValue(static_cast<int>(std::lround(std::cbrt(std::min(metres / m_maximum, 1.0)) * kRadiusSteps)));
     m_radius = metres;
     update();
 }
@@ -111,7 +122,7 @@ void RadiusSlider::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton)
         return event->ignore();
     setSliderDown(true);
-    m_drag.begin(event->position().y(), event->position().y());
+    m_drag.begin(event->position().y(), event->position().y(), 0.0, height());
     dragTo(m_drag.place());
 }
 

@@ -15,6 +15,8 @@ class RadiusSlider : public QAbstractSlider {
 public:
     explicit RadiusSlider(double maximum, QWidget* parent = nullptr);
 
+    /// Sets the radius at the upper end, m. The radius may be larger.
+    void setMaximumRadius(double metres);
     /// Radius in m.
     double radius() const { return m_radius; }
     /// Sets the radius; emits no signal.
@@ -35,6 +37,7 @@ protected:
     void sliderChange(SliderChange change) override;
 
 private:
+    void showRadius(double metres);
     double yOf(int position) const;
     void dragTo(double y);
 

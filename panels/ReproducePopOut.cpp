@@ -19,7 +19,8 @@ constexpr int kHintLines = 3;
 constexpr ViewField kVariation{
     {"view.variation", Quantity::Number, kLeastVariation, 1.0},
     {"view.variation", QT_TRANSLATE_NOOP("Parameters", "Variation"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How much the angles and lengths of a variation deviate from the tree."),
+     QT_TRANSLATE_NOOP("Parameters",
+                       "How much the angles and lengths of a variation deviate from those of the tree."),
      ParameterText::Scale::Linear, 0, "%", 100.0},
     [](const ViewValues& values) { return values.variation; },
     [](ViewValues& values, double value) { values.variation = value; }};

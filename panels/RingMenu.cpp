@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QKeySequence>
 #include <QPainter>
 #include <QPainterPath>
 #include <QScreen>
@@ -66,7 +67,7 @@ void RingMenu::openAt(const QPoint& place, int key)
         corner.setY(std::clamp(corner.y(), room.top(), std::max(room.top(), room.bottom() + 1 - height())));
     }
     m_key = key;
-    m_pointer = QPointF(place - corner);
+    m_openedAt = m_pointer = QPointF(place - corner);
     m_wasPressed = false;
     m_sinceOpened.start();
     move(corner);
@@ -127,8 +128,21 @@ void RingMenu::choose(const QPointF& place)
 
 void RingMenu::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() == Qt::Key_Escape || (event->key() != m_key && !event->isAutoRepeat()))
-        close();
+    static constexpr std::array kModifiers{Qt::Key_Shift, Qt::Key_Control, Qt::Key_Alt, Qt::Key_AltGr,
+                                           Qt::Key_Meta};
+    if (event->isAutoRepeat() || event->key() == m_key || std::ranges::count(kModifiers, event->key()) > 0)
+        return;
+    close();
+    if (event->key() == Qt::Key_Escape)
+        return;
+    // A shortcut is not lost.
+    const QKeySequence keys(event->keyCombination());
+    for (QAction* action : parentWidget()->actions()) {
+        if (action->shortcuts().contains(keys)) {
+            action->trigger();
+            return;
+        }
+    }
 }
 
 void RingMenu::keyReleaseEvent(QKeyEvent* event)
@@ -136,7 +150,8 @@ void RingMenu::keyReleaseEvent(QKeyEvent* event)
     if (event->isAutoRepeat() || event->key() != m_key)
         return;
     m_key = 0;
-    if (fieldAt(m_pointer)) {
+    const QPointF moved = m_pointer - m_openedAt;
+    if (std::hypot(moved.x(), moved.y()) > kMiddle) {
         choose(m_pointer);
         close();
     } else if (m_sinceOpened.elapsed() >= kRingHeld) {
@@ -153,7 +168,8 @@ void RingMenu::mouseMoveEvent(QMouseEvent* event)
 void RingMenu::mousePressEvent(QMouseEvent* event)
 {
     m_pointer = event->position();
-    m_wasPressed = true;
+    // The second click of a double click with the right button belongs to the one that opened the ring.
+    m_wasPressed = event->button() == Qt::LeftButton;
     if (!rect().contains(event->position().toPoint()))
         close();
     update();

@@ -13,8 +13,8 @@ namespace espalier {
 
 /// Eight tools in a ring around the pointer, and within it undo, redo and the size of the brush. It opens
 /// below the pen or the mouse, so that the hand need not go to the bars. It stays open until something is
-/// chosen or the user clicks elsewhere; if it was opened with a key that is held, the place of the pointer at
-/// the key's release chooses.
+/// chosen or the user clicks elsewhere; if it was opened with a key that is held, and the pointer has moved,
+/// its place at the key's release chooses.
 class RingMenu : public QWidget {
     Q_OBJECT
 
@@ -58,7 +58,8 @@ private:
     const Actions& m_actions;
     int m_key = 0; ///< The key that is held, or 0
     QElapsedTimer m_sinceOpened;
-    QPointF m_pointer;         ///< px of this widget
+    QPointF m_openedAt; ///< The pointer then, px of this widget: near an edge of the screen not the middle
+    QPointF m_pointer;  ///< px of this widget
     bool m_wasPressed = false; ///< The press of the click that chooses was in this widget
 };
 

@@ -45,16 +45,16 @@ QString mouseNote(MouseScheme scheme)
 {
     switch (scheme) {
     case MouseScheme::Blender:
-        return SettingsSheet::tr("The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and "
-                                 "the left button turn, too.");
+        return SettingsSheet::tr("The middle button turns; with Shift it pans, with Ctrl it zooms. Alt with "
+                                 "the left button turns, too.");
     case MouseScheme::Maya:
         return SettingsSheet::tr(
-            "Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.");
+            "With Alt, the left button turns, the middle one pans and the right one zooms.");
     case MouseScheme::Espalier:
         break;
     }
-    return SettingsSheet::tr("The right or middle button turns, Shift and the middle button pan. Alt and the "
-                             "left button turn, too.");
+    return SettingsSheet::tr("The right or middle button turns; Shift with the middle button pans. Alt with "
+                             "the left button turns, too.");
 }
 
 } // namespace
@@ -178,7 +178,7 @@ QLayout* SettingsSheet::makeAppearance()
     for (const int percent : scales())
         m_scale->addItem(tr("%L1 %").arg(percent), percent);
     m_scale->setObjectName(QStringLiteral("scale"));
-    m_scale->setToolTip(tr("Applies from the next start of Espalier."));
+    m_scale->setToolTip(tr("Takes effect the next time Espalier starts."));
     form->addRow(makeLabel(tr("Size of the interface"), m_scale), m_scale);
     return form;
 }
@@ -220,11 +220,11 @@ QLayout* SettingsSheet::makeStabiliser()
 {
     m_distance->setRange(0, qRound(Stabilising::kGreatestDistance));
     m_distance->setObjectName(QStringLiteral("stabiliserDistance"));
-    m_distance->setToolTip(
-        tr("A stroke follows the pointer at this distance, like a stone on a string: it does not tremble."));
+    m_distance->setToolTip(tr(
+        "A stroke follows the pointer at this distance, like a stone on a string, so it does not tremble."));
     m_delay->setRange(0, qRound(kHundredths * Stabilising::kLongestDelay));
     m_delay->setObjectName(QStringLiteral("stabiliserDelay"));
-    m_delay->setToolTip(tr("A stroke comes this much later than the pointer, and more smoothly."));
+    m_delay->setToolTip(tr("A stroke lags this far behind the pointer, and is smoother."));
     m_distance->setAccessibleName(tr("Distance"));
     m_delay->setAccessibleName(tr("Delay"));
     auto* grid = new QGridLayout;
@@ -259,7 +259,7 @@ QLayout* SettingsSheet::makeWork()
     form->addRow(barHeading(tr("Work"), this));
     form->addRow(makeLabel(tr("Safety copy every"), m_autosave), m_autosave);
     form->addRow(makeLabel(tr("Steps to undo"), m_undo), m_undo);
-    form->addRow(makeNote(tr("A new number of steps applies from the next tree that you begin or open.")));
+    form->addRow(makeNote(tr("A change applies to the next tree that you begin or open.")));
     form->addRow(makeLabel(tr("Library"), change), change);
     form->addRow(m_folder);
     return form;
@@ -333,7 +333,7 @@ void SettingsSheet::take(const Preferences& preferences)
 void SettingsSheet::chooseFolder()
 {
     const QString folder =
-        QFileDialog::getExistingDirectory(this, tr("Folder of the Library"), m_preferences.libraryFolder);
+        QFileDialog::getExistingDirectory(this, tr("Library Folder"), m_preferences.libraryFolder);
     if (folder.isEmpty())
         return;
     Preferences edited = m_preferences;

@@ -46,7 +46,7 @@ SizeChoices::SizeChoices(QWidget* parent) : Bar(parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 6, 8, 6);
     column->setSpacing(2);
-    auto* title = new QLabel(tr("How tall shall the new tree become?"), this);
+    auto* title = new QLabel(tr("How tall should the new tree grow?"), this);
     title->setAlignment(Qt::AlignCenter);
     theme::setTone(*title, theme::Tone::Dim);
     column->addWidget(title);

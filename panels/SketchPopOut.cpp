@@ -29,9 +29,9 @@ constexpr ViewField kSketchMirror = viewSwitch<&ViewValues::sketchMirror>(
 constexpr ViewField kSecondTree = viewSwitch<&ViewValues::secondTree>(
     "view.secondTree", QT_TRANSLATE_NOOP("Parameters", "Fill the sides"),
     QT_TRANSLATE_NOOP("Parameters",
-                      "The drawing is placed twice, the second time turned by 90° around the trunk, so "
-                      "that the tree is as full from the side as from the front. Without this, its "
-                      "branches themselves run toward you and away from you."));
+                      "The drawing is placed twice, the second time turned by 90° around the trunk, so that "
+                      "the tree is as full from the side as from the front. Without this, its branches "
+                      "themselves run towards you and away from you."));
 
 template <double ViewValues::*Member>
 constexpr ViewField magnification(const char* key, const char* label, const char* tip)
@@ -48,11 +48,11 @@ constexpr ViewField kMagnifications[] = {
         QT_TRANSLATE_NOOP("Parameters", "How much wider than the drawing the crown may be in depth.")),
     magnification<&ViewValues::depthLength>(
         "view.depthLength", QT_TRANSLATE_NOOP("Parameters", "Lengths"),
-        QT_TRANSLATE_NOOP("Parameters", "How much longer than drawn ones branches may become in depth.")),
+        QT_TRANSLATE_NOOP("Parameters", "How much longer branches may become in depth than those you drew.")),
     magnification<&ViewValues::depthAngle>(
         "view.depthAngle", QT_TRANSLATE_NOOP("Parameters", "Angles"),
         QT_TRANSLATE_NOOP("Parameters",
-                          "How much wider than the widest drawn one an angle between branches may be.")),
+                          "How much wider an angle between branches may be than the widest you drew.")),
 };
 
 QPushButton* addButton(const QString& name, const QString& text, const QString& tip, QVBoxLayout* column)
@@ -87,7 +87,7 @@ SketchPopOut::SketchPopOut(ViewSettings& settings, QWidget* parent) : Bar(parent
            "as they can. From the front the tree looks as you drew it."),
         column);
     m_other = addButton(QStringLiteral("otherDepth"), tr("Another depth"),
-                        tr("<b>Another depth</b><br>Choose the depths of the branches anew."), column);
+                        tr("<b>Another depth</b><br>Choose new depths for the branches."), column);
     addRow(kSecondTree);
     for (const ViewField& field : kMagnifications)
         addRow(field);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace espalier {
 
@@ -125,7 +126,8 @@ void TimeSlider::mousePressEvent(QMouseEvent* event)
     const double handle = placeOf(value()).x();
     if (std::abs(x - handle) > kGrip)
         return step(x);
-    m_drag.begin(handle, x);
+    // A pull beyond the present has no end.
+    m_drag.begin(handle, x, kTrackEnd, std::numeric_limits<double>::max());
     m_position = value();
     m_hasMoved = false;
     setSliderDown(true);

@@ -13,7 +13,7 @@ namespace {
 constexpr ViewField kTwistsSubtree = viewSwitch<&ViewValues::twistsSubtree>(
     "view.twistsSubtree", QT_TRANSLATE_NOOP("Parameters", "Branches too"),
     QT_TRANSLATE_NOOP("Parameters", "A drag twists all that the branch carries, not only the branch itself. "
-                                    "Shift does the opposite while you press."));
+                                    "Hold Shift for the opposite."));
 
 } // namespace
 

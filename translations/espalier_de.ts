@@ -96,7 +96,7 @@
         <translation>Knospe</translation>
     </message>
     <message>
-        <source>Tap a bud: from now on only it grows, and what grows from it.</source>
+        <source>Tap a bud: from now on, only this bud grows, and what comes from it.</source>
         <translation>Eine Knospe antippen: Von nun an wächst nur sie, mit allem, was aus ihr entsteht.</translation>
     </message>
     <message>
@@ -104,7 +104,7 @@
         <translation>Biegen</translation>
     </message>
     <message>
-        <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
+        <source>Pull a branch to bend it; tap it to pin it there.</source>
         <translation>An einem Ast ziehen, um ihn zu biegen; antippen, um festzulegen, wo er gehalten wird.</translation>
     </message>
     <message>
@@ -120,7 +120,7 @@
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
+        <source>Draw the silhouette of a crown: the tree grows until it fills that shape.</source>
         <translation>Den Umriss einer Krone zeichnen: Der Baum wächst, bis er ihn ausfüllt.</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>Schräg von vorn</translation>
     </message>
     <message>
-        <source>Look at the tree from a corner.</source>
+        <source>Look at the tree from between the front and the side.</source>
         <translation>Den Baum schräg von vorn betrachten.</translation>
     </message>
     <message>
@@ -260,7 +260,7 @@
         <translation>Nur der Baum</translation>
     </message>
     <message>
-        <source>Hide everything but the tree; the same key brings it back.</source>
+        <source>Hide everything but the tree; the same key brings everything back.</source>
         <translation>Alles außer dem Baum ausblenden; dieselbe Taste holt es zurück.</translation>
     </message>
     <message>
@@ -316,7 +316,7 @@
         <translation>Wie Espalier aussieht und wie es auf die Hand reagiert.</translation>
     </message>
     <message>
-        <source>Size of the brush, pressure of the pen, and what is shown of them.</source>
+        <source>Size of the brush, pressure of the pen, and what is shown while you brush.</source>
         <translation>Größe des Pinsels, Druck des Stifts und der Wuchsraum, den der Pinsel verteilt.</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>Auf einen Ast drücken und halten: Sein jüngster Zuwachs verschwindet, Schritt für Schritt.</translation>
     </message>
     <message>
-        <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
+        <source>Show the strands of the wood as lines, each branch in its own colour.</source>
         <translation>Zeigt die Stränge, aus denen das Holz besteht, als Linien, jeden Ast in seiner Farbe.</translation>
     </message>
     <message>
@@ -388,15 +388,15 @@
         <translation>Vermehren</translation>
     </message>
     <message>
-        <source>Tap a branch: it gets more branches like those it carries, or passes them on.</source>
+        <source>Tap a branch: it gets more branches like those it carries, or passes on to others what it carries.</source>
         <translation>Auf einen Ast tippen: er bekommt mehr von dem, was er trägt, oder gibt es weiter.</translation>
     </message>
     <message>
-        <source>Reproduce</source>
+        <source>Reshape</source>
         <translation>Nachbilden</translation>
     </message>
     <message>
-        <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
+        <source>Draw a trunk and a silhouette: the same tree takes on this new shape.</source>
         <translation>Stamm und Umriss zeichnen: derselbe Baum nimmt diese neue Gestalt an.</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>Bild kopieren</translation>
     </message>
     <message>
-        <source>Put a picture of the tree as it is shown on the clipboard.</source>
+        <source>Copy a picture of the tree, as it is shown now, to the clipboard.</source>
         <translation>Ein Bild des Baums, wie er gezeigt wird, in die Zwischenablage legen.</translation>
     </message>
     <message>
@@ -428,7 +428,7 @@
         <translation>Noch einer wie dieser</translation>
     </message>
     <message>
-        <source>See six trees that the same strokes make by another chance, and take one.</source>
+        <source>See six other trees that the same strokes could have made, and take one.</source>
         <translation>Sechs Bäume ansehen, die dieselben Striche durch anderen Zufall ergeben, und einen nehmen.</translation>
     </message>
     <message>
@@ -444,7 +444,7 @@
         <translation>Werkzeugring</translation>
     </message>
     <message>
-        <source>Tools, undo and the size of the brush around the pointer. Hold the key, and let go over one.</source>
+        <source>Tools, undo and brush size in a ring around the pointer. Hold the key, and let go over the one you want.</source>
         <translation>Werkzeuge, Rückgängig und die Größe des Pinsels rings um den Zeiger. Die Taste halten und über einem davon loslassen.</translation>
     </message>
     <message>
@@ -452,7 +452,7 @@
         <translation>Zweite Ansicht</translation>
     </message>
     <message>
-        <source>Show the tree from the right in a corner; draw there, too, to give it depth.</source>
+        <source>Show the tree from the right, in a corner of the window; draw there, too, to give it depth.</source>
         <translation>Den Baum in einer Ecke von rechts zeigen; auch dort zeichnen gibt ihm Tiefe.</translation>
     </message>
 </context>
@@ -466,18 +466,18 @@
 <context>
     <name>BendTool</name>
     <message>
-        <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
+        <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
         <translation>An einem Ast ziehen, um ihn zu biegen; antippen, um erst seine Basis festzulegen, dann Haltepunkte</translation>
     </message>
 </context>
 <context>
     <name>BrushTool</name>
     <message>
-        <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
+        <source>Drag to brush a tree into being; begin at a branch to draw at its depth</source>
         <translation>Ziehen, um einen Baum zu pinseln; an einem Ast beginnen, um in dessen Tiefe fortzufahren</translation>
     </message>
     <message>
-        <source>No bud sees this place: draw on, or begin at a branch</source>
+        <source>No bud sees this place: keep drawing, or begin at a branch</source>
         <translation>Keine Knospe sieht diese Stelle: weiterziehen oder an einem Ast beginnen</translation>
     </message>
     <message>
@@ -499,11 +499,11 @@
 <context>
     <name>CommandLine</name>
     <message>
-        <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
+        <source>--strict: nothing is written, because some operations did not find everything that they name</source>
         <translation>--strict: nichts wird geschrieben, da Operationen nichts zu tun fanden oder nicht alles, was sie nennen</translation>
     </message>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <source>--size needs WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
         <translation>--size verlangt BREITExHÖHE von bis zu %1 Pixeln je Kante, nicht &quot;%2&quot;</translation>
     </message>
     <message>
@@ -515,15 +515,15 @@
         <translation>--camera ist front, side, top oder three-quarter, nicht &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <source>--threads needs a number from 1 to %1, not &quot;%2&quot;</source>
         <translation>--threads verlangt eine Zahl von 1 bis %1, nicht &quot;%2&quot;</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <source>--seed needs a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
         <translation>--seed verlangt eine ganze Zahl von 0 bis 18446744073709551615, nicht &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>%1 knows no option %2</source>
+        <source>%1 has no option %2</source>
         <translation>%1 kennt keine Option %2</translation>
     </message>
     <message>
@@ -535,39 +535,39 @@
         <translation>%1 verlangt einen Wert dahinter</translation>
     </message>
     <message>
-        <source>--transparent wants --png FILE</source>
+        <source>--transparent needs --png FILE</source>
         <translation>--transparent verlangt --png DATEI</translation>
     </message>
     <message>
-        <source>--ground-shadow wants --transparent</source>
+        <source>--ground-shadow needs --transparent</source>
         <translation>--ground-shadow verlangt --transparent</translation>
     </message>
     <message>
-        <source>%1 wants one project</source>
+        <source>%1 needs one project</source>
         <translation>%1 verlangt ein Projekt</translation>
     </message>
     <message>
-        <source>render wants --png FILE</source>
+        <source>render needs --png FILE</source>
         <translation>render verlangt --png DATEI</translation>
     </message>
     <message>
-        <source>info wants one file</source>
+        <source>info needs one file</source>
         <translation>info verlangt eine Datei</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <source>a window opens only one file; &quot;%1&quot; is one too many</source>
         <translation>ein Fenster zeigt eine Datei, was ist also &quot;%1&quot;?</translation>
     </message>
     <message>
-        <source>%1: its history, played again, gives another tree than it holds</source>
+        <source>%1: its history, played again, gives a different tree from the one it holds</source>
         <translation>%1: Seine Geschichte ergibt, noch einmal abgespielt, einen anderen Baum als den gespeicherten</translation>
     </message>
     <message>
-        <source>replay wants at least one recipe or project</source>
+        <source>replay needs at least one recipe or project</source>
         <translation>replay braucht mindestens ein Rezept oder Projekt</translation>
     </message>
     <message>
-        <source>import wants one skeleton and -o OUT</source>
+        <source>import needs one skeleton and -o OUT</source>
         <translation>import verlangt ein Skelett und -o AUSGABE</translation>
     </message>
     <message>
@@ -575,23 +575,23 @@
         <translation>für weitere Parametersätze ist kein Platz</translation>
     </message>
     <message>
-        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <source>--set needs group.name=value, not &quot;%1&quot;</source>
         <translation>--set verlangt gruppe.name=wert, nicht &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--set knows no parameter &quot;%1&quot;</source>
+        <source>--set: there is no parameter &quot;%1&quot;</source>
         <translation>--set kennt keinen Parameter &quot;%1&quot;</translation>
     </message>
     <message>
-        <source>--fibres wants --png FILE</source>
+        <source>--fibres needs --png FILE</source>
         <translation>--fibres verlangt --png DATEI</translation>
     </message>
     <message>
-        <source>--index wants a whole number from 0, not &quot;%1&quot;</source>
+        <source>--index needs a whole number from 0, not &quot;%1&quot;</source>
         <translation>--index verlangt eine ganze Zahl ab 0, nicht „%1“</translation>
     </message>
     <message>
-        <source>sketch wants at least one drawing</source>
+        <source>sketch needs at least one drawing</source>
         <translation>sketch verlangt mindestens eine Zeichnung</translation>
     </message>
     <message>
@@ -603,7 +603,7 @@
         <translation>sie hat keine Linie, die ein Stamm sein kann, und keine Krone</translation>
     </message>
     <message>
-        <source>--vary wants a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
+        <source>--vary needs a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
         <translation>--vary verlangt eine ganze Zahl ab 0, und nach einem Doppelpunkt auf Wunsch ein Maß von %1 bis 1, wie 7 oder 7:0.5, nicht „%2“</translation>
     </message>
     <message>
@@ -620,29 +620,29 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of a project, all is done again that was done to its tree.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
+    Plays a recipe without a window, and writes the result.
+    For a project, all that was done to its tree is done again.
+    With several recipes, each continues the tree of the one before: the
+    first sets the seed, and each begins by applying its own parameters.
     --profiles: the places of the strands in each cross-section, as JSON.
-    What operations do not find in the tree is printed; with --strict it is an
+    Whatever an operation does not find is printed; with --strict it is an
     error, and nothing is written.
     --set gives a parameter a value for the whole replay, whatever recipes say:
     --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
-    --vary makes angles and lengths of the tree deviate a little, by an amount of
-    0.3, or up to 1: with another seed it is another tree beside it in a forest.
+    --vary makes the tree&apos;s angles and lengths deviate a little, by 0.3 or by
+    an AMOUNT of up to 1; each SEED gives another neighbour in a forest.
 
 espalier import SKELETON.csv -o OUT...
-    Makes a tree of a measured one: lines of id, parent, both ends and radius.
+    Makes a tree from a measured one: each line has id, parent, both ends, radius.
 
 espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
                 [--size WxH] [--camera ...] [--stats FILE] [--seed N]
                 [--set GROUP.NAME=VALUE]...
-    Makes a tree of a drawing: lines are branches, small loops leaves,
+    Makes a tree from a drawing: lines are branches, small loops are leaves,
     a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
-    .ndjson, of which --index takes a line, from 0. Of several drawings each is
-    drawn over the one before. --front-only: depth is given once, without a
-    second placing from the side.
+    .ndjson, where --index picks a line, from 0. Several drawings are drawn one
+    over the other. --front-only: the drawing is placed once, and not a second
+    time from the side.
 
 espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
                 [--set GROUP.NAME=VALUE]...
@@ -652,17 +652,17 @@ espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
-    Takes a picture. It wants a display; a virtual one will do.
+    Draws a picture. It needs a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity. --fibres: the strands of the wood.
+    its shadow, as partly transparent black. --fibres: the strands of the wood.
 
 espalier info FILE
-    Says as JSON what is in a project.
+    Prints as JSON what is in a project.
 
 espalier --help, --version
 
-OUT ends in .espalier (project) or in the ending of a format:
-%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+OUT ends in .espalier (project) or in the suffix of a format:
+%1Exits with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
         <translation>Espalier: Bäume mit dem Pinsel wachsen lassen.
@@ -754,7 +754,7 @@ geschrieben werden konnte.
         <translation>Schneiden</translation>
     </message>
     <message>
-        <source>Travel in Time</source>
+        <source>Go to Another Time</source>
         <translation>Zeitreise</translation>
     </message>
     <message>
@@ -762,7 +762,7 @@ geschrieben werden konnte.
         <translation>Dicke freigeben</translation>
     </message>
     <message>
-        <source>Width</source>
+        <source>Set Width</source>
         <translation>Dicke</translation>
     </message>
     <message>
@@ -794,7 +794,7 @@ geschrieben werden konnte.
         <translation>Kräftigen</translation>
     </message>
     <message>
-        <source>Profile</source>
+        <source>Draw Profile</source>
         <translation>Profil</translation>
     </message>
     <message>
@@ -802,7 +802,7 @@ geschrieben werden konnte.
         <translation>Profile überblenden</translation>
     </message>
     <message>
-        <source>Clear Profile</source>
+        <source>Remove Profile</source>
         <translation>Profil entfernen</translation>
     </message>
     <message>
@@ -838,7 +838,7 @@ geschrieben werden konnte.
         <translation>Blätter anordnen</translation>
     </message>
     <message>
-        <source>Propagate Branch</source>
+        <source>Pass On Branch</source>
         <translation>Ast übertragen</translation>
     </message>
     <message>
@@ -846,7 +846,7 @@ geschrieben werden konnte.
         <translation>der neue Stamm muss eine offene Linie sein</translation>
     </message>
     <message>
-        <source>Reproduce Tree</source>
+        <source>Reshape Tree</source>
         <translation>Baum nachbilden</translation>
     </message>
     <message>
@@ -907,8 +907,8 @@ geschrieben werden konnte.
         <translation>Hülle entfernen</translation>
     </message>
     <message>
-        <source>Earlier Step</source>
-        <translation>Früherer Schritt</translation>
+        <source>Earlier Steps</source>
+        <translation>Frühere Schritte</translation>
     </message>
 </context>
 <context>
@@ -940,7 +940,7 @@ geschrieben werden konnte.
         <translation>sie hat keine Zeichnung %1</translation>
     </message>
     <message>
-        <source>the x and y of a stroke differ in number</source>
+        <source>a stroke has more x than y values, or fewer</source>
         <translation>ein Strich hat nicht so viele x wie y</translation>
     </message>
     <message>
@@ -948,7 +948,7 @@ geschrieben werden konnte.
         <translation>ein Strich hat einen Punkt, der keine Zahl ist</translation>
     </message>
     <message>
-        <source>it is greater than 32 MB</source>
+        <source>it is larger than 32 MB</source>
         <translation>sie ist größer als 32 MB</translation>
     </message>
     <message>
@@ -979,14 +979,14 @@ geschrieben werden konnte.
         <translation>Das Lasso umschließt keine Fläche.</translation>
     </message>
     <message>
-        <source>The lasso is too small for how far it is from the origin.</source>
+        <source>The lasso is too small for its distance from the origin.</source>
         <translation>Das Lasso ist zu klein für seinen Abstand vom Ursprung.</translation>
     </message>
 </context>
 <context>
     <name>EraserTool</name>
     <message>
-        <source>Brush over twigs to take some of them, evenly; what goes turns red</source>
+        <source>Brush over twigs to thin them evenly; those that will go turn red</source>
         <translation>Über Zweige streichen, um einige gleichmäßig herauszunehmen; was fällt, wird rot</translation>
     </message>
     <message>
@@ -1028,7 +1028,7 @@ geschrieben werden konnte.
         <translation>Der Export wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>there are too many files of similar names in its folder; choose another name or another folder</source>
+        <source>there are too many files with similar names in this folder; choose another name or another folder</source>
         <translation>im Ordner der Datei gibt es zu viele Dateien mit ähnlichen Namen; einen anderen Namen oder einen anderen Ordner wählen</translation>
     </message>
     <message>
@@ -1036,7 +1036,7 @@ geschrieben werden konnte.
         <translation>ein anderes Programm hat diese Datei während des Exports angelegt; noch einmal exportieren, dann wird ein anderer Name gewählt</translation>
     </message>
     <message>
-        <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
+        <source>the tree takes more than the 4 GB that such a file can hold; export less detail</source>
         <translation>der Baum braucht mehr als die 4 GB, die eine solche Datei fassen kann; weniger Einzelheiten exportieren</translation>
     </message>
 </context>
@@ -1074,7 +1074,7 @@ geschrieben werden konnte.
         <translation>%1 wächst noch. Was bisher gewachsen ist, ist nicht gespeichert.</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>%1 enthält ungespeicherte Änderungen.</translation>
     </message>
     <message>
@@ -1133,7 +1133,7 @@ geschrieben werden konnte.
         <translation>%1 ist kein Ordner</translation>
     </message>
     <message>
-        <source>there is a folder of this name</source>
+        <source>a folder with this name already exists</source>
         <translation>es gibt einen Ordner dieses Namens</translation>
     </message>
     <message>
@@ -1149,7 +1149,7 @@ geschrieben werden konnte.
         <translation>der Datenträger ist voll</translation>
     </message>
     <message>
-        <source>your share of the disk is full</source>
+        <source>your disk quota is used up</source>
         <translation>der zugeteilte Anteil am Datenträger ist voll</translation>
     </message>
     <message>
@@ -1165,7 +1165,7 @@ geschrieben werden konnte.
         <translation>die Datei ist zu groß für diesen Datenträger</translation>
     </message>
     <message>
-        <source>the disk is faulty</source>
+        <source>the disk reports an error</source>
         <translation>der Datenträger ist fehlerhaft</translation>
     </message>
     <message>
@@ -1188,7 +1188,7 @@ geschrieben werden konnte.
 <context>
     <name>GrowTool</name>
     <message>
-        <source>Press and hold: the tree grows until you let go.</source>
+        <source>Press and hold: the tree grows until you let go</source>
         <translation>Drücken und halten: Der Baum wächst bis zum Loslassen.</translation>
     </message>
 </context>
@@ -1207,11 +1207,11 @@ geschrieben werden konnte.
         <translation>das Bild ist beschädigt</translation>
     </message>
     <message>
-        <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
+        <source>it has %1 × %2 pixels; %3 along an edge is the most</source>
         <translation>hat %1 × %2 Pixel; höchstens %3 je Kante sind möglich</translation>
     </message>
     <message>
-        <source>it has only %1 × %2 pixels</source>
+        <source>it is too small: only %1 × %2 pixels</source>
         <translation>hat nur %1 × %2 Pixel</translation>
     </message>
     <message>
@@ -1245,7 +1245,7 @@ geschrieben werden konnte.
         <translation>er setzt ein Blatt zu einer anderen Zeit</translation>
     </message>
     <message>
-        <source>it bears an internode whose parameters are not there</source>
+        <source>it creates an internode whose parameters are not there</source>
         <translation>er bringt ein Internodium hervor, dessen Parameter nicht da sind</translation>
     </message>
     <message>
@@ -1261,15 +1261,15 @@ geschrieben werden konnte.
         <translation>die Geburten sind nicht in der richtigen Reihenfolge</translation>
     </message>
     <message>
-        <source>it lets an internode die that did not</source>
+        <source>it records the death of an internode that did not die</source>
         <translation>lässt ein Internodium sterben, das nicht gestorben ist</translation>
     </message>
     <message>
-        <source>it bears an internode that is not there</source>
+        <source>it creates an internode that is not there</source>
         <translation>bringt ein Internodium hervor, das es nicht gibt</translation>
     </message>
     <message>
-        <source>it bears an internode at another time</source>
+        <source>it creates an internode at another time</source>
         <translation>bringt ein Internodium zu einer anderen Zeit hervor</translation>
     </message>
     <message>
@@ -1313,7 +1313,7 @@ geschrieben werden konnte.
         <translation>ändert „%1“ auf unmögliche Weise</translation>
     </message>
     <message>
-        <source>it brings strokes or profiles that are not there</source>
+        <source>it refers to strokes or profiles that are not there</source>
         <translation>bringt Striche oder Profile, die es nicht gibt</translation>
     </message>
 </context>
@@ -1356,7 +1356,7 @@ geschrieben werden konnte.
         <translation>eine Zeichenkette wird erwartet</translation>
     </message>
     <message>
-        <source>a whole number of at most 64 bits is expected, from 2^53 on as a string of digits</source>
+        <source>a whole number of at most 64 bits is expected; from 2^53 on, write it as a string of digits</source>
         <translation>eine ganze Zahl von höchstens 64 Bit wird erwartet, ab 2^53 als Zeichenkette aus Ziffern</translation>
     </message>
     <message>
@@ -1417,7 +1417,7 @@ geschrieben werden konnte.
 <context>
     <name>LeafChoices</name>
     <message>
-        <source>One leaf at a time along the branch, each turned as the second is against the first.</source>
+        <source>One leaf at a time along the branch, each turned from the one before as the second is from the first.</source>
         <translation>Ein Blatt nach dem anderen am Ast entlang, jedes so gedreht wie das zweite gegen das erste.</translation>
     </message>
 </context>
@@ -1432,7 +1432,7 @@ geschrieben werden konnte.
         <translation>Ein Name darf nicht mit einem Punkt beginnen.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <source>A name cannot contain any of / \ : * ? &quot; &lt; &gt; |.</source>
         <translation>Ein Name darf keines der Zeichen / \ : * ? &quot; &lt; &gt; | enthalten.</translation>
     </message>
     <message>
@@ -1440,7 +1440,7 @@ geschrieben werden konnte.
         <translation>Dieser Name ist zu lang.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be made.</source>
+        <source>The folder %1 cannot be created.</source>
         <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
     </message>
     <message>
@@ -1448,7 +1448,7 @@ geschrieben werden konnte.
         <translation>Baum</translation>
     </message>
     <message>
-        <source>There is a tree named %1 already.</source>
+        <source>There is already a tree named %1.</source>
         <translation>Es gibt schon einen Baum namens %1.</translation>
     </message>
     <message>
@@ -1460,7 +1460,7 @@ geschrieben werden konnte.
         <translation>%1 kann nicht kopiert werden: %2</translation>
     </message>
     <message>
-        <source>%1 is not there any more.</source>
+        <source>%1 is no longer there.</source>
         <translation>%1 ist nicht mehr da.</translation>
     </message>
     <message>
@@ -1479,11 +1479,11 @@ geschrieben werden konnte.
 <context>
     <name>MoveTool</name>
     <message>
-        <source>a trunk stays where it stands; hold a branch</source>
+        <source>a trunk stays where it stands; drag a branch</source>
         <translation>ein Stamm bleibt, wo er steht; fassen Sie einen Ast</translation>
     </message>
     <message>
-        <source>Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it</source>
+        <source>Drag a branch along the wood or around it; drag its base to other wood, its tip to scale it</source>
         <translation>Einen Ast am Holz entlang oder um es herum ziehen; am Ansatz an anderes Holz; an der Spitze skalieren</translation>
     </message>
 </context>
@@ -1494,14 +1494,14 @@ geschrieben werden konnte.
         <translation>Auf einen Ast tippen: er bekommt einen Ast mehr wie die, die er trägt</translation>
     </message>
     <message>
-        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which get it</source>
+        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which of them get it</source>
         <translation>Auf einen Ast tippen: Die anderen bekommen, was er trägt; oder von ihm über die ziehen, die es bekommen sollen</translation>
     </message>
 </context>
 <context>
     <name>OffscreenRenderer</name>
     <message>
-        <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
+        <source>A picture cannot be drawn, because there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
         <translation>Es kann kein Bild gezeichnet werden, denn es gibt keine Anzeige mit OpenGL 3.3; eine virtuelle (Xvfb) genügt.</translation>
     </message>
     <message>
@@ -1512,14 +1512,14 @@ geschrieben werden konnte.
 <context>
     <name>Outputs</name>
     <message>
-        <source>%1: the picture could not be packed</source>
+        <source>%1: the picture could not be compressed</source>
         <translation>%1: das Bild konnte nicht gepackt werden</translation>
     </message>
 </context>
 <context>
     <name>OwnTextures</name>
     <message>
-        <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
+        <source>%1: the leaf cannot be told apart from its background; the image needs a transparent or a plain background</source>
         <translation>%1: das Blatt lässt sich nicht von dem unterscheiden, was dahinter ist; das Bild braucht einen transparenten oder einfarbigen Hintergrund</translation>
     </message>
 </context>
@@ -1530,7 +1530,7 @@ geschrieben werden konnte.
         <translation>Internodium</translation>
     </message>
     <message>
-        <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
+        <source>Length of one internode. It is the measure of everything that grows: shorter ones make finer trees.</source>
         <translation>Länge eines Internodiums. Es ist das Maß für alles, was wächst: kleinere ergeben feinere Bäume.</translation>
     </message>
     <message>
@@ -1602,7 +1602,7 @@ geschrieben werden konnte.
         <translation>Pinseldichte</translation>
     </message>
     <message>
-        <source>How much room to grow the brush spreads, in points per cubic internode. More makes denser growth.</source>
+        <source>How densely the brush spreads room to grow, in points per cubic internode. More makes denser growth.</source>
         <translation>Wie viel Wuchsraum der Pinsel verteilt, in Punkten je Kubikinternodium. Mehr ergibt dichteren Wuchs.</translation>
     </message>
     <message>
@@ -1610,7 +1610,7 @@ geschrieben werden konnte.
         <translation>Pinselgedächtnis</translation>
     </message>
     <message>
-        <source>Growth steps after which the room that the brush has spread is forgotten.</source>
+        <source>Growth steps after which the room to grow that the brush has spread is forgotten.</source>
         <translation>Wuchsschritte, nach denen der vom Pinsel verteilte Raum vergessen wird.</translation>
     </message>
     <message>
@@ -1682,7 +1682,7 @@ geschrieben werden konnte.
         <translation>Tropismus</translation>
     </message>
     <message>
-        <source>How much a shoot turns toward the set-point angle.</source>
+        <source>How much a shoot turns towards the set-point angle.</source>
         <translation>Wie sehr sich ein Trieb zum Sollwinkel hin wendet.</translation>
     </message>
     <message>
@@ -1690,7 +1690,7 @@ geschrieben werden konnte.
         <translation>Freier Raum</translation>
     </message>
     <message>
-        <source>How much a shoot turns toward where there is room.</source>
+        <source>How much a shoot turns towards where there is room.</source>
         <translation>Wie sehr sich ein Trieb dorthin wendet, wo Raum ist.</translation>
     </message>
     <message>
@@ -1698,7 +1698,7 @@ geschrieben werden konnte.
         <translation>Sollwinkel</translation>
     </message>
     <message>
-        <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
+        <source>The direction that shoots turn to: 0° is up, 90° level, and more makes them weep.</source>
         <translation>Wohin sich Triebe wenden: 0° ist aufwärts, 90° waagerecht, mehr lässt sie hängen.</translation>
     </message>
     <message>
@@ -1706,11 +1706,11 @@ geschrieben werden konnte.
         <translation>Dem Strich folgen</translation>
     </message>
     <message>
-        <source>Shoots turn toward where the brush goes, instead of to the set-point angle.</source>
+        <source>Shoots turn the way the brush goes, instead of to the set-point angle.</source>
         <translation>Triebe wenden sich dorthin, wohin der Pinsel geht, statt zum Sollwinkel.</translation>
     </message>
     <message>
-        <source>Vigour of the buds above and below a leaning branch.</source>
+        <source>Vigour of the buds on the upper and lower sides of a leaning branch.</source>
         <translation>Wuchskraft der Knospen oben und unten an einem geneigten Ast.</translation>
     </message>
     <message>
@@ -1726,7 +1726,7 @@ geschrieben werden konnte.
         <translation>Streuung</translation>
     </message>
     <message>
-        <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
+        <source>Spread of angles and lengths: 0 is as regular as a diagram, 1 as wild as nature.</source>
         <translation>Streuung der Winkel und Längen: 0 ist ein Schema, 1 so wild wie die Natur.</translation>
     </message>
     <message>
@@ -1766,11 +1766,11 @@ geschrieben werden konnte.
         <translation>Breite</translation>
     </message>
     <message>
-        <source>Width by length.</source>
+        <source>Width as a share of length.</source>
         <translation>Breite im Verhältnis zur Länge.</translation>
     </message>
     <message>
-        <source>Variation of size</source>
+        <source>Variation in size</source>
         <translation>Größenstreuung</translation>
     </message>
     <message>
@@ -1838,7 +1838,7 @@ geschrieben werden konnte.
         <translation>Wie weit die Blätter herabhängen.</translation>
     </message>
     <message>
-        <source>Toward the sky</source>
+        <source>Towards the sky</source>
         <translation>Zum Himmel</translation>
     </message>
     <message>
@@ -1854,7 +1854,7 @@ geschrieben werden konnte.
         <translation>0° ist Rot, 60° Gelb, 120° Grün.</translation>
     </message>
     <message>
-        <source>Variation of hue</source>
+        <source>Variation in hue</source>
         <translation>Farbtonstreuung</translation>
     </message>
     <message>
@@ -1862,7 +1862,7 @@ geschrieben werden konnte.
         <translation>Wie sehr sich die Farben der Blätter unterscheiden.</translation>
     </message>
     <message>
-        <source>How far the leaves of weak shoots turn toward yellow and red.</source>
+        <source>How far the leaves of weak shoots turn towards yellow and red.</source>
         <translation>Wie weit sich die Blätter schwacher Triebe nach Gelb und Rot verfärben.</translation>
     </message>
     <message>
@@ -2018,7 +2018,7 @@ geschrieben werden konnte.
         <translation>Die Sonne behält ihren Ort auf dem Bildschirm, wenn der Baum gedreht wird; sonst dreht sie sich mit dem Baum.</translation>
     </message>
     <message>
-        <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
+        <source>Where the sun stands: 0° in front of the tree, 90° to its right; for a pinned sun, as seen on the screen.</source>
         <translation>Wo die Sonne steht: 0° vor dem Baum, 90° rechts von ihm; bei angehefteter Sonne aus der Sicht des Betrachters.</translation>
     </message>
     <message>
@@ -2038,7 +2038,7 @@ geschrieben werden konnte.
         <translation>Wie deutlich das Bild zu sehen ist.</translation>
     </message>
     <message>
-        <source>How high the picture is.</source>
+        <source>How tall the picture is.</source>
         <translation>Wie hoch das Bild ist.</translation>
     </message>
     <message>
@@ -2086,11 +2086,11 @@ geschrieben werden konnte.
         <translation>Senkrechte Halbachse der gravimorphen Ellipse.</translation>
     </message>
     <message>
-        <source>Buds at the sides</source>
+        <source>Buds on the sides</source>
         <translation>Knospen seitlich</translation>
     </message>
     <message>
-        <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
+        <source>Semi-axis parallel to the ground; if it is the greater one, amphitony.</source>
         <translation>Halbachse parallel zum Boden; ist sie die größere, herrscht Amphitonie.</translation>
     </message>
     <message>
@@ -2106,7 +2106,7 @@ geschrieben werden konnte.
         <translation>Ansatzwinkel einer Seitenknospe an ihrer Achse.</translation>
     </message>
     <message>
-        <source>The main axis yields to a lateral, as toward sympodial growth.</source>
+        <source>How far the main axis gives way to a lateral: a tendency to sympodial growth.</source>
         <translation>Die Hauptachse weicht einer Seitenachse aus, in Richtung sympodialen Wuchses.</translation>
     </message>
     <message>
@@ -2138,7 +2138,7 @@ geschrieben werden konnte.
         <translation>Exkurrente Wuchsformen über 0,5, dekurrente darunter.</translation>
     </message>
     <message>
-        <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
+        <source>Exponent of the response to light: high for light-demanding trees, low for shade-tolerant ones.</source>
         <translation>Exponent der Reaktion auf Licht: hoch bei Lichtbaumarten, niedrig bei Schattenbaumarten.</translation>
     </message>
     <message>
@@ -2178,7 +2178,7 @@ geschrieben werden konnte.
         <translation>Stärke des Halbschattens, den ein Metamer wirft.</translation>
     </message>
     <message>
-        <source>Base of its decay from layer to layer.</source>
+        <source>Base of the shadow&apos;s decay from layer to layer.</source>
         <translation>Basis der Abnahme von Schicht zu Schicht.</translation>
     </message>
     <message>
@@ -2210,7 +2210,7 @@ geschrieben werden konnte.
         <translation>Sättigung</translation>
     </message>
     <message>
-        <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
+        <source>How strong the colour is: low values suit blossom and silvery leaves.</source>
         <translation>Wie kräftig die Farbe ist: wenig davon ergibt Blüten und silbrige Blätter.</translation>
     </message>
     <message>
@@ -2218,7 +2218,7 @@ geschrieben werden konnte.
         <translation>Helligkeit</translation>
     </message>
     <message>
-        <source>How light the leaves are.</source>
+        <source>How bright the leaves are.</source>
         <translation>Wie hell die Blätter sind.</translation>
     </message>
     <message>
@@ -2322,7 +2322,7 @@ geschrieben werden konnte.
         <translation>Marker</translation>
     </message>
     <message>
-        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <source>Show the points of free space that the brush spreads and shoots grow towards.</source>
         <translation>Die Punkte freien Raums zeigen, die der Pinsel verteilt und zu denen die Triebe wachsen.</translation>
     </message>
     <message>
@@ -2438,7 +2438,7 @@ geschrieben werden konnte.
         <translation>An jedem Knoten: eine ergibt eine Spirale, zwei gekreuzte Paare, mehr einen Quirl.</translation>
     </message>
     <message>
-        <source>Spread of the roll</source>
+        <source>Variation in roll</source>
         <translation>Drehstreuung</translation>
     </message>
     <message>
@@ -2462,7 +2462,7 @@ geschrieben werden konnte.
         <translation>Standardabweichung des Apikalwinkels.</translation>
     </message>
     <message>
-        <source>Orders of branches</source>
+        <source>Branch orders</source>
         <translation>Astordnungen</translation>
     </message>
     <message>
@@ -2518,7 +2518,7 @@ geschrieben werden konnte.
         <translation>Müde in der Ferne</translation>
     </message>
     <message>
-        <source>How much less shoots far from the root grow.</source>
+        <source>How much less a shoot grows far from the root.</source>
         <translation>Wie viel weniger Triebe wachsen, die weit von der Wurzel entfernt sind.</translation>
     </message>
     <message>
@@ -2530,7 +2530,7 @@ geschrieben werden konnte.
         <translation>Müde in der Höhe</translation>
     </message>
     <message>
-        <source>How much less high shoots grow: more makes flat crowns.</source>
+        <source>How much less a shoot grows the higher it is: more makes the crown flat.</source>
         <translation>Wie viel weniger Triebe in der Höhe wachsen: mehr ergibt flache Kronen.</translation>
     </message>
     <message>
@@ -2542,7 +2542,7 @@ geschrieben werden konnte.
         <translation>Gravitropismus</translation>
     </message>
     <message>
-        <source>Above 0 shoots turn up at each node, below 0 branches turn down.</source>
+        <source>Above 0 shoots turn upwards at each node, below 0 downwards.</source>
         <translation>Über 0 wenden sich Triebe an jedem Knoten nach oben, unter 0 Äste nach unten.</translation>
     </message>
     <message>
@@ -2558,7 +2558,7 @@ geschrieben werden konnte.
         <translation>Wie weit sich Triebe an jedem Knoten zum Licht wenden.</translation>
     </message>
     <message>
-        <source>Growth toward the brightest direction.</source>
+        <source>Growth towards the brightest direction.</source>
         <translation>Wachstum in die hellste Richtung.</translation>
     </message>
     <message>
@@ -2566,7 +2566,7 @@ geschrieben werden konnte.
         <translation>Waagerechte Äste</translation>
     </message>
     <message>
-        <source>How far a new branch turns to the level when it begins.</source>
+        <source>How far a new branch turns towards the horizontal where it begins.</source>
         <translation>Wie weit sich ein neuer Ast an seinem Anfang zur Waagerechten wendet.</translation>
     </message>
     <message>
@@ -2602,7 +2602,7 @@ geschrieben werden konnte.
         <translation>Größter Durchhang</translation>
     </message>
     <message>
-        <source>At most this part of the angle to straight down, for each internode.</source>
+        <source>An internode sags by at most this share of the angle between it and straight down.</source>
         <translation>Je Internodium höchstens dieser Teil des Winkels bis senkrecht nach unten.</translation>
     </message>
     <message>
@@ -2614,7 +2614,7 @@ geschrieben werden konnte.
         <translation>Schattenabwurf</translation>
     </message>
     <message>
-        <source>Ends of branches with less light than this fall.</source>
+        <source>Branch ends that get less light than this drop off.</source>
         <translation>Astenden mit weniger Licht als diesem fallen ab.</translation>
     </message>
     <message>
@@ -2726,7 +2726,7 @@ geschrieben werden konnte.
         <translation>Auch die Äste</translation>
     </message>
     <message>
-        <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
+        <source>A drag twists all that the branch carries, not only the branch itself. Hold Shift for the opposite.</source>
         <translation>Ein Ziehen verdreht alles, was der Ast trägt, nicht nur den Ast selbst. Umschalt bewirkt das Gegenteil, solange es gedrückt ist.</translation>
     </message>
     <message>
@@ -2742,7 +2742,7 @@ geschrieben werden konnte.
         <translation>Riefen</translation>
     </message>
     <message>
-        <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
+        <source>How far the trunk bulges below its limbs and towards its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
         <translation>Wie weit sich der Stamm unter seinen Ästen und zu den Wurzeln hin wölbt und wie tief die Höhlungen verlorener Äste sind. Bei 0 ist das Holz rund.</translation>
     </message>
     <message>
@@ -2790,7 +2790,7 @@ geschrieben werden konnte.
         <translation>Längen</translation>
     </message>
     <message>
-        <source>How much longer than drawn ones branches may become in depth.</source>
+        <source>How much longer branches may become in depth than those you drew.</source>
         <translation>Wie viel länger als gezeichnete die Äste in der Tiefe werden dürfen.</translation>
     </message>
     <message>
@@ -2798,7 +2798,7 @@ geschrieben werden konnte.
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>How much wider than the widest drawn one an angle between branches may be.</source>
+        <source>How much wider an angle between branches may be than the widest you drew.</source>
         <translation>Wie viel weiter als der weiteste gezeichnete ein Winkel zwischen Ästen sein darf.</translation>
     </message>
     <message>
@@ -2810,11 +2810,11 @@ geschrieben werden konnte.
         <translation>Ein Tippen auf einen Ast gibt anderen Ästen, was er trägt. Sonst bekommt er einen Ast mehr wie die, die er trägt.</translation>
     </message>
     <message>
-        <source>To its like</source>
+        <source>Only to similar ones</source>
         <translation>An seinesgleichen</translation>
     </message>
     <message>
-        <source>Only branches with as many branchings below them get it.</source>
+        <source>Only branches that are as many forks away from the trunk get it.</source>
         <translation>Nur Äste mit ebenso vielen Verzweigungen unter sich bekommen es.</translation>
     </message>
     <message>
@@ -2826,7 +2826,7 @@ geschrieben werden konnte.
         <translation>Was ein Ast bekommt, ist größer oder kleiner, wie der Ast es ist. Sonst behält es seine Größe und seinen Abstand von der Spitze.</translation>
     </message>
     <message>
-        <source>In its place</source>
+        <source>Replace</source>
         <translation>An seiner Stelle</translation>
     </message>
     <message>
@@ -2838,7 +2838,7 @@ geschrieben werden konnte.
         <translation>Abweichung</translation>
     </message>
     <message>
-        <source>How much the angles and lengths of a variation deviate from the tree.</source>
+        <source>How much the angles and lengths of a variation deviate from those of the tree.</source>
         <translation>Wie sehr Winkel und Längen einer Abwandlung vom Baum abweichen.</translation>
     </message>
     <message>
@@ -2858,7 +2858,7 @@ geschrieben werden konnte.
         <translation>Zwei Striche nebeneinander, einer nach dem anderen, sind die beiden Seiten eines Astes, der von ihnen seine Dicke hat.</translation>
     </message>
     <message>
-        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run towards you and away from you.</source>
         <translation>Die Zeichnung wird zweimal eingesetzt, das zweite Mal um 90° um den Stamm gedreht, sodass der Baum von der Seite so voll ist wie von vorn. Ohne dies laufen die Äste selbst auf Sie zu und von Ihnen weg.</translation>
     </message>
     <message>
@@ -2894,7 +2894,7 @@ geschrieben werden konnte.
         <translation>Radius</translation>
     </message>
     <message>
-        <source>Radius of the brush, the same as that of the brush that paints.</source>
+        <source>Radius of the brush, shared with the Brush tool.</source>
         <translation>Radius des Pinsels, derselbe wie der des malenden Pinsels.</translation>
     </message>
     <message>
@@ -2906,7 +2906,7 @@ geschrieben werden konnte.
         <translation>Das dickste Holz, das fällt, als Anteil der Stammdicke. Dickere Äste bleiben, so oft man auch darüberstreicht.</translation>
     </message>
     <message>
-        <source>Takes</source>
+        <source>Share of twigs</source>
         <translation>Nimmt</translation>
     </message>
     <message>
@@ -2949,7 +2949,7 @@ geschrieben werden konnte.
         <translation>axisWeight, tropismWeight und spaceWeight dürfen nicht alle 0 sein</translation>
     </message>
     <message>
-        <source>it must not be beyond 0.99 times ellipseVertical, which is %1</source>
+        <source>it must not exceed 0.99 times ellipseVertical, which is %1</source>
         <translation>darf nicht über das 0,99-Fache von ellipseVertical (%1) hinausgehen</translation>
     </message>
     <message>
@@ -2972,11 +2972,11 @@ geschrieben werden konnte.
 <context>
     <name>PositionCheck</name>
     <message>
-        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <source>it and the later steps move a tree whose axes are longer than %1 m too often</source>
         <translation>er und die späteren Schritte bewegen einen Baum mit Achsen von mehr als %1 m zu oft</translation>
     </message>
     <message>
-        <source>before it, internode %1 lies further than %2 m away</source>
+        <source>before it, internode %1 lies more than %2 m away</source>
         <translation>vor ihm liegt Internodium %1 weiter als %2 m entfernt</translation>
     </message>
     <message>
@@ -2984,7 +2984,7 @@ geschrieben werden konnte.
         <translation>Schritt %1 der Geschichte</translation>
     </message>
     <message>
-        <source>it lies further than %1 m away</source>
+        <source>it lies more than %1 m away</source>
         <translation>liegt weiter als %1 m entfernt</translation>
     </message>
     <message>
@@ -3072,7 +3072,7 @@ geschrieben werden konnte.
         <translation>höchstens %1 Bilder werden erwartet</translation>
     </message>
     <message>
-        <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
+        <source>the image “%1” is missing from it or broken; the built-in look is shown instead</source>
         <translation>das Bild „%1“ fehlt darin oder ist beschädigt; stattdessen erscheint das von Espalier gezeichnete Aussehen</translation>
     </message>
     <message>
@@ -3116,18 +3116,18 @@ geschrieben werden konnte.
         <translation>einen Hintergrund dieses Namens gibt es nicht</translation>
     </message>
     <message>
-        <source>its background and light cannot be read (%1); those of a new tree show instead</source>
+        <source>its background and light cannot be read (%1); those of a new tree are shown instead</source>
         <translation>Hintergrund und Licht darin lassen sich nicht lesen (%1); stattdessen zeigen sich die eines neuen Baums</translation>
     </message>
     <message>
-        <source>the reference picture “%1” is missing in it or broken</source>
+        <source>the reference picture “%1” is missing from it or broken</source>
         <translation>das Vorlagenbild „%1“ fehlt darin oder ist beschädigt</translation>
     </message>
 </context>
 <context>
     <name>Recipe</name>
     <message>
-        <source>a stroke has at least one point</source>
+        <source>a stroke needs at least one point</source>
         <translation>ein Strich hat mindestens einen Punkt</translation>
     </message>
     <message>
@@ -3159,11 +3159,11 @@ geschrieben werden konnte.
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>a stroke has at least one sample</source>
+        <source>a stroke needs at least one sample</source>
         <translation>ein Strich hat mindestens einen Stützpunkt</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 samples</source>
+        <source>a recipe can have at most %1 samples</source>
         <translation>ein Rezept hat höchstens %1 Stützpunkte</translation>
     </message>
     <message>
@@ -3175,7 +3175,7 @@ geschrieben werden konnte.
         <translation>right und up müssen die Länge 1 haben und im rechten Winkel stehen</translation>
     </message>
     <message>
-        <source>a lasso has at least three points</source>
+        <source>a lasso needs at least three points</source>
         <translation>ein Lasso hat mindestens drei Punkte</translation>
     </message>
     <message>
@@ -3207,7 +3207,7 @@ geschrieben werden konnte.
         <translation>der Radius liegt nicht in 0…%1 m</translation>
     </message>
     <message>
-        <source>a bend has from 1 to %1 handles</source>
+        <source>a bend needs 1 to %1 handles</source>
         <translation>eine Biegung hat 1 bis %1 Griffe</translation>
     </message>
     <message>
@@ -3223,15 +3223,15 @@ geschrieben werden konnte.
         <translation>dies ist kein Rezept: eines beginnt mit „%1“: %2</translation>
     </message>
     <message>
-        <source>the recipe is of version %1, this program reads versions up to %2</source>
+        <source>the recipe is of version %1; this program reads versions up to %2</source>
         <translation>das Rezept hat Version %1, dieses Programm liest Versionen bis %2</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 operations</source>
+        <source>a recipe can have at most %1 operations</source>
         <translation>ein Rezept hat höchstens %1 Operationen</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 images</source>
+        <source>a recipe can have at most %1 images</source>
         <translation>ein Rezept hat höchstens %1 Bilder</translation>
     </message>
     <message>
@@ -3339,7 +3339,7 @@ geschrieben werden konnte.
         <translation>Schritt %1 der Geschichte</translation>
     </message>
     <message>
-        <source>another file of this name lies where the recipe&apos;s image belongs</source>
+        <source>another file with this name is where the recipe&apos;s image should go</source>
         <translation>dort, wo das Bild des Rezepts hingehört, liegt eine andere Datei dieses Namens</translation>
     </message>
     <message>
@@ -3351,7 +3351,7 @@ geschrieben werden konnte.
         <translation>%1 Zahlen werden erwartet</translation>
     </message>
     <message>
-        <source>its parent is not one of the segments before it, nor -1</source>
+        <source>its parent is neither one of the segments before it nor -1</source>
         <translation>sein Träger ist keines der Segmente davor, und nicht -1</translation>
     </message>
     <message>
@@ -3383,7 +3383,7 @@ geschrieben werden konnte.
         <translation>Internodium %1 hat keine Verdrehung, die sich entfernen lässt</translation>
     </message>
     <message>
-        <source>a branch begins at one internode</source>
+        <source>a branch must begin at exactly one internode</source>
         <translation>ein Ast beginnt an genau einem Internodium</translation>
     </message>
     <message>
@@ -3399,7 +3399,7 @@ geschrieben werden konnte.
         <translation>eines von diesen wird erwartet: %1</translation>
     </message>
     <message>
-        <source>a stroke has at least %1 points</source>
+        <source>a stroke needs at least %1 points</source>
         <translation>ein Strich hat mindestens %1 Punkte</translation>
     </message>
     <message>
@@ -3435,7 +3435,7 @@ geschrieben werden konnte.
         <translation>unter dem Pinsel waren keine Zweige</translation>
     </message>
     <message>
-        <source>the branch of internode %1 is kept clear like that already</source>
+        <source>the branch of internode %1 is already kept clear that far</source>
         <translation>der Ast des Internodiums %1 wird schon so freigehalten</translation>
     </message>
     <message>
@@ -3468,15 +3468,15 @@ geschrieben werden konnte.
 <context>
     <name>ReproduceTool</name>
     <message>
-        <source>turn the view back to where you drew the first stroke, or press Esc to forget it</source>
+        <source>turn the view back to where you drew the first stroke, or press Esc to discard it</source>
         <translation>drehen Sie die Ansicht dorthin zurück, wo Sie den ersten Strich gezeichnet haben, oder vergessen Sie ihn mit Esc</translation>
     </message>
     <message>
-        <source>look at the tree from the side, not from above or below, to draw its figure</source>
+        <source>look at the tree from the side, not from above or below, to draw its shape</source>
         <translation>sehen Sie den Baum von der Seite an, nicht von oben oder unten, um seine Gestalt zu zeichnen</translation>
     </message>
     <message>
-        <source>there is no tree yet that could take another figure: make one first</source>
+        <source>there is no tree yet to give another shape: make one first</source>
         <translation>noch gibt es keinen Baum, der eine andere Gestalt annehmen könnte: machen Sie zuerst einen</translation>
     </message>
     <message>
@@ -3508,7 +3508,7 @@ geschrieben werden konnte.
         <translation>der Stamm muss über dem Boden liegen: zeichnen Sie ihn vom Fuß zur Spitze</translation>
     </message>
     <message>
-        <source>Make a tree first, with the brush or the pencil; then draw its new figure</source>
+        <source>Make a tree first, with Brush or Sketch; then draw its new shape</source>
         <translation>Machen Sie zuerst einen Baum, mit Pinsel oder Skizze; dann zeichnen Sie seine neue Gestalt</translation>
     </message>
     <message>
@@ -3523,11 +3523,11 @@ geschrieben werden konnte.
         <translation>Eine Knospe antippen, und nur sie wächst von nun an; neben den Baum tippen, um wieder alle wachsen zu lassen</translation>
     </message>
     <message>
-        <source>There is no bud here. Buds that are near the pointer show as dots.</source>
+        <source>There is no bud here. Buds near the pointer are shown as dots.</source>
         <translation>Hier ist keine Knospe. Knospen in der Nähe des Zeigers erscheinen als Punkte.</translation>
     </message>
     <message>
-        <source>No bud is that near. Tap one of the dots, or go nearer with the wheel.</source>
+        <source>No bud is close enough. Tap one of the dots, or zoom in with the wheel.</source>
         <translation>So nah ist keine Knospe. Einen der Punkte antippen oder mit dem Rad näher herangehen.</translation>
     </message>
 </context>
@@ -3550,15 +3550,15 @@ geschrieben werden konnte.
         <translation>„%1“ ist keine Zahl für %2</translation>
     </message>
     <message>
-        <source>its id %1 is that of line %2, too</source>
+        <source>its id %1 is already used in line %2</source>
         <translation>ihre id %1 hat auch Zeile %2</translation>
     </message>
     <message>
-        <source>there is no id %1, its parent</source>
+        <source>its parent, id %1, does not exist</source>
         <translation>die id %1, ihr Träger, fehlt</translation>
     </message>
     <message>
-        <source>it is carried by what it carries</source>
+        <source>it is its own ancestor</source>
         <translation>sie wird von dem getragen, was sie trägt</translation>
     </message>
     <message>
@@ -3637,7 +3637,7 @@ geschrieben werden konnte.
         <translation>die Kopien hätten mehr als %1 Internodien</translation>
     </message>
     <message>
-        <source>a copy would reach farther than %1 m away</source>
+        <source>a copy would reach more than %1 m away</source>
         <translation>eine Kopie reichte weiter als %1 m weg</translation>
     </message>
     <message>
@@ -3665,7 +3665,7 @@ geschrieben werden konnte.
         <translation>alle anderen Äste sind zu kurz für das, was der Ast von Internodium %1 trägt</translation>
     </message>
     <message>
-        <source>an internode would be longer than %1 m or lie farther than %2 m away</source>
+        <source>an internode would be longer than %1 m or lie more than %2 m away</source>
         <translation>ein Internodium wäre länger als %1 m oder läge weiter als %2 m weg</translation>
     </message>
     <message>
@@ -3696,7 +3696,7 @@ geschrieben werden konnte.
         <translation>Zeichnen Sie den Stamm, dann Äste; zwei Striche nebeneinander geben einem Ast seine Dicke</translation>
     </message>
     <message>
-        <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
+        <source>Draw a branch from the wood; hold Shift and draw across branches to take them away</source>
         <translation>Zeichnen Sie einen Ast vom Holz aus; mit Umschalt quer über Äste gezeichnet, nimmt der Strich sie weg</translation>
     </message>
     <message>
@@ -3758,7 +3758,7 @@ geschrieben werden konnte.
         <translation>%1° hoch</translation>
     </message>
     <message>
-        <source>Drag the sun about the tree.</source>
+        <source>Drag the sun around the tree</source>
         <translation>Die Sonne um den Baum ziehen.</translation>
     </message>
 </context>
@@ -3904,7 +3904,7 @@ geschrieben werden konnte.
         <translation>%1° von Knoten zu Knoten</translation>
     </message>
     <message>
-        <source>Drag along a branch, or around it, to twist its strands; tap twice to untwist them</source>
+        <source>Drag along a branch, or around it, to twist its strands; double-tap to untwist them</source>
         <translation>An einem Ast entlang oder um ihn herum ziehen, um seine Stränge zu verdrehen; zweimal antippen, um sie zu entdrehen</translation>
     </message>
 </context>
@@ -3918,7 +3918,7 @@ geschrieben werden konnte.
 <context>
     <name>ZipArchive</name>
     <message>
-        <source>the archive could not be packed: %1</source>
+        <source>the archive could not be compressed: %1</source>
         <translation>das Archiv konnte nicht gepackt werden: %1</translation>
     </message>
     <message>
@@ -4011,7 +4011,7 @@ geschrieben werden konnte.
         <translation>Baumart</translation>
     </message>
     <message>
-        <source>Sets all parameters of the vigour model to those of a species</source>
+        <source>Set all parameters of the vigour model to those of a species.</source>
         <translation>Stellt alles, wonach sich das Wuchskraft-Modell richtet, so ein, wie eine Baumart wächst</translation>
     </message>
     <message>
@@ -4033,7 +4033,7 @@ geschrieben werden konnte.
         <translation>Hintergrund</translation>
     </message>
     <message>
-        <source>The colour, or that at the lower edge.</source>
+        <source>The colour of the background, or of its lower edge.</source>
         <translation>Die Farbe, oder die am unteren Rand.</translation>
     </message>
     <message>
@@ -4092,20 +4092,20 @@ geschrieben werden konnte.
 <context>
     <name>espalier::BendPopOut</name>
     <message>
-        <source>Bending</source>
-        <translation>Biegung</translation>
+        <source>Stiffness</source>
+        <translation>Steifheit</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
-        <translation>&lt;b&gt;Biegung&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Biegen widersetzt: ein steifer biegt sich in weitem Bogen und wird eher in die Länge gezogen.</translation>
+        <source>&lt;b&gt;Stiffness&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
+        <translation>&lt;b&gt;Steifheit&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Biegen widersetzt: ein steifer biegt sich in weitem Bogen und wird eher in die Länge gezogen.</translation>
     </message>
     <message>
-        <source>Stretching</source>
-        <translation>Dehnung</translation>
+        <source>Holds length</source>
+        <translation>Hält die Länge</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
-        <translation>&lt;b&gt;Dehnung&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Dehnen widersetzt: er behält seine Länge, oder er folgt der Hand weiter.</translation>
+        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: with little, it follows the hand further.</source>
+        <translation>&lt;b&gt;Hält die Länge&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Dehnen widersetzt: er behält seine Länge, oder er folgt der Hand weiter.</translation>
     </message>
     <message>
         <source>× %1</source>
@@ -4161,7 +4161,7 @@ geschrieben werden konnte.
 <context>
     <name>espalier::BrushRadius</name>
     <message>
-        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
+        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; towards zero it draws a single branch exactly along the stroke.</source>
         <translation>&lt;b&gt;Pinselradius&lt;/b&gt; [ ]&lt;br&gt;Ein großer Pinsel lässt eine Krone in den Raum wachsen, den er durchstreift; gegen null zeichnet er einen einzelnen Ast genau entlang des Strichs.</translation>
     </message>
     <message>
@@ -4327,7 +4327,7 @@ geschrieben werden konnte.
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>Play what happened from here on, or all of it</source>
+        <source>Play what happened from here on, or all of it.</source>
         <translation>Das Geschehene von hier an abspielen, oder alles</translation>
     </message>
     <message>
@@ -4370,7 +4370,7 @@ geschrieben werden konnte.
 <context>
     <name>espalier::HelpPage</name>
     <message>
-        <source>Page of the help</source>
+        <source>Help page</source>
         <translation>Hilfeseite</translation>
     </message>
 </context>
@@ -4381,7 +4381,7 @@ geschrieben werden konnte.
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Back to the page before</source>
+        <source>Back to the previous page</source>
         <translation>Zurück zur vorigen Seite</translation>
     </message>
     <message>
@@ -4401,11 +4401,11 @@ geschrieben werden konnte.
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Search in the help</source>
+        <source>Search the help</source>
         <translation>In der Hilfe suchen</translation>
     </message>
     <message>
-        <source>Pages of the help</source>
+        <source>Help pages</source>
         <translation>Seiten der Hilfe</translation>
     </message>
     <message>
@@ -4459,7 +4459,7 @@ geschrieben werden konnte.
         <translation>Marker</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you did to it since goes.</source>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
         <translation>&lt;b&gt;Neuwuchs&lt;/b&gt;&lt;br&gt;Den Baum dorthin zurückbringen, wo er vor dem Zeichnen seiner Hülle stand, und ihn die Hülle mit den jetzt geltenden Parametern neu füllen lassen. Was seither an ihm getan wurde, entfällt.</translation>
     </message>
     <message>
@@ -4482,7 +4482,7 @@ geschrieben werden konnte.
 <context>
     <name>espalier::LeafChoices</name>
     <message>
-        <source>Go on with</source>
+        <source>Continue with</source>
         <translation>Weiter mit</translation>
     </message>
     <message>
@@ -4502,7 +4502,7 @@ geschrieben werden konnte.
         <translation>Quirle</translation>
     </message>
     <message>
-        <source>Such whorls at this distance along the whole branch.</source>
+        <source>Whorls like this along the whole branch, at the same spacing.</source>
         <translation>Solche Quirle in diesem Abstand am ganzen Ast entlang.</translation>
     </message>
     <message>
@@ -4587,7 +4587,7 @@ geschrieben werden konnte.
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>A new seedling that grows as this tree does.</source>
+        <source>A new seedling that grows the way this tree does.</source>
         <translation>Ein neuer Sämling, der wächst wie dieser Baum.</translation>
     </message>
     <message>
@@ -4630,7 +4630,7 @@ geschrieben werden konnte.
         <translation>Ein PNG oder JPEG eines einzelnen Blatts, der Stiel unten, ohne Hintergrund oder vor einem einfarbigen</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too</source>
+        <source>A PNG or JPEG of bark; normal and roughness maps found beside it are used, too</source>
         <translation>Ein PNG oder JPEG von Rinde; Karten der Normalen und der Rauheit, die danebenliegen, werden mit übernommen</translation>
     </message>
     <message>
@@ -4676,7 +4676,7 @@ geschrieben werden konnte.
 <context>
     <name>espalier::MainWindow</name>
     <message>
-        <source>The tree has no more room to grow in.</source>
+        <source>The tree has no room left to grow.</source>
         <translation>Der Baum hat keinen Raum mehr zum Wachsen.</translation>
     </message>
     <message>
@@ -4688,11 +4688,11 @@ geschrieben werden konnte.
         <translation>%1 wächst</translation>
     </message>
     <message>
-        <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
+        <source>Not everything that the recipe names was found in the tree (%1 of %2 operations): %3</source>
         <translation>Operationen des Rezepts, die nichts zu tun fanden oder nicht alles, was sie nennen (%1 von %2): %3</translation>
     </message>
     <message>
-        <source>Making the wood of strands</source>
+        <source>Building the wood from strands</source>
         <translation>Das Holz aus Strängen entsteht</translation>
     </message>
 </context>
@@ -4751,7 +4751,7 @@ geschrieben werden konnte.
 <context>
     <name>espalier::PictureSheet</name>
     <message>
-        <source>As the window, %1 × %2</source>
+        <source>Like the window, %1 × %2</source>
         <translation>Wie das Fenster, %1 × %2</translation>
     </message>
     <message>
@@ -4899,7 +4899,7 @@ geschrieben werden konnte.
         <translation>Umriss</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside others splits the wood, one within another is a hollow.</source>
+        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside another splits the wood; one within another is a hollow.</source>
         <translation>&lt;b&gt;Umriss&lt;/b&gt;&lt;br&gt;Eine geschlossene Linie zeichnen. Eine neben anderen teilt das Holz, eine in einer anderen ist ein Hohlraum.</translation>
     </message>
     <message>
@@ -4959,7 +4959,7 @@ geschrieben werden konnte.
         <translation>Auf Ast kopieren</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
+        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place on this branch: everything between gets this profile.</source>
         <translation>&lt;b&gt;Auf Ast kopieren&lt;/b&gt;&lt;br&gt;Danach eine andere Stelle dieses Asts antippen: Alle dazwischen erhalten dieses Profil.</translation>
     </message>
     <message>
@@ -4967,7 +4967,7 @@ geschrieben werden konnte.
         <translation>▼</translation>
     </message>
     <message>
-        <source>To the next place down the branch</source>
+        <source>To the next place down the branch.</source>
         <translation>Zur nächsten Stelle den Ast hinab</translation>
     </message>
     <message>
@@ -4975,7 +4975,7 @@ geschrieben werden konnte.
         <translation>▲</translation>
     </message>
     <message>
-        <source>To the next place up the branch</source>
+        <source>To the next place up the branch.</source>
         <translation>Zur nächsten Stelle den Ast hinauf</translation>
     </message>
     <message>
@@ -4983,7 +4983,7 @@ geschrieben werden konnte.
         <translation>Einpassen</translation>
     </message>
     <message>
-        <source>Show the whole section</source>
+        <source>Show the whole cross-section.</source>
         <translation>Den ganzen Querschnitt zeigen</translation>
     </message>
     <message>
@@ -5042,7 +5042,7 @@ geschrieben werden konnte.
         <translation>Überblenden</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place on this branch that has a profile: the sections between change from one to the other.</source>
         <translation>&lt;b&gt;Überblenden&lt;/b&gt;&lt;br&gt;Danach eine andere Stelle dieses Asts antippen, die ein Profil hat: Die Profile dazwischen gehen vom einen ins andere über.</translation>
     </message>
 </context>
@@ -5053,7 +5053,7 @@ geschrieben werden konnte.
         <translation>Abschneiden</translation>
     </message>
     <message>
-        <source>Tap a branch to take it off, or draw a line across several.</source>
+        <source>Tap a branch to cut it off, or draw a line across several.</source>
         <translation>Einen Ast antippen, um ihn abzunehmen, oder eine Linie quer über mehrere ziehen.</translation>
     </message>
     <message>
@@ -5061,7 +5061,7 @@ geschrieben werden konnte.
         <translation>Freihalten</translation>
     </message>
     <message>
-        <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
+        <source>Drag up along a trunk or a branch: the shoots below your hand are removed, and no new ones come. Drag the ring down again to let buds shoot.</source>
         <translation>An einem Stamm oder Ast hinaufziehen: Die Triebe unterhalb der Hand fallen, und neue kommen nicht. Den Ring wieder hinunterziehen, um Knospen treiben zu lassen.</translation>
     </message>
     <message>
@@ -5077,7 +5077,7 @@ geschrieben werden konnte.
         <translation>Auslichten</translation>
     </message>
     <message>
-        <source>Brush over the crown to take some of its twigs, evenly.</source>
+        <source>Brush over the crown to take out some of its twigs evenly.</source>
         <translation>Über die Krone streichen, um einige ihrer Zweige gleichmäßig herauszunehmen.</translation>
     </message>
 </context>
@@ -5114,7 +5114,7 @@ geschrieben werden konnte.
 <context>
     <name>espalier::ReproduceController</name>
     <message>
-        <source>Draw the new trunk, from its foot to its tip.</source>
+        <source>Draw the new trunk, from its base to its tip.</source>
         <translation>Zeichnen Sie den neuen Stamm, vom Fuß zur Spitze.</translation>
     </message>
     <message>
@@ -5173,15 +5173,15 @@ geschrieben werden konnte.
 <context>
     <name>espalier::SettingsSheet</name>
     <message>
-        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and the left button turn, too.</source>
+        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt with the left button turns, too.</source>
         <translation>Mittlere Taste dreht, mit Umschalt verschiebt sie, mit Strg geht sie näher. Auch Alt und die linke Taste drehen.</translation>
     </message>
     <message>
-        <source>Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.</source>
+        <source>With Alt, the left button turns, the middle one pans and the right one zooms.</source>
         <translation>Alt und die linke Taste drehen, Alt und die mittlere verschieben, Alt und die rechte gehen näher.</translation>
     </message>
     <message>
-        <source>The right or middle button turns, Shift and the middle button pan. Alt and the left button turn, too.</source>
+        <source>The right or middle button turns; Shift with the middle button pans. Alt with the left button turns, too.</source>
         <translation>Rechte oder mittlere Taste dreht, Umschalt und die mittlere verschieben. Auch Alt und die linke Taste drehen.</translation>
     </message>
     <message>
@@ -5281,7 +5281,7 @@ geschrieben werden konnte.
         <translation>Schritte zurück</translation>
     </message>
     <message>
-        <source>A new number of steps applies from the next tree that you begin or open.</source>
+        <source>A change applies to the next tree that you begin or open.</source>
         <translation>Die Zahl der Schritte gilt ab dem nächsten Baum, der begonnen oder geöffnet wird.</translation>
     </message>
     <message>
@@ -5293,7 +5293,7 @@ geschrieben werden konnte.
         <translation>In Espaliers eigenem Ordner</translation>
     </message>
     <message>
-        <source>Folder of the Library</source>
+        <source>Library Folder</source>
         <translation>Ordner der Bibliothek</translation>
     </message>
     <message>
@@ -5325,11 +5325,11 @@ geschrieben werden konnte.
         <translation>Strichberuhigung</translation>
     </message>
     <message>
-        <source>A stroke follows the pointer at this distance, like a stone on a string: it does not tremble.</source>
+        <source>A stroke follows the pointer at this distance, like a stone on a string, so it does not tremble.</source>
         <translation>Ein Strich folgt dem Zeiger in diesem Abstand, wie ein Stein an der Schnur: Er zittert nicht.</translation>
     </message>
     <message>
-        <source>A stroke comes this much later than the pointer, and more smoothly.</source>
+        <source>A stroke lags this far behind the pointer, and is smoother.</source>
         <translation>Ein Strich kommt so viel später als der Zeiger, und ruhiger.</translation>
     </message>
     <message>
@@ -5353,7 +5353,7 @@ geschrieben werden konnte.
         <translation>aus</translation>
     </message>
     <message>
-        <source>Applies from the next start of Espalier.</source>
+        <source>Takes effect the next time Espalier starts.</source>
         <translation>Gilt ab dem nächsten Start von Espalier.</translation>
     </message>
 </context>
@@ -5380,7 +5380,7 @@ geschrieben werden konnte.
         <translation>Größe des neuen Baums</translation>
     </message>
     <message>
-        <source>How tall shall the new tree become?</source>
+        <source>How tall should the new tree grow?</source>
         <translation>Wie hoch soll der neue Baum werden?</translation>
     </message>
     <message>
@@ -5410,7 +5410,7 @@ geschrieben werden konnte.
         <translation>Andere Tiefe</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose the depths of the branches anew.</source>
+        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose new depths for the branches.</source>
         <translation>&lt;b&gt;Andere Tiefe&lt;/b&gt;&lt;br&gt;Die Tiefen der Äste neu wählen.</translation>
     </message>
 </context>
@@ -5425,7 +5425,7 @@ geschrieben werden konnte.
         <translation>Zuletzt benutzt</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>%1 enthält ungespeicherte Änderungen.</translation>
     </message>
 </context>
@@ -5572,15 +5572,19 @@ geschrieben werden konnte.
         <source>From the right</source>
         <translation>Von rechts</translation>
     </message>
+    <message>
+        <source>From the front</source>
+        <translation>Von vorn</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Workspace</name>
     <message>
-        <source>Only one branch grows  ✕</source>
+        <source>Only one bud grows  ✕</source>
         <translation>Nur ein Ast wächst  ✕</translation>
     </message>
     <message>
-        <source>Let all buds grow again</source>
+        <source>Let all buds grow again.</source>
         <translation>Alle Knospen wieder wachsen lassen</translation>
     </message>
     <message>
@@ -5596,7 +5600,7 @@ geschrieben werden konnte.
         <translation>Zurück zu meinem Baum</translation>
     </message>
     <message>
-        <source>Show your own tree again, as it was before this recipe was played</source>
+        <source>Show your own tree again, as it was before this recipe was played.</source>
         <translation>Wieder den eigenen Baum zeigen, wie er vor diesem Rezept war</translation>
     </message>
 </context>

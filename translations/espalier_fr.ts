@@ -96,7 +96,7 @@
         <translation>Bourgeon</translation>
     </message>
     <message>
-        <source>Tap a bud: from now on only it grows, and what grows from it.</source>
+        <source>Tap a bud: from now on, only this bud grows, and what comes from it.</source>
         <translation>Toucher un bourgeon&#xa0;: lui seul pousse désormais, avec ce qui en naît.</translation>
     </message>
     <message>
@@ -104,7 +104,7 @@
         <translation>Courber</translation>
     </message>
     <message>
-        <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
+        <source>Pull a branch to bend it; tap it to pin it there.</source>
         <translation>Tirer sur une branche pour la courber&#xa0;; la toucher pour l’épingler là où elle est tenue.</translation>
     </message>
     <message>
@@ -120,7 +120,7 @@
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
+        <source>Draw the silhouette of a crown: the tree grows until it fills that shape.</source>
         <translation>Dessiner la silhouette d’un houppier&#xa0;: l’arbre pousse jusqu’à le remplir.</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>Trois quarts</translation>
     </message>
     <message>
-        <source>Look at the tree from a corner.</source>
+        <source>Look at the tree from between the front and the side.</source>
         <translation>Regarder l’arbre de trois quarts.</translation>
     </message>
     <message>
@@ -260,7 +260,7 @@
         <translation>L’arbre seul</translation>
     </message>
     <message>
-        <source>Hide everything but the tree; the same key brings it back.</source>
+        <source>Hide everything but the tree; the same key brings everything back.</source>
         <translation>Tout masquer sauf l’arbre&#xa0;; la même touche fait tout revenir.</translation>
     </message>
     <message>
@@ -316,7 +316,7 @@
         <translation>L’aspect d’Espalier, et sa façon de répondre à la main.</translation>
     </message>
     <message>
-        <source>Size of the brush, pressure of the pen, and what is shown of them.</source>
+        <source>Size of the brush, pressure of the pen, and what is shown while you brush.</source>
         <translation>Taille du pinceau, pression du stylet, et place que répand le pinceau.</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>Appuyer sur une branche et maintenir&#xa0;: ce qui a poussé en dernier s’en va, étape par étape.</translation>
     </message>
     <message>
-        <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
+        <source>Show the strands of the wood as lines, each branch in its own colour.</source>
         <translation>Montre les brins dont le bois est fait sous forme de lignes, chaque branche dans sa couleur.</translation>
     </message>
     <message>
@@ -388,15 +388,15 @@
         <translation>Multiplier</translation>
     </message>
     <message>
-        <source>Tap a branch: it gets more branches like those it carries, or passes them on.</source>
+        <source>Tap a branch: it gets more branches like those it carries, or passes on to others what it carries.</source>
         <translation>Toucher une branche : elle en reçoit d’autres comme celles qu’elle porte, ou les transmet.</translation>
     </message>
     <message>
-        <source>Reproduce</source>
+        <source>Reshape</source>
         <translation>Reproduire</translation>
     </message>
     <message>
-        <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
+        <source>Draw a trunk and a silhouette: the same tree takes on this new shape.</source>
         <translation>Dessiner un tronc et une silhouette&#xa0;: le même arbre prend cette nouvelle forme.</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>Copier l’image</translation>
     </message>
     <message>
-        <source>Put a picture of the tree as it is shown on the clipboard.</source>
+        <source>Copy a picture of the tree, as it is shown now, to the clipboard.</source>
         <translation>Placer dans le presse-papiers une image de l’arbre tel qu’il est affiché.</translation>
     </message>
     <message>
@@ -428,7 +428,7 @@
         <translation>Un autre comme celui-ci</translation>
     </message>
     <message>
-        <source>See six trees that the same strokes make by another chance, and take one.</source>
+        <source>See six other trees that the same strokes could have made, and take one.</source>
         <translation>Voir six arbres que les mêmes traits donnent par un autre hasard, et en prendre un.</translation>
     </message>
     <message>
@@ -444,7 +444,7 @@
         <translation>Anneau d’outils</translation>
     </message>
     <message>
-        <source>Tools, undo and the size of the brush around the pointer. Hold the key, and let go over one.</source>
+        <source>Tools, undo and brush size in a ring around the pointer. Hold the key, and let go over the one you want.</source>
         <translation>Les outils, l’annulation et la taille du pinceau autour du pointeur. Maintenez la touche et relâchez-la sur l’un d’eux.</translation>
     </message>
     <message>
@@ -452,7 +452,7 @@
         <translation>Seconde vue</translation>
     </message>
     <message>
-        <source>Show the tree from the right in a corner; draw there, too, to give it depth.</source>
+        <source>Show the tree from the right, in a corner of the window; draw there, too, to give it depth.</source>
         <translation>Montrer l’arbre vu de droite dans un coin ; dessinez-y aussi pour lui donner de la profondeur.</translation>
     </message>
 </context>
@@ -466,18 +466,18 @@
 <context>
     <name>BendTool</name>
     <message>
-        <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
+        <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
         <translation>Tirer sur une branche pour la courber&#xa0;; toucher pour épingler sa base, puis là où elle est tenue</translation>
     </message>
 </context>
 <context>
     <name>BrushTool</name>
     <message>
-        <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
+        <source>Drag to brush a tree into being; begin at a branch to draw at its depth</source>
         <translation>Faire glisser pour peindre un arbre&#xa0;; partir d’une branche pour continuer à sa profondeur</translation>
     </message>
     <message>
-        <source>No bud sees this place: draw on, or begin at a branch</source>
+        <source>No bud sees this place: keep drawing, or begin at a branch</source>
         <translation>Aucun bourgeon ne voit cet endroit : continuez le trait, ou partez d’une branche</translation>
     </message>
     <message>
@@ -499,11 +499,11 @@
 <context>
     <name>CommandLine</name>
     <message>
-        <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
+        <source>--strict: nothing is written, because some operations did not find everything that they name</source>
         <translation>--strict&#xa0;: rien n’est écrit, car des opérations n’ont rien trouvé à faire, ou pas tout ce qu’elles nomment</translation>
     </message>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <source>--size needs WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
         <translation>--size attend LARGEURxHAUTEUR jusqu’à %1 pixels chacune, pas «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
@@ -515,15 +515,15 @@
         <translation>--camera vaut front, side, top ou three-quarter, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <source>--threads needs a number from 1 to %1, not &quot;%2&quot;</source>
         <translation>--threads attend un nombre de 1 à %1, pas «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <source>--seed needs a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
         <translation>--seed attend un nombre entier de 0 à 18446744073709551615, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>%1 knows no option %2</source>
+        <source>%1 has no option %2</source>
         <translation>%1 ne connaît pas l’option %2</translation>
     </message>
     <message>
@@ -535,39 +535,39 @@
         <translation>%1 attend une valeur à sa suite</translation>
     </message>
     <message>
-        <source>--transparent wants --png FILE</source>
+        <source>--transparent needs --png FILE</source>
         <translation>--transparent attend --png FICHIER</translation>
     </message>
     <message>
-        <source>--ground-shadow wants --transparent</source>
+        <source>--ground-shadow needs --transparent</source>
         <translation>--ground-shadow attend --transparent</translation>
     </message>
     <message>
-        <source>%1 wants one project</source>
+        <source>%1 needs one project</source>
         <translation>%1 attend un projet</translation>
     </message>
     <message>
-        <source>render wants --png FILE</source>
+        <source>render needs --png FILE</source>
         <translation>render attend --png FICHIER</translation>
     </message>
     <message>
-        <source>info wants one file</source>
+        <source>info needs one file</source>
         <translation>info attend un fichier</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <source>a window opens only one file; &quot;%1&quot; is one too many</source>
         <translation>une fenêtre montre un seul fichier&#xa0;; qu’est donc «&#xa0;%1&#xa0;»&#xa0;?</translation>
     </message>
     <message>
-        <source>%1: its history, played again, gives another tree than it holds</source>
+        <source>%1: its history, played again, gives a different tree from the one it holds</source>
         <translation>%1 : son historique, rejoué, donne un autre arbre que celui qu’il contient</translation>
     </message>
     <message>
-        <source>replay wants at least one recipe or project</source>
+        <source>replay needs at least one recipe or project</source>
         <translation>replay demande au moins une recette ou un projet</translation>
     </message>
     <message>
-        <source>import wants one skeleton and -o OUT</source>
+        <source>import needs one skeleton and -o OUT</source>
         <translation>import veut un squelette et -o SORTIE</translation>
     </message>
     <message>
@@ -575,23 +575,23 @@
         <translation>il n’y a plus de place pour d’autres jeux de paramètres</translation>
     </message>
     <message>
-        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <source>--set needs group.name=value, not &quot;%1&quot;</source>
         <translation>--set attend groupe.nom=valeur, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>--set knows no parameter &quot;%1&quot;</source>
+        <source>--set: there is no parameter &quot;%1&quot;</source>
         <translation>--set ne connaît pas le paramètre «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>--fibres wants --png FILE</source>
+        <source>--fibres needs --png FILE</source>
         <translation>--fibres demande --png FICHIER</translation>
     </message>
     <message>
-        <source>--index wants a whole number from 0, not &quot;%1&quot;</source>
+        <source>--index needs a whole number from 0, not &quot;%1&quot;</source>
         <translation>--index demande un nombre entier à partir de 0, pas « %1 »</translation>
     </message>
     <message>
-        <source>sketch wants at least one drawing</source>
+        <source>sketch needs at least one drawing</source>
         <translation>sketch demande au moins un dessin</translation>
     </message>
     <message>
@@ -603,7 +603,7 @@
         <translation>il n’a ni ligne qui puisse être un tronc, ni couronne</translation>
     </message>
     <message>
-        <source>--vary wants a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
+        <source>--vary needs a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
         <translation>--vary attend un nombre entier à partir de 0 et, si vous voulez, après deux-points, une mesure de %1 à 1, comme 7 ou 7:0.5, et non «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
@@ -620,29 +620,29 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of a project, all is done again that was done to its tree.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
+    Plays a recipe without a window, and writes the result.
+    For a project, all that was done to its tree is done again.
+    With several recipes, each continues the tree of the one before: the
+    first sets the seed, and each begins by applying its own parameters.
     --profiles: the places of the strands in each cross-section, as JSON.
-    What operations do not find in the tree is printed; with --strict it is an
+    Whatever an operation does not find is printed; with --strict it is an
     error, and nothing is written.
     --set gives a parameter a value for the whole replay, whatever recipes say:
     --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
-    --vary makes angles and lengths of the tree deviate a little, by an amount of
-    0.3, or up to 1: with another seed it is another tree beside it in a forest.
+    --vary makes the tree&apos;s angles and lengths deviate a little, by 0.3 or by
+    an AMOUNT of up to 1; each SEED gives another neighbour in a forest.
 
 espalier import SKELETON.csv -o OUT...
-    Makes a tree of a measured one: lines of id, parent, both ends and radius.
+    Makes a tree from a measured one: each line has id, parent, both ends, radius.
 
 espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
                 [--size WxH] [--camera ...] [--stats FILE] [--seed N]
                 [--set GROUP.NAME=VALUE]...
-    Makes a tree of a drawing: lines are branches, small loops leaves,
+    Makes a tree from a drawing: lines are branches, small loops are leaves,
     a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
-    .ndjson, of which --index takes a line, from 0. Of several drawings each is
-    drawn over the one before. --front-only: depth is given once, without a
-    second placing from the side.
+    .ndjson, where --index picks a line, from 0. Several drawings are drawn one
+    over the other. --front-only: the drawing is placed once, and not a second
+    time from the side.
 
 espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
                 [--set GROUP.NAME=VALUE]...
@@ -652,17 +652,17 @@ espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
-    Takes a picture. It wants a display; a virtual one will do.
+    Draws a picture. It needs a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity. --fibres: the strands of the wood.
+    its shadow, as partly transparent black. --fibres: the strands of the wood.
 
 espalier info FILE
-    Says as JSON what is in a project.
+    Prints as JSON what is in a project.
 
 espalier --help, --version
 
-OUT ends in .espalier (project) or in the ending of a format:
-%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+OUT ends in .espalier (project) or in the suffix of a format:
+%1Exits with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
         <translation>Espalier&#xa0;: peindre des arbres et les voir naître.
@@ -753,7 +753,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Changement de paramètres</translation>
     </message>
     <message>
-        <source>Travel in Time</source>
+        <source>Go to Another Time</source>
         <translation>Voyage dans le temps</translation>
     </message>
     <message>
@@ -761,7 +761,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Retrait d’épaisseur</translation>
     </message>
     <message>
-        <source>Width</source>
+        <source>Set Width</source>
         <translation>Épaisseur</translation>
     </message>
     <message>
@@ -793,7 +793,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Apport de vigueur</translation>
     </message>
     <message>
-        <source>Profile</source>
+        <source>Draw Profile</source>
         <translation>Profil</translation>
     </message>
     <message>
@@ -801,7 +801,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Interpolation de profils</translation>
     </message>
     <message>
-        <source>Clear Profile</source>
+        <source>Remove Profile</source>
         <translation>Retrait de profil</translation>
     </message>
     <message>
@@ -837,7 +837,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Disposer les feuilles</translation>
     </message>
     <message>
-        <source>Propagate Branch</source>
+        <source>Pass On Branch</source>
         <translation>Propager la branche</translation>
     </message>
     <message>
@@ -845,7 +845,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>le nouveau tronc doit être une ligne ouverte</translation>
     </message>
     <message>
-        <source>Reproduce Tree</source>
+        <source>Reshape Tree</source>
         <translation>Reproduire l’arbre</translation>
     </message>
     <message>
@@ -906,8 +906,8 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Retirer l’enveloppe</translation>
     </message>
     <message>
-        <source>Earlier Step</source>
-        <translation>Étape antérieure</translation>
+        <source>Earlier Steps</source>
+        <translation>Étapes antérieures</translation>
     </message>
 </context>
 <context>
@@ -939,7 +939,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>il n’a pas de dessin %1</translation>
     </message>
     <message>
-        <source>the x and y of a stroke differ in number</source>
+        <source>a stroke has more x than y values, or fewer</source>
         <translation>un trait n’a pas autant de x que de y</translation>
     </message>
     <message>
@@ -947,7 +947,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>un trait a un point qui n’est pas un nombre</translation>
     </message>
     <message>
-        <source>it is greater than 32 MB</source>
+        <source>it is larger than 32 MB</source>
         <translation>il dépasse 32 Mo</translation>
     </message>
     <message>
@@ -978,14 +978,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Le lasso n’entoure aucune surface.</translation>
     </message>
     <message>
-        <source>The lasso is too small for how far it is from the origin.</source>
+        <source>The lasso is too small for its distance from the origin.</source>
         <translation>Le lasso est trop petit pour sa distance à l’origine.</translation>
     </message>
 </context>
 <context>
     <name>EraserTool</name>
     <message>
-        <source>Brush over twigs to take some of them, evenly; what goes turns red</source>
+        <source>Brush over twigs to thin them evenly; those that will go turn red</source>
         <translation>Passez sur les rameaux pour en retirer une partie, régulièrement ; ce qui part devient rouge</translation>
     </message>
     <message>
@@ -1027,7 +1027,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>L’exportation a été annulée.</translation>
     </message>
     <message>
-        <source>there are too many files of similar names in its folder; choose another name or another folder</source>
+        <source>there are too many files with similar names in this folder; choose another name or another folder</source>
         <translation>il y a trop de fichiers aux noms semblables dans son dossier&#xa0;; choisir un autre nom ou un autre dossier</translation>
     </message>
     <message>
@@ -1035,7 +1035,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>un autre programme a créé ce fichier pendant l’exportation&#xa0;; exporter à nouveau, et un autre nom sera choisi</translation>
     </message>
     <message>
-        <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
+        <source>the tree takes more than the 4 GB that such a file can hold; export less detail</source>
         <translation>l’arbre prend plus que les 4 Go que peut contenir un tel fichier&#xa0;; exporter moins de détails</translation>
     </message>
 </context>
@@ -1073,7 +1073,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1 pousse encore. Ce qui a poussé jusqu’ici n’est pas enregistré.</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>%1 a des modifications non enregistrées.</translation>
     </message>
     <message>
@@ -1132,7 +1132,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1 n’est pas un dossier</translation>
     </message>
     <message>
-        <source>there is a folder of this name</source>
+        <source>a folder with this name already exists</source>
         <translation>il y a un dossier de ce nom</translation>
     </message>
     <message>
@@ -1148,7 +1148,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>le disque est plein</translation>
     </message>
     <message>
-        <source>your share of the disk is full</source>
+        <source>your disk quota is used up</source>
         <translation>la part attribuée du disque est pleine</translation>
     </message>
     <message>
@@ -1164,7 +1164,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>le fichier est trop grand pour ce disque</translation>
     </message>
     <message>
-        <source>the disk is faulty</source>
+        <source>the disk reports an error</source>
         <translation>le disque est défectueux</translation>
     </message>
     <message>
@@ -1187,7 +1187,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>GrowTool</name>
     <message>
-        <source>Press and hold: the tree grows until you let go.</source>
+        <source>Press and hold: the tree grows until you let go</source>
         <translation>Appuyer et maintenir&#xa0;: l’arbre pousse jusqu’au relâchement.</translation>
     </message>
 </context>
@@ -1206,11 +1206,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>l’image est endommagée</translation>
     </message>
     <message>
-        <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
+        <source>it has %1 × %2 pixels; %3 along an edge is the most</source>
         <translation>l’image fait %1 × %2 pixels&#xa0;; le maximum par côté est %3</translation>
     </message>
     <message>
-        <source>it has only %1 × %2 pixels</source>
+        <source>it is too small: only %1 × %2 pixels</source>
         <translation>l’image ne fait que %1 × %2 pixels</translation>
     </message>
     <message>
@@ -1244,7 +1244,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>elle place une feuille à un autre moment</translation>
     </message>
     <message>
-        <source>it bears an internode whose parameters are not there</source>
+        <source>it creates an internode whose parameters are not there</source>
         <translation>elle fait naître un entre-nœud dont les paramètres n’existent pas</translation>
     </message>
     <message>
@@ -1260,15 +1260,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>ses naissances sont dans le désordre</translation>
     </message>
     <message>
-        <source>it lets an internode die that did not</source>
+        <source>it records the death of an internode that did not die</source>
         <translation>elle fait mourir un entre-nœud qui n’est pas mort</translation>
     </message>
     <message>
-        <source>it bears an internode that is not there</source>
+        <source>it creates an internode that is not there</source>
         <translation>elle fait naître un entre-nœud qui n’existe pas</translation>
     </message>
     <message>
-        <source>it bears an internode at another time</source>
+        <source>it creates an internode at another time</source>
         <translation>elle fait naître un entre-nœud à un autre moment</translation>
     </message>
     <message>
@@ -1312,7 +1312,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>elle change «&#xa0;%1&#xa0;» d’une façon impossible</translation>
     </message>
     <message>
-        <source>it brings strokes or profiles that are not there</source>
+        <source>it refers to strokes or profiles that are not there</source>
         <translation>elle apporte des traits ou des profils qui n’existent pas</translation>
     </message>
 </context>
@@ -1359,7 +1359,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>une chaîne de caractères est attendue</translation>
     </message>
     <message>
-        <source>a whole number of at most 64 bits is expected, from 2^53 on as a string of digits</source>
+        <source>a whole number of at most 64 bits is expected; from 2^53 on, write it as a string of digits</source>
         <translation>un nombre entier d’au plus 64 bits est attendu, à partir de 2^53 sous forme de chaîne de chiffres</translation>
     </message>
     <message>
@@ -1416,7 +1416,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>LeafChoices</name>
     <message>
-        <source>One leaf at a time along the branch, each turned as the second is against the first.</source>
+        <source>One leaf at a time along the branch, each turned from the one before as the second is from the first.</source>
         <translation>Une feuille à la fois le long de la branche, chacune tournée comme la deuxième par rapport à la première.</translation>
     </message>
 </context>
@@ -1431,7 +1431,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Un nom ne peut pas commencer par un point.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <source>A name cannot contain any of / \ : * ? &quot; &lt; &gt; |.</source>
         <translation>Un nom ne peut contenir aucun des caractères / \ : * ? &quot; &lt; &gt; |.</translation>
     </message>
     <message>
@@ -1439,7 +1439,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Ce nom est trop long.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be made.</source>
+        <source>The folder %1 cannot be created.</source>
         <translation>Impossible de créer le dossier %1.</translation>
     </message>
     <message>
@@ -1447,7 +1447,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Arbre</translation>
     </message>
     <message>
-        <source>There is a tree named %1 already.</source>
+        <source>There is already a tree named %1.</source>
         <translation>Il y a déjà un arbre nommé %1.</translation>
     </message>
     <message>
@@ -1459,7 +1459,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Impossible de copier %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 is not there any more.</source>
+        <source>%1 is no longer there.</source>
         <translation>%1 n’est plus là.</translation>
     </message>
     <message>
@@ -1478,11 +1478,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>MoveTool</name>
     <message>
-        <source>a trunk stays where it stands; hold a branch</source>
+        <source>a trunk stays where it stands; drag a branch</source>
         <translation>un tronc reste où il est&#xa0;; tenez une branche</translation>
     </message>
     <message>
-        <source>Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it</source>
+        <source>Drag a branch along the wood or around it; drag its base to other wood, its tip to scale it</source>
         <translation>Tirer une branche le long du bois ou autour de lui&#xa0;; à sa base, sur un autre bois&#xa0;; à sa pointe, pour l’agrandir</translation>
     </message>
 </context>
@@ -1493,14 +1493,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Touchez une branche : elle en reçoit une de plus comme celles qu’elle porte</translation>
     </message>
     <message>
-        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which get it</source>
+        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which of them get it</source>
         <translation>Toucher une branche&#xa0;: les autres reçoivent ce qu’elle porte&#xa0;; ou tirer d’elle à travers celles qui doivent le recevoir</translation>
     </message>
 </context>
 <context>
     <name>OffscreenRenderer</name>
     <message>
-        <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
+        <source>A picture cannot be drawn, because there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
         <translation>Impossible de dessiner une image&#xa0;: aucun affichage n’offre OpenGL 3.3&#xa0;; un affichage virtuel (Xvfb) convient.</translation>
     </message>
     <message>
@@ -1511,14 +1511,14 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>Outputs</name>
     <message>
-        <source>%1: the picture could not be packed</source>
+        <source>%1: the picture could not be compressed</source>
         <translation>%1&#xa0;: l’image n’a pas pu être compressée</translation>
     </message>
 </context>
 <context>
     <name>OwnTextures</name>
     <message>
-        <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
+        <source>%1: the leaf cannot be told apart from its background; the image needs a transparent or a plain background</source>
         <translation>%1&#xa0;: impossible de distinguer la feuille de ce qui est derrière elle&#xa0;; l’image a besoin d’un fond transparent ou uni</translation>
     </message>
 </context>
@@ -1573,7 +1573,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Direction</translation>
     </message>
     <message>
-        <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
+        <source>Where the sun stands: 0° in front of the tree, 90° to its right; for a pinned sun, as seen on the screen.</source>
         <translation>Où se trouve le soleil&#xa0;: 0° devant l’arbre, 90° à sa droite&#xa0;; s’il est épinglé, par rapport au regard.</translation>
     </message>
     <message>
@@ -1593,7 +1593,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À quel point l’image est visible.</translation>
     </message>
     <message>
-        <source>How high the picture is.</source>
+        <source>How tall the picture is.</source>
         <translation>La hauteur de l’image.</translation>
     </message>
     <message>
@@ -1633,7 +1633,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Angle de consigne</translation>
     </message>
     <message>
-        <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
+        <source>The direction that shoots turn to: 0° is up, 90° level, and more makes them weep.</source>
         <translation>Où se tournent les pousses&#xa0;: 0° vers le haut, 90° à l’horizontale, et davantage les fait pleurer.</translation>
     </message>
     <message>
@@ -1645,7 +1645,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Bourgeons haut et bas</translation>
     </message>
     <message>
-        <source>Vigour of the buds above and below a leaning branch.</source>
+        <source>Vigour of the buds on the upper and lower sides of a leaning branch.</source>
         <translation>Vigueur des bourgeons au-dessus et au-dessous d’une branche inclinée.</translation>
     </message>
     <message>
@@ -1653,7 +1653,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Demi-axe vertical de l’ellipse gravimorphique.</translation>
     </message>
     <message>
-        <source>Buds at the sides</source>
+        <source>Buds on the sides</source>
         <translation>Bourgeons latéraux</translation>
     </message>
     <message>
@@ -1661,7 +1661,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Vigueur des bourgeons sur les côtés d’une branche inclinée.</translation>
     </message>
     <message>
-        <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
+        <source>Semi-axis parallel to the ground; if it is the greater one, amphitony.</source>
         <translation>Demi-axe parallèle au sol&#xa0;; le plus grand correspond à l’amphitonie.</translation>
     </message>
     <message>
@@ -1697,7 +1697,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À quel point un axe s’écarte d’une branche qu’il porte&#xa0;: 0 le garde droit, davantage le fait zigzaguer.</translation>
     </message>
     <message>
-        <source>The main axis yields to a lateral, as toward sympodial growth.</source>
+        <source>How far the main axis gives way to a lateral: a tendency to sympodial growth.</source>
         <translation>L’axe principal cède devant un latéral, comme vers une croissance sympodiale.</translation>
     </message>
     <message>
@@ -1717,7 +1717,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Tropisme</translation>
     </message>
     <message>
-        <source>How much a shoot turns toward the set-point angle.</source>
+        <source>How much a shoot turns towards the set-point angle.</source>
         <translation>À quel point une pousse se tourne vers l’angle de consigne.</translation>
     </message>
     <message>
@@ -1729,7 +1729,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Espace libre</translation>
     </message>
     <message>
-        <source>How much a shoot turns toward where there is room.</source>
+        <source>How much a shoot turns towards where there is room.</source>
         <translation>À quel point une pousse se tourne vers là où il y a de la place.</translation>
     </message>
     <message>
@@ -1793,7 +1793,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À quel point un bourgeon à la lumière prospère mieux qu’un bourgeon à l’ombre.</translation>
     </message>
     <message>
-        <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
+        <source>Exponent of the response to light: high for light-demanding trees, low for shade-tolerant ones.</source>
         <translation>Exposant de la réponse à la lumière&#xa0;: élevé pour les essences de lumière, bas pour les essences d’ombre.</translation>
     </message>
     <message>
@@ -1837,7 +1837,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Suivre le trait</translation>
     </message>
     <message>
-        <source>Shoots turn toward where the brush goes, instead of to the set-point angle.</source>
+        <source>Shoots turn the way the brush goes, instead of to the set-point angle.</source>
         <translation>Les pousses se tournent vers là où va le pinceau, au lieu de l’angle de consigne.</translation>
     </message>
     <message>
@@ -1861,7 +1861,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Entre-nœud</translation>
     </message>
     <message>
-        <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
+        <source>Length of one internode. It is the measure of everything that grows: shorter ones make finer trees.</source>
         <translation>Longueur d’un entre-nœud. C’est la mesure de tout ce qui pousse&#xa0;: plus court, il donne des arbres plus fins.</translation>
     </message>
     <message>
@@ -1885,7 +1885,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Irrégularité</translation>
     </message>
     <message>
-        <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
+        <source>Spread of angles and lengths: 0 is as regular as a diagram, 1 as wild as nature.</source>
         <translation>Dispersion des angles et des longueurs&#xa0;: 0 donne un schéma, 1 est aussi libre que la nature.</translation>
     </message>
     <message>
@@ -1913,7 +1913,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À quelle vitesse une ombre s’estompe en descendant.</translation>
     </message>
     <message>
-        <source>Base of its decay from layer to layer.</source>
+        <source>Base of the shadow&apos;s decay from layer to layer.</source>
         <translation>Base de sa décroissance d’une couche à l’autre.</translation>
     </message>
     <message>
@@ -1933,7 +1933,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Densité du pinceau</translation>
     </message>
     <message>
-        <source>How much room to grow the brush spreads, in points per cubic internode. More makes denser growth.</source>
+        <source>How densely the brush spreads room to grow, in points per cubic internode. More makes denser growth.</source>
         <translation>Quantité de place pour pousser que répand le pinceau, en points par entre-nœud cube. Davantage rend la croissance plus dense.</translation>
     </message>
     <message>
@@ -1945,7 +1945,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Mémoire du pinceau</translation>
     </message>
     <message>
-        <source>Growth steps after which the room that the brush has spread is forgotten.</source>
+        <source>Growth steps after which the room to grow that the brush has spread is forgotten.</source>
         <translation>Nombre d’étapes de croissance après lequel la place répandue par le pinceau est oubliée.</translation>
     </message>
     <message>
@@ -1993,11 +1993,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Largeur</translation>
     </message>
     <message>
-        <source>Width by length.</source>
+        <source>Width as a share of length.</source>
         <translation>Rapport de la largeur à la longueur.</translation>
     </message>
     <message>
-        <source>Variation of size</source>
+        <source>Variation in size</source>
         <translation>Écart de taille</translation>
     </message>
     <message>
@@ -2073,7 +2073,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À quel point les feuilles pendent.</translation>
     </message>
     <message>
-        <source>Toward the sky</source>
+        <source>Towards the sky</source>
         <translation>Vers le ciel</translation>
     </message>
     <message>
@@ -2089,7 +2089,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>0° est rouge, 60° jaune, 120° vert.</translation>
     </message>
     <message>
-        <source>Variation of hue</source>
+        <source>Variation in hue</source>
         <translation>Écart de teinte</translation>
     </message>
     <message>
@@ -2101,7 +2101,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Saturation</translation>
     </message>
     <message>
-        <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
+        <source>How strong the colour is: low values suit blossom and silvery leaves.</source>
         <translation>L’intensité de la couleur&#xa0;: faible, elle donne des fleurs et des feuilles argentées.</translation>
     </message>
     <message>
@@ -2109,7 +2109,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Luminosité</translation>
     </message>
     <message>
-        <source>How light the leaves are.</source>
+        <source>How bright the leaves are.</source>
         <translation>À quel point les feuilles sont claires.</translation>
     </message>
     <message>
@@ -2117,7 +2117,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Jaunissement</translation>
     </message>
     <message>
-        <source>How far the leaves of weak shoots turn toward yellow and red.</source>
+        <source>How far the leaves of weak shoots turn towards yellow and red.</source>
         <translation>À quel point les feuilles des pousses faibles virent au jaune et au rouge.</translation>
     </message>
     <message>
@@ -2321,7 +2321,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Marqueurs</translation>
     </message>
     <message>
-        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <source>Show the points of free space that the brush spreads and shoots grow towards.</source>
         <translation>Afficher les points d’espace libre que répand le pinceau et vers lesquels les pousses se dirigent.</translation>
     </message>
     <message>
@@ -2437,7 +2437,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À chaque nœud&#xa0;: un donne une spirale, deux des paires croisées, davantage un verticille.</translation>
     </message>
     <message>
-        <source>Spread of the roll</source>
+        <source>Variation in roll</source>
         <translation>Écart de rotation</translation>
     </message>
     <message>
@@ -2461,7 +2461,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Écart-type de l’angle apical.</translation>
     </message>
     <message>
-        <source>Orders of branches</source>
+        <source>Branch orders</source>
         <translation>Ordres de ramification</translation>
     </message>
     <message>
@@ -2517,7 +2517,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Fatigue au loin</translation>
     </message>
     <message>
-        <source>How much less shoots far from the root grow.</source>
+        <source>How much less a shoot grows far from the root.</source>
         <translation>À quel point les pousses éloignées de la racine poussent moins.</translation>
     </message>
     <message>
@@ -2529,7 +2529,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Fatigue en hauteur</translation>
     </message>
     <message>
-        <source>How much less high shoots grow: more makes flat crowns.</source>
+        <source>How much less a shoot grows the higher it is: more makes the crown flat.</source>
         <translation>À quel point les pousses hautes poussent moins&#xa0;: davantage donne des houppiers plats.</translation>
     </message>
     <message>
@@ -2541,7 +2541,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Gravitropisme</translation>
     </message>
     <message>
-        <source>Above 0 shoots turn up at each node, below 0 branches turn down.</source>
+        <source>Above 0 shoots turn upwards at each node, below 0 downwards.</source>
         <translation>Au-dessus de 0, les pousses se tournent vers le haut à chaque nœud&#xa0;; en dessous de 0, les branches se tournent vers le bas.</translation>
     </message>
     <message>
@@ -2557,7 +2557,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À quel point les pousses se tournent vers la lumière à chaque nœud.</translation>
     </message>
     <message>
-        <source>Growth toward the brightest direction.</source>
+        <source>Growth towards the brightest direction.</source>
         <translation>Croissance vers la direction la plus claire.</translation>
     </message>
     <message>
@@ -2565,7 +2565,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Branches horizontales</translation>
     </message>
     <message>
-        <source>How far a new branch turns to the level when it begins.</source>
+        <source>How far a new branch turns towards the horizontal where it begins.</source>
         <translation>À quel point une nouvelle branche se tourne vers l’horizontale à son départ.</translation>
     </message>
     <message>
@@ -2601,7 +2601,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Affaissement max.</translation>
     </message>
     <message>
-        <source>At most this part of the angle to straight down, for each internode.</source>
+        <source>An internode sags by at most this share of the angle between it and straight down.</source>
         <translation>Au plus cette part de l’angle jusqu’à la verticale vers le bas, par entre-nœud.</translation>
     </message>
     <message>
@@ -2613,7 +2613,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Élagage par l’ombre</translation>
     </message>
     <message>
-        <source>Ends of branches with less light than this fall.</source>
+        <source>Branch ends that get less light than this drop off.</source>
         <translation>Les bouts de branches qui reçoivent moins de lumière que cela tombent.</translation>
     </message>
     <message>
@@ -2725,7 +2725,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Branches aussi</translation>
     </message>
     <message>
-        <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
+        <source>A drag twists all that the branch carries, not only the branch itself. Hold Shift for the opposite.</source>
         <translation>Un glissement torsade tout ce que la branche porte, pas seulement la branche elle-même. Maj fait l’inverse tant qu’elle est enfoncée.</translation>
     </message>
     <message>
@@ -2741,7 +2741,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Cannelures</translation>
     </message>
     <message>
-        <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
+        <source>How far the trunk bulges below its limbs and towards its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
         <translation>À quel point le tronc se renfle sous ses branches et vers ses racines, et la profondeur des creux laissés par les branches perdues. À 0, le bois est rond.</translation>
     </message>
     <message>
@@ -2789,7 +2789,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Longueurs</translation>
     </message>
     <message>
-        <source>How much longer than drawn ones branches may become in depth.</source>
+        <source>How much longer branches may become in depth than those you drew.</source>
         <translation>De combien les branches peuvent devenir plus longues en profondeur que celles dessinées.</translation>
     </message>
     <message>
@@ -2797,7 +2797,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Angles</translation>
     </message>
     <message>
-        <source>How much wider than the widest drawn one an angle between branches may be.</source>
+        <source>How much wider an angle between branches may be than the widest you drew.</source>
         <translation>De combien un angle entre branches peut dépasser le plus ouvert du dessin.</translation>
     </message>
     <message>
@@ -2809,11 +2809,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Toucher une branche donne aux autres ce qu’elle porte. Sinon, elle reçoit une branche de plus comme celles qu’elle porte.</translation>
     </message>
     <message>
-        <source>To its like</source>
+        <source>Only to similar ones</source>
         <translation>À ses pareilles</translation>
     </message>
     <message>
-        <source>Only branches with as many branchings below them get it.</source>
+        <source>Only branches that are as many forks away from the trunk get it.</source>
         <translation>Seules les branches ayant autant de ramifications sous elles le reçoivent.</translation>
     </message>
     <message>
@@ -2825,7 +2825,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Ce qu’une branche reçoit est plus grand ou plus petit, comme elle. Sinon, cela garde sa taille et sa distance à la pointe.</translation>
     </message>
     <message>
-        <source>In its place</source>
+        <source>Replace</source>
         <translation>À la place</translation>
     </message>
     <message>
@@ -2837,7 +2837,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Variation</translation>
     </message>
     <message>
-        <source>How much the angles and lengths of a variation deviate from the tree.</source>
+        <source>How much the angles and lengths of a variation deviate from those of the tree.</source>
         <translation>À quel point les angles et les longueurs d’une variation s’écartent de l’arbre.</translation>
     </message>
     <message>
@@ -2857,7 +2857,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Deux traits côte à côte, l’un après l’autre, sont les deux côtés d’une branche, qui en reçoit son épaisseur.</translation>
     </message>
     <message>
-        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run towards you and away from you.</source>
         <translation>Le dessin est placé deux fois, la seconde tourné de 90° autour du tronc, pour que l’arbre soit aussi fourni de côté que de face. Sans cela, les branches elles-mêmes viennent vers vous et s’éloignent.</translation>
     </message>
     <message>
@@ -2893,7 +2893,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Rayon</translation>
     </message>
     <message>
-        <source>Radius of the brush, the same as that of the brush that paints.</source>
+        <source>Radius of the brush, shared with the Brush tool.</source>
         <translation>Rayon du pinceau, le même que celui du pinceau qui peint.</translation>
     </message>
     <message>
@@ -2905,7 +2905,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Le bois le plus épais qui part, en part de l’épaisseur du tronc. Les branches plus grosses restent, même en repassant.</translation>
     </message>
     <message>
-        <source>Takes</source>
+        <source>Share of twigs</source>
         <translation>Part</translation>
     </message>
     <message>
@@ -2948,7 +2948,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>axisWeight, tropismWeight et spaceWeight ne peuvent pas être tous à 0</translation>
     </message>
     <message>
-        <source>it must not be beyond 0.99 times ellipseVertical, which is %1</source>
+        <source>it must not exceed 0.99 times ellipseVertical, which is %1</source>
         <translation>la valeur ne peut pas dépasser 0,99 fois ellipseVertical, qui vaut %1</translation>
     </message>
     <message>
@@ -2971,11 +2971,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>PositionCheck</name>
     <message>
-        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <source>it and the later steps move a tree whose axes are longer than %1 m too often</source>
         <translation>elle et les étapes suivantes déplacent trop souvent un arbre dont les axes dépassent %1 m</translation>
     </message>
     <message>
-        <source>before it, internode %1 lies further than %2 m away</source>
+        <source>before it, internode %1 lies more than %2 m away</source>
         <translation>avant elle, l’entre-nœud %1 est à plus de %2 m</translation>
     </message>
     <message>
@@ -2983,7 +2983,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>étape %1 de l’historique</translation>
     </message>
     <message>
-        <source>it lies further than %1 m away</source>
+        <source>it lies more than %1 m away</source>
         <translation>il se trouve à plus de %1 m</translation>
     </message>
     <message>
@@ -3071,7 +3071,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>au plus %1 images sont attendues</translation>
     </message>
     <message>
-        <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
+        <source>the image “%1” is missing from it or broken; the built-in look is shown instead</source>
         <translation>l’image «&#xa0;%1&#xa0;» y manque ou est endommagée&#xa0;; l’aspect dessiné par Espalier apparaît à sa place</translation>
     </message>
     <message>
@@ -3115,18 +3115,18 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>il n’y a pas d’arrière-plan de ce nom</translation>
     </message>
     <message>
-        <source>its background and light cannot be read (%1); those of a new tree show instead</source>
+        <source>its background and light cannot be read (%1); those of a new tree are shown instead</source>
         <translation>son arrière-plan et sa lumière sont illisibles (%1) ; ceux d’un nouvel arbre les remplacent</translation>
     </message>
     <message>
-        <source>the reference picture “%1” is missing in it or broken</source>
+        <source>the reference picture “%1” is missing from it or broken</source>
         <translation>l’image de référence « %1 » y manque ou est endommagée</translation>
     </message>
 </context>
 <context>
     <name>Recipe</name>
     <message>
-        <source>a stroke has at least one point</source>
+        <source>a stroke needs at least one point</source>
         <translation>un trait a au moins un point</translation>
     </message>
     <message>
@@ -3158,11 +3158,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>cela manque</translation>
     </message>
     <message>
-        <source>a stroke has at least one sample</source>
+        <source>a stroke needs at least one sample</source>
         <translation>un trait a au moins un échantillon</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 samples</source>
+        <source>a recipe can have at most %1 samples</source>
         <translation>une recette a au plus %1 échantillons</translation>
     </message>
     <message>
@@ -3174,7 +3174,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>right et up doivent être de longueur 1 et à angle droit</translation>
     </message>
     <message>
-        <source>a lasso has at least three points</source>
+        <source>a lasso needs at least three points</source>
         <translation>un lasso a au moins trois points</translation>
     </message>
     <message>
@@ -3206,7 +3206,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>le rayon n’est pas compris dans 0…%1 m</translation>
     </message>
     <message>
-        <source>a bend has from 1 to %1 handles</source>
+        <source>a bend needs 1 to %1 handles</source>
         <translation>une courbure a de 1 à %1 poignées</translation>
     </message>
     <message>
@@ -3222,15 +3222,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>ce n’est pas une recette&#xa0;: une recette commence par «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
     </message>
     <message>
-        <source>the recipe is of version %1, this program reads versions up to %2</source>
+        <source>the recipe is of version %1; this program reads versions up to %2</source>
         <translation>la recette est de la version %1, ce programme lit les versions jusqu’à %2</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 operations</source>
+        <source>a recipe can have at most %1 operations</source>
         <translation>une recette a au plus %1 opérations</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 images</source>
+        <source>a recipe can have at most %1 images</source>
         <translation>une recette a au plus %1 images</translation>
     </message>
     <message>
@@ -3338,7 +3338,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>étape %1 de l’historique</translation>
     </message>
     <message>
-        <source>another file of this name lies where the recipe&apos;s image belongs</source>
+        <source>another file with this name is where the recipe&apos;s image should go</source>
         <translation>un autre fichier de ce nom se trouve à la place de l’image de la recette</translation>
     </message>
     <message>
@@ -3350,7 +3350,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1 nombres sont attendus</translation>
     </message>
     <message>
-        <source>its parent is not one of the segments before it, nor -1</source>
+        <source>its parent is neither one of the segments before it nor -1</source>
         <translation>son parent n’est ni l’un des segments qui le précèdent, ni -1</translation>
     </message>
     <message>
@@ -3382,7 +3382,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>l’entre-nœud %1 n’a pas de torsade à retirer</translation>
     </message>
     <message>
-        <source>a branch begins at one internode</source>
+        <source>a branch must begin at exactly one internode</source>
         <translation>une branche commence à un seul entre-nœud</translation>
     </message>
     <message>
@@ -3398,7 +3398,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>l’un de ceux-ci est attendu&#xa0;: %1</translation>
     </message>
     <message>
-        <source>a stroke has at least %1 points</source>
+        <source>a stroke needs at least %1 points</source>
         <translation>un trait a au moins %1 points</translation>
     </message>
     <message>
@@ -3434,7 +3434,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>il n’y avait aucun rameau à retirer sous le pinceau</translation>
     </message>
     <message>
-        <source>the branch of internode %1 is kept clear like that already</source>
+        <source>the branch of internode %1 is already kept clear that far</source>
         <translation>la branche de l’entre-nœud %1 est déjà dégagée ainsi</translation>
     </message>
     <message>
@@ -3467,15 +3467,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>ReproduceTool</name>
     <message>
-        <source>turn the view back to where you drew the first stroke, or press Esc to forget it</source>
+        <source>turn the view back to where you drew the first stroke, or press Esc to discard it</source>
         <translation>ramenez la vue là où vous avez dessiné le premier trait, ou oubliez-le avec Échap</translation>
     </message>
     <message>
-        <source>look at the tree from the side, not from above or below, to draw its figure</source>
+        <source>look at the tree from the side, not from above or below, to draw its shape</source>
         <translation>regardez l’arbre de côté, et non d’en haut ou d’en bas, pour dessiner sa forme</translation>
     </message>
     <message>
-        <source>there is no tree yet that could take another figure: make one first</source>
+        <source>there is no tree yet to give another shape: make one first</source>
         <translation>il n’y a pas encore d’arbre qui puisse prendre une autre forme&#xa0;: faites-en d’abord un</translation>
     </message>
     <message>
@@ -3507,7 +3507,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>le tronc doit être au-dessus du sol&#xa0;: dessinez-le du pied à la pointe</translation>
     </message>
     <message>
-        <source>Make a tree first, with the brush or the pencil; then draw its new figure</source>
+        <source>Make a tree first, with Brush or Sketch; then draw its new shape</source>
         <translation>Faites d’abord un arbre, au pinceau ou à l’esquisse&#xa0;; dessinez ensuite sa nouvelle forme</translation>
     </message>
     <message>
@@ -3522,11 +3522,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Toucher un bourgeon, et lui seul pousse désormais&#xa0;; toucher à côté de l’arbre pour que tous poussent à nouveau</translation>
     </message>
     <message>
-        <source>There is no bud here. Buds that are near the pointer show as dots.</source>
+        <source>There is no bud here. Buds near the pointer are shown as dots.</source>
         <translation>Il n’y a pas de bourgeon ici. Les bourgeons proches du pointeur apparaissent comme des points.</translation>
     </message>
     <message>
-        <source>No bud is that near. Tap one of the dots, or go nearer with the wheel.</source>
+        <source>No bud is close enough. Tap one of the dots, or zoom in with the wheel.</source>
         <translation>Aucun bourgeon n’est aussi proche. Touchez l’un des points, ou approchez-vous avec la molette.</translation>
     </message>
 </context>
@@ -3549,15 +3549,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>« %1 » n’est pas un nombre pour %2</translation>
     </message>
     <message>
-        <source>its id %1 is that of line %2, too</source>
+        <source>its id %1 is already used in line %2</source>
         <translation>son id %1 est aussi celui de la ligne %2</translation>
     </message>
     <message>
-        <source>there is no id %1, its parent</source>
+        <source>its parent, id %1, does not exist</source>
         <translation>l’id %1, son parent, n’existe pas</translation>
     </message>
     <message>
-        <source>it is carried by what it carries</source>
+        <source>it is its own ancestor</source>
         <translation>elle est portée par ce qu’elle porte</translation>
     </message>
     <message>
@@ -3636,7 +3636,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>les copies auraient plus de %1 entre-nœuds</translation>
     </message>
     <message>
-        <source>a copy would reach farther than %1 m away</source>
+        <source>a copy would reach more than %1 m away</source>
         <translation>une copie irait à plus de %1 m</translation>
     </message>
     <message>
@@ -3664,7 +3664,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>toutes les autres branches sont trop courtes pour ce que porte celle de l’entre-nœud %1</translation>
     </message>
     <message>
-        <source>an internode would be longer than %1 m or lie farther than %2 m away</source>
+        <source>an internode would be longer than %1 m or lie more than %2 m away</source>
         <translation>un entre-nœud dépasserait %1 m ou serait à plus de %2 m</translation>
     </message>
     <message>
@@ -3695,7 +3695,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Dessinez le tronc, puis des branches ; deux traits côte à côte donnent son épaisseur à une branche</translation>
     </message>
     <message>
-        <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
+        <source>Draw a branch from the wood; hold Shift and draw across branches to take them away</source>
         <translation>Dessinez une branche depuis le bois ; avec Maj, un trait en travers enlève les branches</translation>
     </message>
     <message>
@@ -3757,7 +3757,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1° de haut</translation>
     </message>
     <message>
-        <source>Drag the sun about the tree.</source>
+        <source>Drag the sun around the tree</source>
         <translation>Faire glisser le soleil autour de l’arbre.</translation>
     </message>
 </context>
@@ -3903,7 +3903,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1° d’un nœud à l’autre</translation>
     </message>
     <message>
-        <source>Drag along a branch, or around it, to twist its strands; tap twice to untwist them</source>
+        <source>Drag along a branch, or around it, to twist its strands; double-tap to untwist them</source>
         <translation>Faire glisser le long d’une branche, ou autour d’elle, pour torsader ses brins&#xa0;; toucher deux fois pour les détordre</translation>
     </message>
 </context>
@@ -3917,7 +3917,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>ZipArchive</name>
     <message>
-        <source>the archive could not be packed: %1</source>
+        <source>the archive could not be compressed: %1</source>
         <translation>l’archive n’a pas pu être compressée&#xa0;: %1</translation>
     </message>
     <message>
@@ -4010,7 +4010,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Espèce</translation>
     </message>
     <message>
-        <source>Sets all parameters of the vigour model to those of a species</source>
+        <source>Set all parameters of the vigour model to those of a species.</source>
         <translation>Règle tout ce que suit le modèle de vigueur, comme pousse une espèce</translation>
     </message>
     <message>
@@ -4032,7 +4032,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Fond</translation>
     </message>
     <message>
-        <source>The colour, or that at the lower edge.</source>
+        <source>The colour of the background, or of its lower edge.</source>
         <translation>La couleur, ou celle au bord inférieur.</translation>
     </message>
     <message>
@@ -4091,20 +4091,20 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::BendPopOut</name>
     <message>
-        <source>Bending</source>
-        <translation>Courbure</translation>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
-        <translation>&lt;b&gt;Courbure&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à la courbure&#xa0;: raide, elle fait une large courbe et s’étire plus tôt.</translation>
+        <source>&lt;b&gt;Stiffness&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
+        <translation>&lt;b&gt;Raideur&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à la courbure&#xa0;: raide, elle fait une large courbe et s’étire plus tôt.</translation>
     </message>
     <message>
-        <source>Stretching</source>
-        <translation>Étirement</translation>
+        <source>Holds length</source>
+        <translation>Garde sa longueur</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
-        <translation>&lt;b&gt;Étirement&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement&#xa0;: elle garde sa longueur, ou suit la main plus loin.</translation>
+        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: with little, it follows the hand further.</source>
+        <translation>&lt;b&gt;Garde sa longueur&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement&#xa0;: elle garde sa longueur, ou suit la main plus loin.</translation>
     </message>
     <message>
         <source>× %1</source>
@@ -4160,7 +4160,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::BrushRadius</name>
     <message>
-        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
+        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; towards zero it draws a single branch exactly along the stroke.</source>
         <translation>&lt;b&gt;Rayon du pinceau&lt;/b&gt; [ ]&lt;br&gt;Un grand pinceau fait pousser un houppier dans l’espace où il passe&#xa0;; près de zéro, il trace une seule branche en suivant exactement le trait.</translation>
     </message>
     <message>
@@ -4326,7 +4326,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Jouer</translation>
     </message>
     <message>
-        <source>Play what happened from here on, or all of it</source>
+        <source>Play what happened from here on, or all of it.</source>
         <translation>Jouer ce qui s’est passé à partir d’ici, ou tout</translation>
     </message>
     <message>
@@ -4369,7 +4369,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::HelpPage</name>
     <message>
-        <source>Page of the help</source>
+        <source>Help page</source>
         <translation>Page de l’aide</translation>
     </message>
 </context>
@@ -4380,7 +4380,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Retour</translation>
     </message>
     <message>
-        <source>Back to the page before</source>
+        <source>Back to the previous page</source>
         <translation>Revenir à la page précédente</translation>
     </message>
     <message>
@@ -4400,11 +4400,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Rechercher</translation>
     </message>
     <message>
-        <source>Search in the help</source>
+        <source>Search the help</source>
         <translation>Rechercher dans l’aide</translation>
     </message>
     <message>
-        <source>Pages of the help</source>
+        <source>Help pages</source>
         <translation>Pages de l’aide</translation>
     </message>
     <message>
@@ -4458,7 +4458,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Marqueurs</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you did to it since goes.</source>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
         <translation>&lt;b&gt;Régénérer&lt;/b&gt;&lt;br&gt;Ramener l’arbre là où il en était avant que son enveloppe soit dessinée, et lui faire remplir à nouveau l’enveloppe avec les paramètres en vigueur maintenant. Ce qui lui a été fait depuis disparaît.</translation>
     </message>
     <message>
@@ -4481,7 +4481,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::LeafChoices</name>
     <message>
-        <source>Go on with</source>
+        <source>Continue with</source>
         <translation>Continuer avec</translation>
     </message>
     <message>
@@ -4501,7 +4501,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Verticilles</translation>
     </message>
     <message>
-        <source>Such whorls at this distance along the whole branch.</source>
+        <source>Whorls like this along the whole branch, at the same spacing.</source>
         <translation>De tels verticilles à cette distance, tout le long de la branche.</translation>
     </message>
     <message>
@@ -4586,7 +4586,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>A new seedling that grows as this tree does.</source>
+        <source>A new seedling that grows the way this tree does.</source>
         <translation>Une nouvelle plantule qui pousse comme cet arbre.</translation>
     </message>
     <message>
@@ -4629,7 +4629,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Un PNG ou un JPEG d’une seule feuille, pétiole en bas, sans fond ou sur un fond uni</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too</source>
+        <source>A PNG or JPEG of bark; normal and roughness maps found beside it are used, too</source>
         <translation>Un PNG ou un JPEG d’écorce&#xa0;; les cartes de normales et de rugosité placées à côté sont prises aussi</translation>
     </message>
     <message>
@@ -4675,7 +4675,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::MainWindow</name>
     <message>
-        <source>The tree has no more room to grow in.</source>
+        <source>The tree has no room left to grow.</source>
         <translation>L’arbre n’a plus de place pour pousser.</translation>
     </message>
     <message>
@@ -4687,11 +4687,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Croissance&#xa0;: %1</translation>
     </message>
     <message>
-        <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
+        <source>Not everything that the recipe names was found in the tree (%1 of %2 operations): %3</source>
         <translation>Opérations de la recette qui n’ont rien trouvé à faire, ou pas tout ce qu’elles nomment (%1 sur %2)&#xa0;: %3</translation>
     </message>
     <message>
-        <source>Making the wood of strands</source>
+        <source>Building the wood from strands</source>
         <translation>Création du bois en brins</translation>
     </message>
 </context>
@@ -4750,7 +4750,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::PictureSheet</name>
     <message>
-        <source>As the window, %1 × %2</source>
+        <source>Like the window, %1 × %2</source>
         <translation>Comme la fenêtre, %1 × %2</translation>
     </message>
     <message>
@@ -4898,7 +4898,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Contour</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside others splits the wood, one within another is a hollow.</source>
+        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside another splits the wood; one within another is a hollow.</source>
         <translation>&lt;b&gt;Contour&lt;/b&gt;&lt;br&gt;Dessiner une ligne fermée. Une ligne à côté d’autres divise le bois, une ligne dans une autre est un creux.</translation>
     </message>
     <message>
@@ -4958,7 +4958,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Copier sur la branche</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
+        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place on this branch: everything between gets this profile.</source>
         <translation>&lt;b&gt;Copier sur la branche&lt;/b&gt;&lt;br&gt;Toucher ensuite un autre endroit de cette branche&#xa0;: tout ce qui est entre les deux reçoit ce profil.</translation>
     </message>
     <message>
@@ -4966,7 +4966,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>▼</translation>
     </message>
     <message>
-        <source>To the next place down the branch</source>
+        <source>To the next place down the branch.</source>
         <translation>Vers l’endroit suivant en descendant la branche</translation>
     </message>
     <message>
@@ -4974,7 +4974,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>▲</translation>
     </message>
     <message>
-        <source>To the next place up the branch</source>
+        <source>To the next place up the branch.</source>
         <translation>Vers l’endroit suivant en remontant la branche</translation>
     </message>
     <message>
@@ -4982,7 +4982,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Cadrer</translation>
     </message>
     <message>
-        <source>Show the whole section</source>
+        <source>Show the whole cross-section.</source>
         <translation>Afficher toute la section</translation>
     </message>
     <message>
@@ -5041,7 +5041,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Interpoler</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place on this branch that has a profile: the sections between change from one to the other.</source>
         <translation>&lt;b&gt;Interpoler&lt;/b&gt;&lt;br&gt;Toucher ensuite un autre endroit de cette branche qui a un profil&#xa0;: entre les deux, on passe de l’un à l’autre.</translation>
     </message>
 </context>
@@ -5052,7 +5052,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Couper</translation>
     </message>
     <message>
-        <source>Tap a branch to take it off, or draw a line across several.</source>
+        <source>Tap a branch to cut it off, or draw a line across several.</source>
         <translation>Touchez une branche pour la retirer, ou tracez une ligne en travers de plusieurs.</translation>
     </message>
     <message>
@@ -5060,7 +5060,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Dégager</translation>
     </message>
     <message>
-        <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
+        <source>Drag up along a trunk or a branch: the shoots below your hand are removed, and no new ones come. Drag the ring down again to let buds shoot.</source>
         <translation>Glissez vers le haut le long d’un tronc ou d’une branche : les pousses au-dessous de votre main partent, et il n’en vient plus. Redescendez l’anneau pour laisser pousser les bourgeons.</translation>
     </message>
     <message>
@@ -5076,7 +5076,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Éclaircir</translation>
     </message>
     <message>
-        <source>Brush over the crown to take some of its twigs, evenly.</source>
+        <source>Brush over the crown to take out some of its twigs evenly.</source>
         <translation>Passez sur la couronne pour retirer une partie de ses rameaux, régulièrement.</translation>
     </message>
 </context>
@@ -5113,7 +5113,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::ReproduceController</name>
     <message>
-        <source>Draw the new trunk, from its foot to its tip.</source>
+        <source>Draw the new trunk, from its base to its tip.</source>
         <translation>Dessinez le nouveau tronc, du pied à la pointe.</translation>
     </message>
     <message>
@@ -5172,15 +5172,15 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>espalier::SettingsSheet</name>
     <message>
-        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and the left button turn, too.</source>
+        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt with the left button turns, too.</source>
         <translation>Le bouton du milieu tourne, avec Maj il déplace, avec Ctrl il approche. Alt et le bouton gauche tournent aussi.</translation>
     </message>
     <message>
-        <source>Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.</source>
+        <source>With Alt, the left button turns, the middle one pans and the right one zooms.</source>
         <translation>Alt et le bouton gauche tournent, Alt et celui du milieu déplacent, Alt et le droit approchent.</translation>
     </message>
     <message>
-        <source>The right or middle button turns, Shift and the middle button pan. Alt and the left button turn, too.</source>
+        <source>The right or middle button turns; Shift with the middle button pans. Alt with the left button turns, too.</source>
         <translation>Le bouton droit ou du milieu tourne, Maj et celui du milieu déplacent. Alt et le bouton gauche tournent aussi.</translation>
     </message>
     <message>
@@ -5280,7 +5280,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Étapes annulables</translation>
     </message>
     <message>
-        <source>A new number of steps applies from the next tree that you begin or open.</source>
+        <source>A change applies to the next tree that you begin or open.</source>
         <translation>Le nombre d’étapes vaut à partir du prochain arbre commencé ou ouvert.</translation>
     </message>
     <message>
@@ -5292,7 +5292,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Dans un dossier propre à Espalier</translation>
     </message>
     <message>
-        <source>Folder of the Library</source>
+        <source>Library Folder</source>
         <translation>Dossier de la bibliothèque</translation>
     </message>
     <message>
@@ -5324,11 +5324,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Stabilisateur</translation>
     </message>
     <message>
-        <source>A stroke follows the pointer at this distance, like a stone on a string: it does not tremble.</source>
+        <source>A stroke follows the pointer at this distance, like a stone on a string, so it does not tremble.</source>
         <translation>Le trait suit le pointeur à cette distance, comme une pierre au bout d’un fil : il ne tremble pas.</translation>
     </message>
     <message>
-        <source>A stroke comes this much later than the pointer, and more smoothly.</source>
+        <source>A stroke lags this far behind the pointer, and is smoother.</source>
         <translation>Le trait suit le pointeur avec ce retard, et plus doucement.</translation>
     </message>
     <message>
@@ -5352,7 +5352,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>désactivé</translation>
     </message>
     <message>
-        <source>Applies from the next start of Espalier.</source>
+        <source>Takes effect the next time Espalier starts.</source>
         <translation>Prend effet au prochain démarrage d’Espalier.</translation>
     </message>
 </context>
@@ -5379,7 +5379,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Taille du nouvel arbre</translation>
     </message>
     <message>
-        <source>How tall shall the new tree become?</source>
+        <source>How tall should the new tree grow?</source>
         <translation>Quelle hauteur aura le nouvel arbre ?</translation>
     </message>
     <message>
@@ -5409,7 +5409,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Autre profondeur</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose the depths of the branches anew.</source>
+        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose new depths for the branches.</source>
         <translation>&lt;b&gt;Autre profondeur&lt;/b&gt;&lt;br&gt;Choisir à nouveau la profondeur des branches.</translation>
     </message>
 </context>
@@ -5424,7 +5424,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Fichiers récents</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>%1 a des modifications non enregistrées.</translation>
     </message>
 </context>
@@ -5571,15 +5571,19 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <source>From the right</source>
         <translation>De droite</translation>
     </message>
+    <message>
+        <source>From the front</source>
+        <translation>De face</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Workspace</name>
     <message>
-        <source>Only one branch grows  ✕</source>
+        <source>Only one bud grows  ✕</source>
         <translation>Une seule branche pousse  ✕</translation>
     </message>
     <message>
-        <source>Let all buds grow again</source>
+        <source>Let all buds grow again.</source>
         <translation>Laisser à nouveau pousser tous les bourgeons</translation>
     </message>
     <message>
@@ -5595,7 +5599,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Revenir à mon arbre</translation>
     </message>
     <message>
-        <source>Show your own tree again, as it was before this recipe was played</source>
+        <source>Show your own tree again, as it was before this recipe was played.</source>
         <translation>Montrer de nouveau votre arbre, tel qu’il était avant cette recette</translation>
     </message>
 </context>

@@ -96,7 +96,7 @@
         <translation>芽</translation>
     </message>
     <message>
-        <source>Tap a bud: from now on only it grows, and what grows from it.</source>
+        <source>Tap a bud: from now on, only this bud grows, and what comes from it.</source>
         <translation>芽をタップすると、その芽とそこから出る枝だけが成長します。</translation>
     </message>
     <message>
@@ -104,7 +104,7 @@
         <translation>曲げ</translation>
     </message>
     <message>
-        <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
+        <source>Pull a branch to bend it; tap it to pin it there.</source>
         <translation>枝を引くと曲がります。タップすると、その場所をピンで留めます。</translation>
     </message>
     <message>
@@ -120,7 +120,7 @@
         <translation>投げ縄</translation>
     </message>
     <message>
-        <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
+        <source>Draw the silhouette of a crown: the tree grows until it fills that shape.</source>
         <translation>樹冠の輪郭を描くと、木がそれを満たすまで成長します。</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>斜めから</translation>
     </message>
     <message>
-        <source>Look at the tree from a corner.</source>
+        <source>Look at the tree from between the front and the side.</source>
         <translation>木を斜め方向から見ます。</translation>
     </message>
     <message>
@@ -260,7 +260,7 @@
         <translation>木だけ表示</translation>
     </message>
     <message>
-        <source>Hide everything but the tree; the same key brings it back.</source>
+        <source>Hide everything but the tree; the same key brings everything back.</source>
         <translation>木以外をすべて隠します。同じキーで元に戻ります。</translation>
     </message>
     <message>
@@ -316,7 +316,7 @@
         <translation>Espalier の見た目と、手の動きの受け取り方です。</translation>
     </message>
     <message>
-        <source>Size of the brush, pressure of the pen, and what is shown of them.</source>
+        <source>Size of the brush, pressure of the pen, and what is shown while you brush.</source>
         <translation>ブラシの大きさ、筆圧、ブラシが広げる余地を決めます。</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>枝を押し続けると、新しく伸びた部分から 1 ステップずつ消えていきます。</translation>
     </message>
     <message>
-        <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
+        <source>Show the strands of the wood as lines, each branch in its own colour.</source>
         <translation>木を構成するストランドを線で表示します。枝ごとに色が変わります。</translation>
     </message>
     <message>
@@ -388,15 +388,15 @@
         <translation>増やす</translation>
     </message>
     <message>
-        <source>Tap a branch: it gets more branches like those it carries, or passes them on.</source>
+        <source>Tap a branch: it gets more branches like those it carries, or passes on to others what it carries.</source>
         <translation>枝をタップすると、付いている枝が増えるか、ほかの枝に広まります。</translation>
     </message>
     <message>
-        <source>Reproduce</source>
+        <source>Reshape</source>
         <translation>再現</translation>
     </message>
     <message>
-        <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
+        <source>Draw a trunk and a silhouette: the same tree takes on this new shape.</source>
         <translation>幹と輪郭を描くと、同じ木がその新しい姿になります。</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>画像をコピー</translation>
     </message>
     <message>
-        <source>Put a picture of the tree as it is shown on the clipboard.</source>
+        <source>Copy a picture of the tree, as it is shown now, to the clipboard.</source>
         <translation>表示されているとおりの木の画像をクリップボードに入れます。</translation>
     </message>
     <message>
@@ -428,7 +428,7 @@
         <translation>これに似た別の木</translation>
     </message>
     <message>
-        <source>See six trees that the same strokes make by another chance, and take one.</source>
+        <source>See six other trees that the same strokes could have made, and take one.</source>
         <translation>同じストロークから別の偶然で育つ 6 本の木を見て、1 本を選びます。</translation>
     </message>
     <message>
@@ -444,7 +444,7 @@
         <translation>ツールリング</translation>
     </message>
     <message>
-        <source>Tools, undo and the size of the brush around the pointer. Hold the key, and let go over one.</source>
+        <source>Tools, undo and brush size in a ring around the pointer. Hold the key, and let go over the one you want.</source>
         <translation>ポインタのまわりに、ツール、元に戻す、ブラシの大きさを表示します。キーを押したまま、選ぶものの上で離します。</translation>
     </message>
     <message>
@@ -452,7 +452,7 @@
         <translation>第 2 ビュー</translation>
     </message>
     <message>
-        <source>Show the tree from the right in a corner; draw there, too, to give it depth.</source>
+        <source>Show the tree from the right, in a corner of the window; draw there, too, to give it depth.</source>
         <translation>隅に、右から見た木を表示します。そこにも描くと、木に奥行きが出ます。</translation>
     </message>
 </context>
@@ -466,18 +466,18 @@
 <context>
     <name>BendTool</name>
     <message>
-        <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
+        <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
         <translation>枝を引いて曲げます。タップで根元を、続けて支える場所をピンで留めます</translation>
     </message>
 </context>
 <context>
     <name>BrushTool</name>
     <message>
-        <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
+        <source>Drag to brush a tree into being; begin at a branch to draw at its depth</source>
         <translation>ドラッグして木を描きます。枝から始めると、その奥行きで続きます</translation>
     </message>
     <message>
-        <source>No bud sees this place: draw on, or begin at a branch</source>
+        <source>No bud sees this place: keep drawing, or begin at a branch</source>
         <translation>この場所が見える芽がありません。さらに描くか、枝から始めてください</translation>
     </message>
     <message>
@@ -499,11 +499,11 @@
 <context>
     <name>CommandLine</name>
     <message>
-        <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
+        <source>--strict: nothing is written, because some operations did not find everything that they name</source>
         <translation>--strict: することがないか、指定したものがすべては見つからない操作があるため、何も書き出しません</translation>
     </message>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <source>--size needs WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
         <translation>--size は「幅x高さ」で、それぞれ %1 ピクセルまでです (&quot;%2&quot; は使えません)</translation>
     </message>
     <message>
@@ -515,15 +515,15 @@
         <translation>--camera は front、side、top、three-quarter のいずれかです (&quot;%1&quot; は使えません)</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <source>--threads needs a number from 1 to %1, not &quot;%2&quot;</source>
         <translation>--threads は 1 から %1 までの数値です (&quot;%2&quot; は使えません)</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <source>--seed needs a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
         <translation>--seed は 0 から 18446744073709551615 までの整数です (&quot;%1&quot; は使えません)</translation>
     </message>
     <message>
-        <source>%1 knows no option %2</source>
+        <source>%1 has no option %2</source>
         <translation>%1 に %2 というオプションはありません</translation>
     </message>
     <message>
@@ -535,39 +535,39 @@
         <translation>%1 の後に値が必要です</translation>
     </message>
     <message>
-        <source>--transparent wants --png FILE</source>
+        <source>--transparent needs --png FILE</source>
         <translation>--transparent には --png FILE が必要です</translation>
     </message>
     <message>
-        <source>--ground-shadow wants --transparent</source>
+        <source>--ground-shadow needs --transparent</source>
         <translation>--ground-shadow には --transparent が必要です</translation>
     </message>
     <message>
-        <source>%1 wants one project</source>
+        <source>%1 needs one project</source>
         <translation>%1 にはプロジェクトを 1 つ指定します</translation>
     </message>
     <message>
-        <source>render wants --png FILE</source>
+        <source>render needs --png FILE</source>
         <translation>render には --png FILE が必要です</translation>
     </message>
     <message>
-        <source>info wants one file</source>
+        <source>info needs one file</source>
         <translation>info にはファイルを 1 つ指定します</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <source>a window opens only one file; &quot;%1&quot; is one too many</source>
         <translation>1 つのウィンドウで開けるファイルは 1 つです。&quot;%1&quot; は余分です</translation>
     </message>
     <message>
-        <source>%1: its history, played again, gives another tree than it holds</source>
+        <source>%1: its history, played again, gives a different tree from the one it holds</source>
         <translation>%1: 履歴をもう一度再生すると、保存されている木と違う木になります</translation>
     </message>
     <message>
-        <source>replay wants at least one recipe or project</source>
+        <source>replay needs at least one recipe or project</source>
         <translation>replay にはレシピかプロジェクトが少なくとも 1 つ必要です</translation>
     </message>
     <message>
-        <source>import wants one skeleton and -o OUT</source>
+        <source>import needs one skeleton and -o OUT</source>
         <translation>import にはスケルトン 1 つと -o OUT が必要です</translation>
     </message>
     <message>
@@ -575,23 +575,23 @@
         <translation>これ以上パラメーターの組を加える余地がありません</translation>
     </message>
     <message>
-        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <source>--set needs group.name=value, not &quot;%1&quot;</source>
         <translation>--set には group.name=value の形で指定します (&quot;%1&quot; は使えません)</translation>
     </message>
     <message>
-        <source>--set knows no parameter &quot;%1&quot;</source>
+        <source>--set: there is no parameter &quot;%1&quot;</source>
         <translation>--set に &quot;%1&quot; というパラメーターはありません</translation>
     </message>
     <message>
-        <source>--fibres wants --png FILE</source>
+        <source>--fibres needs --png FILE</source>
         <translation>--fibres には --png ファイル が必要です</translation>
     </message>
     <message>
-        <source>--index wants a whole number from 0, not &quot;%1&quot;</source>
+        <source>--index needs a whole number from 0, not &quot;%1&quot;</source>
         <translation>--index には 0 以上の整数が必要です。「%1」は使えません</translation>
     </message>
     <message>
-        <source>sketch wants at least one drawing</source>
+        <source>sketch needs at least one drawing</source>
         <translation>sketch には絵が一つ以上必要です</translation>
     </message>
     <message>
@@ -603,7 +603,7 @@
         <translation>幹になれる線も樹冠もありません</translation>
     </message>
     <message>
-        <source>--vary wants a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
+        <source>--vary needs a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
         <translation>--vary には 0 以上の整数と、必要ならコロンの後に %1 から 1 までの度合いが必要です（7 や 7:0.5 など）。「%2」は使えません</translation>
     </message>
     <message>
@@ -620,29 +620,29 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of a project, all is done again that was done to its tree.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
+    Plays a recipe without a window, and writes the result.
+    For a project, all that was done to its tree is done again.
+    With several recipes, each continues the tree of the one before: the
+    first sets the seed, and each begins by applying its own parameters.
     --profiles: the places of the strands in each cross-section, as JSON.
-    What operations do not find in the tree is printed; with --strict it is an
+    Whatever an operation does not find is printed; with --strict it is an
     error, and nothing is written.
     --set gives a parameter a value for the whole replay, whatever recipes say:
     --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
-    --vary makes angles and lengths of the tree deviate a little, by an amount of
-    0.3, or up to 1: with another seed it is another tree beside it in a forest.
+    --vary makes the tree&apos;s angles and lengths deviate a little, by 0.3 or by
+    an AMOUNT of up to 1; each SEED gives another neighbour in a forest.
 
 espalier import SKELETON.csv -o OUT...
-    Makes a tree of a measured one: lines of id, parent, both ends and radius.
+    Makes a tree from a measured one: each line has id, parent, both ends, radius.
 
 espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
                 [--size WxH] [--camera ...] [--stats FILE] [--seed N]
                 [--set GROUP.NAME=VALUE]...
-    Makes a tree of a drawing: lines are branches, small loops leaves,
+    Makes a tree from a drawing: lines are branches, small loops are leaves,
     a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
-    .ndjson, of which --index takes a line, from 0. Of several drawings each is
-    drawn over the one before. --front-only: depth is given once, without a
-    second placing from the side.
+    .ndjson, where --index picks a line, from 0. Several drawings are drawn one
+    over the other. --front-only: the drawing is placed once, and not a second
+    time from the side.
 
 espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
                 [--set GROUP.NAME=VALUE]...
@@ -652,17 +652,17 @@ espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
-    Takes a picture. It wants a display; a virtual one will do.
+    Draws a picture. It needs a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity. --fibres: the strands of the wood.
+    its shadow, as partly transparent black. --fibres: the strands of the wood.
 
 espalier info FILE
-    Says as JSON what is in a project.
+    Prints as JSON what is in a project.
 
 espalier --help, --version
 
-OUT ends in .espalier (project) or in the ending of a format:
-%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+OUT ends in .espalier (project) or in the suffix of a format:
+%1Exits with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
         <translation>Espalier: ブラシで木を描きます。
@@ -749,7 +749,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>パラメーターの変更</translation>
     </message>
     <message>
-        <source>Travel in Time</source>
+        <source>Go to Another Time</source>
         <translation>時間の移動</translation>
     </message>
     <message>
@@ -757,7 +757,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>太さの解除</translation>
     </message>
     <message>
-        <source>Width</source>
+        <source>Set Width</source>
         <translation>太さ</translation>
     </message>
     <message>
@@ -789,7 +789,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>勢いづけ</translation>
     </message>
     <message>
-        <source>Profile</source>
+        <source>Draw Profile</source>
         <translation>断面形</translation>
     </message>
     <message>
@@ -797,7 +797,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>断面形の補間</translation>
     </message>
     <message>
-        <source>Clear Profile</source>
+        <source>Remove Profile</source>
         <translation>断面形の解除</translation>
     </message>
     <message>
@@ -833,7 +833,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>葉を配置</translation>
     </message>
     <message>
-        <source>Propagate Branch</source>
+        <source>Pass On Branch</source>
         <translation>枝を広める</translation>
     </message>
     <message>
@@ -841,7 +841,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>新しい幹は開いた線でなければなりません</translation>
     </message>
     <message>
-        <source>Reproduce Tree</source>
+        <source>Reshape Tree</source>
         <translation>木を再現</translation>
     </message>
     <message>
@@ -899,7 +899,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>外形を除く</translation>
     </message>
     <message>
-        <source>Earlier Step</source>
+        <source>Earlier Steps</source>
         <translation>以前の操作</translation>
     </message>
 </context>
@@ -932,7 +932,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 番の絵がありません</translation>
     </message>
     <message>
-        <source>the x and y of a stroke differ in number</source>
+        <source>a stroke has more x than y values, or fewer</source>
         <translation>線の x と y の数が違います</translation>
     </message>
     <message>
@@ -940,7 +940,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>線に数でない点があります</translation>
     </message>
     <message>
-        <source>it is greater than 32 MB</source>
+        <source>it is larger than 32 MB</source>
         <translation>32 MB を超えています</translation>
     </message>
     <message>
@@ -971,14 +971,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>投げ縄が何も囲んでいません。</translation>
     </message>
     <message>
-        <source>The lasso is too small for how far it is from the origin.</source>
+        <source>The lasso is too small for its distance from the origin.</source>
         <translation>原点からの距離に対して投げ縄が小さすぎます。</translation>
     </message>
 </context>
 <context>
     <name>EraserTool</name>
     <message>
-        <source>Brush over twigs to take some of them, evenly; what goes turns red</source>
+        <source>Brush over twigs to thin them evenly; those that will go turn red</source>
         <translation>小枝の上をなぞると、むらなく一部が取れます。取れるものは赤くなります</translation>
     </message>
     <message>
@@ -1020,7 +1020,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>書き出しをキャンセルしました。</translation>
     </message>
     <message>
-        <source>there are too many files of similar names in its folder; choose another name or another folder</source>
+        <source>there are too many files with similar names in this folder; choose another name or another folder</source>
         <translation>同じフォルダーに似た名前のファイルが多すぎます。別の名前か別のフォルダーを選んでください</translation>
     </message>
     <message>
@@ -1028,7 +1028,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>書き出し中に別のプログラムがこのファイルを作りました。もう一度書き出すと、別の名前になります</translation>
     </message>
     <message>
-        <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
+        <source>the tree takes more than the 4 GB that such a file can hold; export less detail</source>
         <translation>木が、この形式のファイルに収まる 4 GB を超えています。細部を減らして書き出してください</translation>
     </message>
 </context>
@@ -1066,7 +1066,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 はまだ成長中です。ここまでに育った分は保存されていません。</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>%1 には保存していない変更があります。</translation>
     </message>
     <message>
@@ -1125,7 +1125,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 はフォルダーではありません</translation>
     </message>
     <message>
-        <source>there is a folder of this name</source>
+        <source>a folder with this name already exists</source>
         <translation>同じ名前のフォルダーがあります</translation>
     </message>
     <message>
@@ -1141,7 +1141,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ディスクがいっぱいです</translation>
     </message>
     <message>
-        <source>your share of the disk is full</source>
+        <source>your disk quota is used up</source>
         <translation>ディスクの割り当て分がいっぱいです</translation>
     </message>
     <message>
@@ -1157,7 +1157,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ファイルがこのディスクには大きすぎます</translation>
     </message>
     <message>
-        <source>the disk is faulty</source>
+        <source>the disk reports an error</source>
         <translation>ディスクに障害があります</translation>
     </message>
     <message>
@@ -1180,7 +1180,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>GrowTool</name>
     <message>
-        <source>Press and hold: the tree grows until you let go.</source>
+        <source>Press and hold: the tree grows until you let go</source>
         <translation>押している間、木が成長します。</translation>
     </message>
 </context>
@@ -1199,11 +1199,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>画像が壊れています</translation>
     </message>
     <message>
-        <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
+        <source>it has %1 × %2 pixels; %3 along an edge is the most</source>
         <translation>%1 × %2 ピクセルあります。1 辺は %3 ピクセルまでです</translation>
     </message>
     <message>
-        <source>it has only %1 × %2 pixels</source>
+        <source>it is too small: only %1 × %2 pixels</source>
         <translation>%1 × %2 ピクセルしかありません</translation>
     </message>
     <message>
@@ -1237,7 +1237,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>別の時点に葉を置いています</translation>
     </message>
     <message>
-        <source>it bears an internode whose parameters are not there</source>
+        <source>it creates an internode whose parameters are not there</source>
         <translation>パラメーターのない節間を生じています</translation>
     </message>
     <message>
@@ -1253,15 +1253,15 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>節間の生まれる順序が正しくありません</translation>
     </message>
     <message>
-        <source>it lets an internode die that did not</source>
+        <source>it records the death of an internode that did not die</source>
         <translation>枯れていない節間が枯れたことになっています</translation>
     </message>
     <message>
-        <source>it bears an internode that is not there</source>
+        <source>it creates an internode that is not there</source>
         <translation>存在しない節間が生まれています</translation>
     </message>
     <message>
-        <source>it bears an internode at another time</source>
+        <source>it creates an internode at another time</source>
         <translation>節間が別の時点で生まれています</translation>
     </message>
     <message>
@@ -1305,7 +1305,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>「%1」がありえない値に変えられています</translation>
     </message>
     <message>
-        <source>it brings strokes or profiles that are not there</source>
+        <source>it refers to strokes or profiles that are not there</source>
         <translation>存在しないストロークか断面形を加えています</translation>
     </message>
 </context>
@@ -1352,7 +1352,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>文字列が必要です</translation>
     </message>
     <message>
-        <source>a whole number of at most 64 bits is expected, from 2^53 on as a string of digits</source>
+        <source>a whole number of at most 64 bits is expected; from 2^53 on, write it as a string of digits</source>
         <translation>64 ビット以内の整数が必要です。2^53 以上は数字の文字列で書きます</translation>
     </message>
     <message>
@@ -1409,7 +1409,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>LeafChoices</name>
     <message>
-        <source>One leaf at a time along the branch, each turned as the second is against the first.</source>
+        <source>One leaf at a time along the branch, each turned from the one before as the second is from the first.</source>
         <translation>枝に沿って葉を一枚ずつ。どれも、二枚目が一枚目に対して回った角度だけ回ります。</translation>
     </message>
 </context>
@@ -1424,7 +1424,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>名前の先頭にピリオドは使えません。</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <source>A name cannot contain any of / \ : * ? &quot; &lt; &gt; |.</source>
         <translation>名前に次の文字は使えません: / \ : * ? &quot; &lt; &gt; |</translation>
     </message>
     <message>
@@ -1432,7 +1432,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>名前が長すぎます。</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be made.</source>
+        <source>The folder %1 cannot be created.</source>
         <translation>フォルダー %1 を作成できません。</translation>
     </message>
     <message>
@@ -1440,7 +1440,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>木</translation>
     </message>
     <message>
-        <source>There is a tree named %1 already.</source>
+        <source>There is already a tree named %1.</source>
         <translation>%1 という名前の木はすでにあります。</translation>
     </message>
     <message>
@@ -1452,7 +1452,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 をコピーできません: %2</translation>
     </message>
     <message>
-        <source>%1 is not there any more.</source>
+        <source>%1 is no longer there.</source>
         <translation>%1 はもうありません。</translation>
     </message>
     <message>
@@ -1471,11 +1471,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>MoveTool</name>
     <message>
-        <source>a trunk stays where it stands; hold a branch</source>
+        <source>a trunk stays where it stands; drag a branch</source>
         <translation>幹はその場に立ったままです。枝をつかんでください</translation>
     </message>
     <message>
-        <source>Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it</source>
+        <source>Drag a branch along the wood or around it; drag its base to other wood, its tip to scale it</source>
         <translation>枝を木に沿って、または木のまわりにドラッグします。付け根なら別の木へ、先なら大きさが変わります</translation>
     </message>
 </context>
@@ -1486,14 +1486,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝をタップすると、付いている枝に似た枝が一本増えます</translation>
     </message>
     <message>
-        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which get it</source>
+        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which of them get it</source>
         <translation>枝をタップすると、ほかの枝に広がります。一部の枝だけなら、その枝から相手の枝の上をドラッグします</translation>
     </message>
 </context>
 <context>
     <name>OffscreenRenderer</name>
     <message>
-        <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
+        <source>A picture cannot be drawn, because there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
         <translation>OpenGL 3.3 を使えるディスプレイがないため、画像を描けません。仮想ディスプレイ (Xvfb) でもかまいません。</translation>
     </message>
     <message>
@@ -1504,14 +1504,14 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>Outputs</name>
     <message>
-        <source>%1: the picture could not be packed</source>
+        <source>%1: the picture could not be compressed</source>
         <translation>%1: 画像を圧縮できませんでした</translation>
     </message>
 </context>
 <context>
     <name>OwnTextures</name>
     <message>
-        <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
+        <source>%1: the leaf cannot be told apart from its background; the image needs a transparent or a plain background</source>
         <translation>%1: 葉とその背景を見分けられません。透明か無地の背景の画像が必要です</translation>
     </message>
 </context>
@@ -1566,7 +1566,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>方向</translation>
     </message>
     <message>
-        <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
+        <source>Where the sun stands: 0° in front of the tree, 90° to its right; for a pinned sun, as seen on the screen.</source>
         <translation>太陽の方向です。0° は木の手前、90° は右。固定した太陽では、見ている向きが基準です。</translation>
     </message>
     <message>
@@ -1586,7 +1586,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>下絵がどれだけ濃く見えるかです。</translation>
     </message>
     <message>
-        <source>How high the picture is.</source>
+        <source>How tall the picture is.</source>
         <translation>下絵の高さです。</translation>
     </message>
     <message>
@@ -1626,7 +1626,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>設定角</translation>
     </message>
     <message>
-        <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
+        <source>The direction that shoots turn to: 0° is up, 90° level, and more makes them weep.</source>
         <translation>シュートの向かう角度です。0° は上、90° は水平、それ以上では枝垂れます。</translation>
     </message>
     <message>
@@ -1638,7 +1638,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>上下の芽</translation>
     </message>
     <message>
-        <source>Vigour of the buds above and below a leaning branch.</source>
+        <source>Vigour of the buds on the upper and lower sides of a leaning branch.</source>
         <translation>傾いた枝の上側と下側の芽の勢いです。</translation>
     </message>
     <message>
@@ -1646,7 +1646,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>重力形態形成の楕円の垂直半軸。</translation>
     </message>
     <message>
-        <source>Buds at the sides</source>
+        <source>Buds on the sides</source>
         <translation>横の芽</translation>
     </message>
     <message>
@@ -1654,7 +1654,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>傾いた枝の横側の芽の勢いです。</translation>
     </message>
     <message>
-        <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
+        <source>Semi-axis parallel to the ground; if it is the greater one, amphitony.</source>
         <translation>地面に平行な半軸。こちらが大きいと側方優勢 (アンフィトニー)。</translation>
     </message>
     <message>
@@ -1690,7 +1690,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝を出すとき、軸が反対側へどれだけ向きを変えるかです。0 ではまっすぐ、大きいほどジグザグになります。</translation>
     </message>
     <message>
-        <source>The main axis yields to a lateral, as toward sympodial growth.</source>
+        <source>How far the main axis gives way to a lateral: a tendency to sympodial growth.</source>
         <translation>主軸が側枝に譲る。仮軸分枝に近づく。</translation>
     </message>
     <message>
@@ -1710,7 +1710,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>屈性</translation>
     </message>
     <message>
-        <source>How much a shoot turns toward the set-point angle.</source>
+        <source>How much a shoot turns towards the set-point angle.</source>
         <translation>シュートがどれだけ設定角へ向かうかです。</translation>
     </message>
     <message>
@@ -1722,7 +1722,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>空き空間</translation>
     </message>
     <message>
-        <source>How much a shoot turns toward where there is room.</source>
+        <source>How much a shoot turns towards where there is room.</source>
         <translation>シュートがどれだけ空きのある方へ向かうかです。</translation>
     </message>
     <message>
@@ -1786,7 +1786,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>光の当たる芽が日陰の芽よりどれだけよく育つかです。</translation>
     </message>
     <message>
-        <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
+        <source>Exponent of the response to light: high for light-demanding trees, low for shade-tolerant ones.</source>
         <translation>光への応答の指数。陽樹では高く、陰樹では低い。</translation>
     </message>
     <message>
@@ -1830,7 +1830,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ストロークに従う</translation>
     </message>
     <message>
-        <source>Shoots turn toward where the brush goes, instead of to the set-point angle.</source>
+        <source>Shoots turn the way the brush goes, instead of to the set-point angle.</source>
         <translation>シュートが設定角ではなく、ブラシの進む方へ向かいます。</translation>
     </message>
     <message>
@@ -1854,7 +1854,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>節間</translation>
     </message>
     <message>
-        <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
+        <source>Length of one internode. It is the measure of everything that grows: shorter ones make finer trees.</source>
         <translation>節間 1 つの長さです。成長するものすべての物差しで、小さいほど細やかな木になります。</translation>
     </message>
     <message>
@@ -1878,7 +1878,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>不規則さ</translation>
     </message>
     <message>
-        <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
+        <source>Spread of angles and lengths: 0 is as regular as a diagram, 1 as wild as nature.</source>
         <translation>角度と長さのばらつきです。0 は模式図のよう、1 は自然のままです。</translation>
     </message>
     <message>
@@ -1906,7 +1906,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>影が下へ向かってどれだけ早く薄れるかです。</translation>
     </message>
     <message>
-        <source>Base of its decay from layer to layer.</source>
+        <source>Base of the shadow&apos;s decay from layer to layer.</source>
         <translation>層ごとの減衰の底。</translation>
     </message>
     <message>
@@ -1926,7 +1926,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ブラシの密度</translation>
     </message>
     <message>
-        <source>How much room to grow the brush spreads, in points per cubic internode. More makes denser growth.</source>
+        <source>How densely the brush spreads room to grow, in points per cubic internode. More makes denser growth.</source>
         <translation>ブラシが広げる成長の余地です (節間の 3 乗あたりの点数)。大きいほど密に育ちます。</translation>
     </message>
     <message>
@@ -1938,7 +1938,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ブラシの記憶</translation>
     </message>
     <message>
-        <source>Growth steps after which the room that the brush has spread is forgotten.</source>
+        <source>Growth steps after which the room to grow that the brush has spread is forgotten.</source>
         <translation>ブラシが広げた余地が忘れられるまでの成長ステップ数です。</translation>
     </message>
     <message>
@@ -1986,11 +1986,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>幅</translation>
     </message>
     <message>
-        <source>Width by length.</source>
+        <source>Width as a share of length.</source>
         <translation>長さに対する幅の比です。</translation>
     </message>
     <message>
-        <source>Variation of size</source>
+        <source>Variation in size</source>
         <translation>大きさのばらつき</translation>
     </message>
     <message>
@@ -2066,7 +2066,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>葉がどれだけ垂れるかです。</translation>
     </message>
     <message>
-        <source>Toward the sky</source>
+        <source>Towards the sky</source>
         <translation>葉の上向き</translation>
     </message>
     <message>
@@ -2082,7 +2082,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>0° は赤、60° は黄、120° は緑です。</translation>
     </message>
     <message>
-        <source>Variation of hue</source>
+        <source>Variation in hue</source>
         <translation>色相のばらつき</translation>
     </message>
     <message>
@@ -2094,7 +2094,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>彩度</translation>
     </message>
     <message>
-        <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
+        <source>How strong the colour is: low values suit blossom and silvery leaves.</source>
         <translation>色の鮮やかさです。低くすると花や銀色の葉になります。</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>明るさ</translation>
     </message>
     <message>
-        <source>How light the leaves are.</source>
+        <source>How bright the leaves are.</source>
         <translation>葉の明るさです。</translation>
     </message>
     <message>
@@ -2110,7 +2110,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>黄葉</translation>
     </message>
     <message>
-        <source>How far the leaves of weak shoots turn toward yellow and red.</source>
+        <source>How far the leaves of weak shoots turn towards yellow and red.</source>
         <translation>弱いシュートの葉がどれだけ黄や赤に近づくかです。</translation>
     </message>
     <message>
@@ -2314,7 +2314,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>マーカー</translation>
     </message>
     <message>
-        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <source>Show the points of free space that the brush spreads and shoots grow towards.</source>
         <translation>ブラシが散らし、シュートが目指す空き空間の点を表示します。</translation>
     </message>
     <message>
@@ -2430,7 +2430,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>節ごとの数です。1 はらせん、2 は十字対生、それ以上は輪生になります。</translation>
     </message>
     <message>
-        <source>Spread of the roll</source>
+        <source>Variation in roll</source>
         <translation>回転のばらつき</translation>
     </message>
     <message>
@@ -2454,7 +2454,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>頂端角の標準偏差。</translation>
     </message>
     <message>
-        <source>Orders of branches</source>
+        <source>Branch orders</source>
         <translation>枝の次数</translation>
     </message>
     <message>
@@ -2510,7 +2510,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>距離による衰え</translation>
     </message>
     <message>
-        <source>How much less shoots far from the root grow.</source>
+        <source>How much less a shoot grows far from the root.</source>
         <translation>根から遠いシュートの伸びがどれだけ弱まるかです。</translation>
     </message>
     <message>
@@ -2522,7 +2522,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>高さによる衰え</translation>
     </message>
     <message>
-        <source>How much less high shoots grow: more makes flat crowns.</source>
+        <source>How much less a shoot grows the higher it is: more makes the crown flat.</source>
         <translation>高いところのシュートの伸びがどれだけ弱まるかです。大きいほど樹冠が平らになります。</translation>
     </message>
     <message>
@@ -2534,7 +2534,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>重力屈性</translation>
     </message>
     <message>
-        <source>Above 0 shoots turn up at each node, below 0 branches turn down.</source>
+        <source>Above 0 shoots turn upwards at each node, below 0 downwards.</source>
         <translation>0 より上では節ごとにシュートが上へ、下では枝が下へ向きを変えます。</translation>
     </message>
     <message>
@@ -2550,7 +2550,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>シュートが節ごとにどれだけ光の方へ向きを変えるかです。</translation>
     </message>
     <message>
-        <source>Growth toward the brightest direction.</source>
+        <source>Growth towards the brightest direction.</source>
         <translation>最も明るい方向への成長。</translation>
     </message>
     <message>
@@ -2558,7 +2558,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝の水平さ</translation>
     </message>
     <message>
-        <source>How far a new branch turns to the level when it begins.</source>
+        <source>How far a new branch turns towards the horizontal where it begins.</source>
         <translation>新しい枝が、出るときにどれだけ水平に近づくかです。</translation>
     </message>
     <message>
@@ -2594,7 +2594,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>たわみの上限</translation>
     </message>
     <message>
-        <source>At most this part of the angle to straight down, for each internode.</source>
+        <source>An internode sags by at most this share of the angle between it and straight down.</source>
         <translation>節間ごとに、真下までの角度のうち、最大でこの割合までたわみます。</translation>
     </message>
     <message>
@@ -2606,7 +2606,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>日陰の落枝</translation>
     </message>
     <message>
-        <source>Ends of branches with less light than this fall.</source>
+        <source>Branch ends that get less light than this drop off.</source>
         <translation>光がこれより少ない枝先が落ちます。</translation>
     </message>
     <message>
@@ -2718,7 +2718,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝もねじる</translation>
     </message>
     <message>
-        <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
+        <source>A drag twists all that the branch carries, not only the branch itself. Hold Shift for the opposite.</source>
         <translation>ドラッグすると、その枝だけでなく、枝についているものもすべてねじれます。Shift を押している間は逆になります。</translation>
     </message>
     <message>
@@ -2734,7 +2734,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>縦溝</translation>
     </message>
     <message>
-        <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
+        <source>How far the trunk bulges below its limbs and towards its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
         <translation>大枝の下や根元で幹がどれだけ盛り上がるか、失った枝の跡がどれだけ深くくぼむかを決めます。0 では木は丸くなります。</translation>
     </message>
     <message>
@@ -2782,7 +2782,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>長さ</translation>
     </message>
     <message>
-        <source>How much longer than drawn ones branches may become in depth.</source>
+        <source>How much longer branches may become in depth than those you drew.</source>
         <translation>枝が奥行きで描いた枝よりどれだけ長くなってよいか。</translation>
     </message>
     <message>
@@ -2790,7 +2790,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>角度</translation>
     </message>
     <message>
-        <source>How much wider than the widest drawn one an angle between branches may be.</source>
+        <source>How much wider an angle between branches may be than the widest you drew.</source>
         <translation>枝の間の角度が、描いた中で最も広い角度よりどれだけ広くてよいか。</translation>
     </message>
     <message>
@@ -2802,11 +2802,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝をタップすると、付いているものがほかの枝に写されます。オフでは、付いている枝に似た枝が一本増えます。</translation>
     </message>
     <message>
-        <source>To its like</source>
+        <source>Only to similar ones</source>
         <translation>同じ仲間に</translation>
     </message>
     <message>
-        <source>Only branches with as many branchings below them get it.</source>
+        <source>Only branches that are as many forks away from the trunk get it.</source>
         <translation>同じ回数だけ分かれた枝だけが受け取ります。</translation>
     </message>
     <message>
@@ -2818,7 +2818,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>受け取るものは枝の大きさに合わせて変わります。オフでは、大きさと先端からの距離がそのままです。</translation>
     </message>
     <message>
-        <source>In its place</source>
+        <source>Replace</source>
         <translation>置き換える</translation>
     </message>
     <message>
@@ -2830,7 +2830,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>変化</translation>
     </message>
     <message>
-        <source>How much the angles and lengths of a variation deviate from the tree.</source>
+        <source>How much the angles and lengths of a variation deviate from those of the tree.</source>
         <translation>角度と長さを、元の木からどれだけずらすか。</translation>
     </message>
     <message>
@@ -2850,7 +2850,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>続けて並べて描いた二本の線は一本の枝の両側になり、枝の太さを決めます。</translation>
     </message>
     <message>
-        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run towards you and away from you.</source>
         <translation>絵を二度置き、二度目は幹のまわりに 90° 回します。横から見ても正面と同じくらい茂ります。切ると、枝そのものが手前と奥へ伸びます。</translation>
     </message>
     <message>
@@ -2886,7 +2886,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>半径</translation>
     </message>
     <message>
-        <source>Radius of the brush, the same as that of the brush that paints.</source>
+        <source>Radius of the brush, shared with the Brush tool.</source>
         <translation>ブラシの半径。描くブラシと同じです。</translation>
     </message>
     <message>
@@ -2898,7 +2898,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>取り除く枝の太さの上限（幹の太さに対する割合）。それより太い枝は、何度なぞっても残ります。</translation>
     </message>
     <message>
-        <source>Takes</source>
+        <source>Share of twigs</source>
         <translation>割合</translation>
     </message>
     <message>
@@ -2941,7 +2941,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>axisWeight、tropismWeight、spaceWeight をすべて 0 にはできません</translation>
     </message>
     <message>
-        <source>it must not be beyond 0.99 times ellipseVertical, which is %1</source>
+        <source>it must not exceed 0.99 times ellipseVertical, which is %1</source>
         <translation>ellipseVertical の 0.99 倍、つまり %1 を超えられません</translation>
     </message>
     <message>
@@ -2964,11 +2964,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>PositionCheck</name>
     <message>
-        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <source>it and the later steps move a tree whose axes are longer than %1 m too often</source>
         <translation>これ以降のステップが、%1 m を超える軸を持つ木を動かす回数が多すぎます</translation>
     </message>
     <message>
-        <source>before it, internode %1 lies further than %2 m away</source>
+        <source>before it, internode %1 lies more than %2 m away</source>
         <translation>その前に、節間 %1 が %2 m より遠くにあります</translation>
     </message>
     <message>
@@ -2976,7 +2976,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>履歴のステップ %1</translation>
     </message>
     <message>
-        <source>it lies further than %1 m away</source>
+        <source>it lies more than %1 m away</source>
         <translation>%1 m より遠くにあります</translation>
     </message>
     <message>
@@ -3064,7 +3064,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>画像は %1 枚までです</translation>
     </message>
     <message>
-        <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
+        <source>the image “%1” is missing from it or broken; the built-in look is shown instead</source>
         <translation>画像「%1」がファイルにないか、壊れています。代わりに Espalier の描いた見た目で表示します</translation>
     </message>
     <message>
@@ -3108,18 +3108,18 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>その名前の背景はありません</translation>
     </message>
     <message>
-        <source>its background and light cannot be read (%1); those of a new tree show instead</source>
+        <source>its background and light cannot be read (%1); those of a new tree are shown instead</source>
         <translation>背景と光を読み込めません（%1）。代わりに新しい木のものを表示します</translation>
     </message>
     <message>
-        <source>the reference picture “%1” is missing in it or broken</source>
+        <source>the reference picture “%1” is missing from it or broken</source>
         <translation>下絵「%1」がないか、壊れています</translation>
     </message>
 </context>
 <context>
     <name>Recipe</name>
     <message>
-        <source>a stroke has at least one point</source>
+        <source>a stroke needs at least one point</source>
         <translation>線には点が1つ以上必要です</translation>
     </message>
     <message>
@@ -3151,11 +3151,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>見つかりません</translation>
     </message>
     <message>
-        <source>a stroke has at least one sample</source>
+        <source>a stroke needs at least one sample</source>
         <translation>ストロークには 1 つ以上のサンプルが必要です</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 samples</source>
+        <source>a recipe can have at most %1 samples</source>
         <translation>レシピのサンプルは %1 個までです</translation>
     </message>
     <message>
@@ -3167,7 +3167,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>right と up は長さ 1 で、互いに直交する必要があります</translation>
     </message>
     <message>
-        <source>a lasso has at least three points</source>
+        <source>a lasso needs at least three points</source>
         <translation>投げ縄には 3 点以上が必要です</translation>
     </message>
     <message>
@@ -3199,7 +3199,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>半径が 0…%1 m の範囲外です</translation>
     </message>
     <message>
-        <source>a bend has from 1 to %1 handles</source>
+        <source>a bend needs 1 to %1 handles</source>
         <translation>曲げのハンドルは 1 から %1 個までです</translation>
     </message>
     <message>
@@ -3215,15 +3215,15 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>レシピではありません。レシピは「%1」: %2 で始まります</translation>
     </message>
     <message>
-        <source>the recipe is of version %1, this program reads versions up to %2</source>
+        <source>the recipe is of version %1; this program reads versions up to %2</source>
         <translation>レシピはバージョン %1 ですが、このプログラムが読めるのはバージョン %2 までです</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 operations</source>
+        <source>a recipe can have at most %1 operations</source>
         <translation>レシピの操作は %1 個までです</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 images</source>
+        <source>a recipe can have at most %1 images</source>
         <translation>レシピの画像は %1 枚までです</translation>
     </message>
     <message>
@@ -3331,7 +3331,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>履歴のステップ %1</translation>
     </message>
     <message>
-        <source>another file of this name lies where the recipe&apos;s image belongs</source>
+        <source>another file with this name is where the recipe&apos;s image should go</source>
         <translation>レシピの画像を置く場所に、同じ名前の別のファイルがあります</translation>
     </message>
     <message>
@@ -3343,7 +3343,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>数値が %1 個必要です</translation>
     </message>
     <message>
-        <source>its parent is not one of the segments before it, nor -1</source>
+        <source>its parent is neither one of the segments before it nor -1</source>
         <translation>親が、それより前のセグメントでも -1 でもありません</translation>
     </message>
     <message>
@@ -3375,7 +3375,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>節間 %1 に解除するねじりはありません</translation>
     </message>
     <message>
-        <source>a branch begins at one internode</source>
+        <source>a branch must begin at exactly one internode</source>
         <translation>枝の始まりになる節間は 1 つだけです</translation>
     </message>
     <message>
@@ -3391,7 +3391,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>次のいずれかが必要です: %1</translation>
     </message>
     <message>
-        <source>a stroke has at least %1 points</source>
+        <source>a stroke needs at least %1 points</source>
         <translation>線には点が %1 個以上必要です</translation>
     </message>
     <message>
@@ -3427,7 +3427,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ブラシの下に取れる小枝がありませんでした</translation>
     </message>
     <message>
-        <source>the branch of internode %1 is kept clear like that already</source>
+        <source>the branch of internode %1 is already kept clear that far</source>
         <translation>節間 %1 の枝はすでにその状態です</translation>
     </message>
     <message>
@@ -3460,15 +3460,15 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>ReproduceTool</name>
     <message>
-        <source>turn the view back to where you drew the first stroke, or press Esc to forget it</source>
+        <source>turn the view back to where you drew the first stroke, or press Esc to discard it</source>
         <translation>最初の線を描いた向きに視点を戻すか、Esc で最初の線を取り消してください</translation>
     </message>
     <message>
-        <source>look at the tree from the side, not from above or below, to draw its figure</source>
+        <source>look at the tree from the side, not from above or below, to draw its shape</source>
         <translation>木の姿を描くには、上や下からではなく横から見てください</translation>
     </message>
     <message>
-        <source>there is no tree yet that could take another figure: make one first</source>
+        <source>there is no tree yet to give another shape: make one first</source>
         <translation>新しい姿にする木がまだありません。先に木を作ってください</translation>
     </message>
     <message>
@@ -3500,7 +3500,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>幹は地面より上になければなりません。根元から先端まで描いてください</translation>
     </message>
     <message>
-        <source>Make a tree first, with the brush or the pencil; then draw its new figure</source>
+        <source>Make a tree first, with Brush or Sketch; then draw its new shape</source>
         <translation>先にブラシかスケッチで木を作り、それから新しい姿を描いてください</translation>
     </message>
     <message>
@@ -3515,11 +3515,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>芽をタップすると、その芽だけが成長します。木の外をタップすると、すべての芽に戻ります</translation>
     </message>
     <message>
-        <source>There is no bud here. Buds that are near the pointer show as dots.</source>
+        <source>There is no bud here. Buds near the pointer are shown as dots.</source>
         <translation>ここに芽はありません。ポインターの近くの芽は点で示されます。</translation>
     </message>
     <message>
-        <source>No bud is that near. Tap one of the dots, or go nearer with the wheel.</source>
+        <source>No bud is close enough. Tap one of the dots, or zoom in with the wheel.</source>
         <translation>そこまで近い芽はありません。点のどれかをタップするか、ホイールで近づいてください。</translation>
     </message>
 </context>
@@ -3542,15 +3542,15 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>「%1」は %2 の数値ではありません</translation>
     </message>
     <message>
-        <source>its id %1 is that of line %2, too</source>
+        <source>its id %1 is already used in line %2</source>
         <translation>id %1 は %2 行目にもあります</translation>
     </message>
     <message>
-        <source>there is no id %1, its parent</source>
+        <source>its parent, id %1, does not exist</source>
         <translation>親の id %1 がありません</translation>
     </message>
     <message>
-        <source>it is carried by what it carries</source>
+        <source>it is its own ancestor</source>
         <translation>自分が支えているものに支えられています</translation>
     </message>
     <message>
@@ -3629,7 +3629,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>写しの節間が %1 を超えます</translation>
     </message>
     <message>
-        <source>a copy would reach farther than %1 m away</source>
+        <source>a copy would reach more than %1 m away</source>
         <translation>写しが %1 m より遠くに達します</translation>
     </message>
     <message>
@@ -3657,7 +3657,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ほかの枝はどれも、節間 %1 の枝に付くものには短すぎます</translation>
     </message>
     <message>
-        <source>an internode would be longer than %1 m or lie farther than %2 m away</source>
+        <source>an internode would be longer than %1 m or lie more than %2 m away</source>
         <translation>節間が %1 m より長くなるか、%2 m より遠くになります</translation>
     </message>
     <message>
@@ -3688,7 +3688,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>幹を描き、次に枝を描きます。並べて描いた二本の線は枝の太さになります</translation>
     </message>
     <message>
-        <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
+        <source>Draw a branch from the wood; hold Shift and draw across branches to take them away</source>
         <translation>木部から枝を描きます。Shift を押して枝を横切ると取り去ります</translation>
     </message>
     <message>
@@ -3750,7 +3750,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>高さ %1°</translation>
     </message>
     <message>
-        <source>Drag the sun about the tree.</source>
+        <source>Drag the sun around the tree</source>
         <translation>太陽を木のまわりでドラッグします。</translation>
     </message>
 </context>
@@ -3896,7 +3896,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>節ごとに %1°</translation>
     </message>
     <message>
-        <source>Drag along a branch, or around it, to twist its strands; tap twice to untwist them</source>
+        <source>Drag along a branch, or around it, to twist its strands; double-tap to untwist them</source>
         <translation>枝に沿って、または枝を回すようにドラッグするとねじれます。2 回タップでねじりが戻ります</translation>
     </message>
 </context>
@@ -3910,7 +3910,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>ZipArchive</name>
     <message>
-        <source>the archive could not be packed: %1</source>
+        <source>the archive could not be compressed: %1</source>
         <translation>アーカイブを作成できませんでした: %1</translation>
     </message>
     <message>
@@ -4003,7 +4003,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>樹種</translation>
     </message>
     <message>
-        <source>Sets all parameters of the vigour model to those of a species</source>
+        <source>Set all parameters of the vigour model to those of a species.</source>
         <translation>樹勢モデルの値をすべて、その樹種の育ち方に合わせます</translation>
     </message>
     <message>
@@ -4025,7 +4025,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>背景</translation>
     </message>
     <message>
-        <source>The colour, or that at the lower edge.</source>
+        <source>The colour of the background, or of its lower edge.</source>
         <translation>背景の色、または下端の色です。</translation>
     </message>
     <message>
@@ -4084,19 +4084,19 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::BendPopOut</name>
     <message>
-        <source>Bending</source>
+        <source>Stiffness</source>
         <translation>曲げにくさ</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
+        <source>&lt;b&gt;Stiffness&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
         <translation>&lt;b&gt;曲げにくさ&lt;/b&gt;&lt;br&gt;枝がどれだけ曲げに逆らうかです。硬い枝はゆるやかな弧を描き、そのぶん早く引き伸ばされます。</translation>
     </message>
     <message>
-        <source>Stretching</source>
+        <source>Holds length</source>
         <translation>伸びにくさ</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
+        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: with little, it follows the hand further.</source>
         <translation>&lt;b&gt;伸びにくさ&lt;/b&gt;&lt;br&gt;枝がどれだけ伸びに逆らうかです。長さを保つか、手に遠くまでついてくるかが決まります。</translation>
     </message>
     <message>
@@ -4153,7 +4153,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::BrushRadius</name>
     <message>
-        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
+        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; towards zero it draws a single branch exactly along the stroke.</source>
         <translation>&lt;b&gt;ブラシの半径&lt;/b&gt; [ ]&lt;br&gt;大きいブラシは通った空間に樹冠を育て、ゼロに近いとストロークどおりに 1 本の枝を描きます。</translation>
     </message>
     <message>
@@ -4319,7 +4319,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>再生</translation>
     </message>
     <message>
-        <source>Play what happened from here on, or all of it</source>
+        <source>Play what happened from here on, or all of it.</source>
         <translation>ここから先の、または全体の経過を再生します</translation>
     </message>
     <message>
@@ -4362,7 +4362,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::HelpPage</name>
     <message>
-        <source>Page of the help</source>
+        <source>Help page</source>
         <translation>ヘルプのページ</translation>
     </message>
 </context>
@@ -4373,7 +4373,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>戻る</translation>
     </message>
     <message>
-        <source>Back to the page before</source>
+        <source>Back to the previous page</source>
         <translation>前のページに戻る</translation>
     </message>
     <message>
@@ -4393,11 +4393,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>検索</translation>
     </message>
     <message>
-        <source>Search in the help</source>
+        <source>Search the help</source>
         <translation>ヘルプを検索</translation>
     </message>
     <message>
-        <source>Pages of the help</source>
+        <source>Help pages</source>
         <translation>ヘルプのページ一覧</translation>
     </message>
     <message>
@@ -4451,7 +4451,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>マーカー</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you did to it since goes.</source>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
         <translation>&lt;b&gt;再成長&lt;/b&gt;&lt;br&gt;外形を描く前の状態まで木を戻し、今のパラメーターで外形をもう一度満たします。その後に加えた操作は失われます。</translation>
     </message>
     <message>
@@ -4474,7 +4474,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::LeafChoices</name>
     <message>
-        <source>Go on with</source>
+        <source>Continue with</source>
         <translation>続け方</translation>
     </message>
     <message>
@@ -4494,7 +4494,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>輪生</translation>
     </message>
     <message>
-        <source>Such whorls at this distance along the whole branch.</source>
+        <source>Whorls like this along the whole branch, at the same spacing.</source>
         <translation>同じ輪を、この間隔で枝全体に。</translation>
     </message>
     <message>
@@ -4579,7 +4579,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>閉じる</translation>
     </message>
     <message>
-        <source>A new seedling that grows as this tree does.</source>
+        <source>A new seedling that grows the way this tree does.</source>
         <translation>この木と同じように育つ新しい苗です。</translation>
     </message>
     <message>
@@ -4622,7 +4622,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>葉 1 枚の PNG か JPEG。葉柄を下にし、背景は透明か無地のもの</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too</source>
+        <source>A PNG or JPEG of bark; normal and roughness maps found beside it are used, too</source>
         <translation>樹皮の PNG か JPEG。同じ場所にある法線マップと粗さマップも取り込みます</translation>
     </message>
     <message>
@@ -4668,7 +4668,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::MainWindow</name>
     <message>
-        <source>The tree has no more room to grow in.</source>
+        <source>The tree has no room left to grow.</source>
         <translation>木にはもう成長の余地がありません。</translation>
     </message>
     <message>
@@ -4680,11 +4680,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 を成長中</translation>
     </message>
     <message>
-        <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
+        <source>Not everything that the recipe names was found in the tree (%1 of %2 operations): %3</source>
         <translation>レシピの操作 %2 個のうち %1 個で、することがないか、指定したものがすべては見つかりませんでした: %3</translation>
     </message>
     <message>
-        <source>Making the wood of strands</source>
+        <source>Building the wood from strands</source>
         <translation>ストランドの木を作成中</translation>
     </message>
 </context>
@@ -4743,7 +4743,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::PictureSheet</name>
     <message>
-        <source>As the window, %1 × %2</source>
+        <source>Like the window, %1 × %2</source>
         <translation>ウィンドウと同じ、%1 × %2</translation>
     </message>
     <message>
@@ -4891,7 +4891,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>輪郭</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside others splits the wood, one within another is a hollow.</source>
+        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside another splits the wood; one within another is a hollow.</source>
         <translation>&lt;b&gt;輪郭&lt;/b&gt;&lt;br&gt;閉じた線を描きます。ほかの線の隣に描くと木部が分かれ、線の内側に描くと空洞になります。</translation>
     </message>
     <message>
@@ -4951,7 +4951,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝にコピー</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
+        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place on this branch: everything between gets this profile.</source>
         <translation>&lt;b&gt;枝にコピー&lt;/b&gt;&lt;br&gt;続けて、この枝の別の場所をタップします。その間がすべてこの断面形になります。</translation>
     </message>
     <message>
@@ -4959,7 +4959,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>▼</translation>
     </message>
     <message>
-        <source>To the next place down the branch</source>
+        <source>To the next place down the branch.</source>
         <translation>根元側の次の場所へ</translation>
     </message>
     <message>
@@ -4967,7 +4967,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>▲</translation>
     </message>
     <message>
-        <source>To the next place up the branch</source>
+        <source>To the next place up the branch.</source>
         <translation>枝先側の次の場所へ</translation>
     </message>
     <message>
@@ -4975,7 +4975,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>全体</translation>
     </message>
     <message>
-        <source>Show the whole section</source>
+        <source>Show the whole cross-section.</source>
         <translation>断面全体を表示します</translation>
     </message>
     <message>
@@ -5033,7 +5033,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>補間</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place on this branch that has a profile: the sections between change from one to the other.</source>
         <translation>&lt;b&gt;補間&lt;/b&gt;&lt;br&gt;続けて、この枝の、断面形のある別の場所をタップします。その間が、一方の形から他方の形へ移り変わります。</translation>
     </message>
 </context>
@@ -5044,7 +5044,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>切る</translation>
     </message>
     <message>
-        <source>Tap a branch to take it off, or draw a line across several.</source>
+        <source>Tap a branch to cut it off, or draw a line across several.</source>
         <translation>枝をタップして取るか、何本かを横切る線を描きます。</translation>
     </message>
     <message>
@@ -5052,7 +5052,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>枝下を空ける</translation>
     </message>
     <message>
-        <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
+        <source>Drag up along a trunk or a branch: the shoots below your hand are removed, and no new ones come. Drag the ring down again to let buds shoot.</source>
         <translation>幹や枝に沿って上へドラッグすると、手より下の枝が取れ、新しい枝も出なくなります。輪を下へ戻すと、また芽が伸びます。</translation>
     </message>
     <message>
@@ -5068,7 +5068,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>間引く</translation>
     </message>
     <message>
-        <source>Brush over the crown to take some of its twigs, evenly.</source>
+        <source>Brush over the crown to take out some of its twigs evenly.</source>
         <translation>樹冠の上をなぞると、小枝の一部がむらなく取れます。</translation>
     </message>
 </context>
@@ -5105,7 +5105,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::ReproduceController</name>
     <message>
-        <source>Draw the new trunk, from its foot to its tip.</source>
+        <source>Draw the new trunk, from its base to its tip.</source>
         <translation>新しい幹を、根元から先端まで描いてください。</translation>
     </message>
     <message>
@@ -5164,15 +5164,15 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>espalier::SettingsSheet</name>
     <message>
-        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and the left button turn, too.</source>
+        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt with the left button turns, too.</source>
         <translation>中ボタンで回転、Shift と中ボタンで移動、Ctrl と中ボタンで近づきます。Alt と左ボタンでも回転します。</translation>
     </message>
     <message>
-        <source>Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.</source>
+        <source>With Alt, the left button turns, the middle one pans and the right one zooms.</source>
         <translation>Alt と左ボタンで回転、Alt と中ボタンで移動、Alt と右ボタンで近づきます。</translation>
     </message>
     <message>
-        <source>The right or middle button turns, Shift and the middle button pan. Alt and the left button turn, too.</source>
+        <source>The right or middle button turns; Shift with the middle button pans. Alt with the left button turns, too.</source>
         <translation>右ボタンか中ボタンで回転、Shift と中ボタンで移動します。Alt と左ボタンでも回転します。</translation>
     </message>
     <message>
@@ -5272,7 +5272,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>元に戻す回数</translation>
     </message>
     <message>
-        <source>A new number of steps applies from the next tree that you begin or open.</source>
+        <source>A change applies to the next tree that you begin or open.</source>
         <translation>回数は、次に新しく始める木、または開く木から有効になります。</translation>
     </message>
     <message>
@@ -5284,7 +5284,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>Espalier 専用のフォルダー</translation>
     </message>
     <message>
-        <source>Folder of the Library</source>
+        <source>Library Folder</source>
         <translation>ライブラリのフォルダー</translation>
     </message>
     <message>
@@ -5316,11 +5316,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>手ぶれ補正</translation>
     </message>
     <message>
-        <source>A stroke follows the pointer at this distance, like a stone on a string: it does not tremble.</source>
+        <source>A stroke follows the pointer at this distance, like a stone on a string, so it does not tremble.</source>
         <translation>線は、糸に引かれる石のように、ポインターからこの距離だけ離れてついてきます。震えません。</translation>
     </message>
     <message>
-        <source>A stroke comes this much later than the pointer, and more smoothly.</source>
+        <source>A stroke lags this far behind the pointer, and is smoother.</source>
         <translation>線はポインターよりこれだけ遅れて、なめらかについてきます。</translation>
     </message>
     <message>
@@ -5344,7 +5344,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>オフ</translation>
     </message>
     <message>
-        <source>Applies from the next start of Espalier.</source>
+        <source>Takes effect the next time Espalier starts.</source>
         <translation>次に Espalier を起動したときから有効です。</translation>
     </message>
 </context>
@@ -5371,7 +5371,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>新しい木の大きさ</translation>
     </message>
     <message>
-        <source>How tall shall the new tree become?</source>
+        <source>How tall should the new tree grow?</source>
         <translation>新しい木をどれくらいの高さにしますか？</translation>
     </message>
     <message>
@@ -5401,7 +5401,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>別の奥行き</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose the depths of the branches anew.</source>
+        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose new depths for the branches.</source>
         <translation>&lt;b&gt;別の奥行き&lt;/b&gt;&lt;br&gt;枝の奥行きを選び直します。</translation>
     </message>
 </context>
@@ -5416,7 +5416,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>最近使ったファイル</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>%1 には保存していない変更があります。</translation>
     </message>
 </context>
@@ -5563,15 +5563,19 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <source>From the right</source>
         <translation>右から</translation>
     </message>
+    <message>
+        <source>From the front</source>
+        <translation>正面から</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Workspace</name>
     <message>
-        <source>Only one branch grows  ✕</source>
+        <source>Only one bud grows  ✕</source>
         <translation>1 本の枝だけ成長  ✕</translation>
     </message>
     <message>
-        <source>Let all buds grow again</source>
+        <source>Let all buds grow again.</source>
         <translation>すべての芽を再び成長させます</translation>
     </message>
     <message>
@@ -5587,7 +5591,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>自分の木に戻る</translation>
     </message>
     <message>
-        <source>Show your own tree again, as it was before this recipe was played</source>
+        <source>Show your own tree again, as it was before this recipe was played.</source>
         <translation>このレシピの前の、自分の木をもう一度表示します</translation>
     </message>
 </context>

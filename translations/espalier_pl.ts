@@ -96,7 +96,7 @@
         <translation>Pąk</translation>
     </message>
     <message>
-        <source>Tap a bud: from now on only it grows, and what grows from it.</source>
+        <source>Tap a bud: from now on, only this bud grows, and what comes from it.</source>
         <translation>Stuknąć pąk: odtąd rośnie tylko on i to, co z niego powstanie.</translation>
     </message>
     <message>
@@ -104,7 +104,7 @@
         <translation>Gięcie</translation>
     </message>
     <message>
-        <source>Pull at a branch to bend it; tap it to pin where it is held.</source>
+        <source>Pull a branch to bend it; tap it to pin it there.</source>
         <translation>Pociągnąć gałąź, aby ją wygiąć; stuknąć, aby przypiąć ją w tym miejscu.</translation>
     </message>
     <message>
@@ -120,7 +120,7 @@
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Draw the silhouette of a crown: the tree grows until it fills it.</source>
+        <source>Draw the silhouette of a crown: the tree grows until it fills that shape.</source>
         <translation>Narysować obrys korony: drzewo rośnie, aż go wypełni.</translation>
     </message>
     <message>
@@ -192,7 +192,7 @@
         <translation>Z ukosa</translation>
     </message>
     <message>
-        <source>Look at the tree from a corner.</source>
+        <source>Look at the tree from between the front and the side.</source>
         <translation>Widok drzewa z ukosa.</translation>
     </message>
     <message>
@@ -260,7 +260,7 @@
         <translation>Tylko drzewo</translation>
     </message>
     <message>
-        <source>Hide everything but the tree; the same key brings it back.</source>
+        <source>Hide everything but the tree; the same key brings everything back.</source>
         <translation>Ukrywa wszystko poza drzewem; ten sam klawisz to przywraca.</translation>
     </message>
     <message>
@@ -316,7 +316,7 @@
         <translation>Jak Espalier wygląda i jak reaguje na rękę.</translation>
     </message>
     <message>
-        <source>Size of the brush, pressure of the pen, and what is shown of them.</source>
+        <source>Size of the brush, pressure of the pen, and what is shown while you brush.</source>
         <translation>Rozmiar pędzla, nacisk pióra i miejsce, które rozsiewa pędzel.</translation>
     </message>
     <message>
@@ -368,7 +368,7 @@
         <translation>Nacisnąć gałąź i przytrzymać: krok po kroku znikają jej najmłodsze przyrosty.</translation>
     </message>
     <message>
-        <source>Show the strands that the wood consists of as lines, each branch in its colour.</source>
+        <source>Show the strands of the wood as lines, each branch in its own colour.</source>
         <translation>Pokazuje pasma, z których składa się drewno, jako linie, każdą gałąź w jej kolorze.</translation>
     </message>
     <message>
@@ -388,15 +388,15 @@
         <translation>Powielanie</translation>
     </message>
     <message>
-        <source>Tap a branch: it gets more branches like those it carries, or passes them on.</source>
+        <source>Tap a branch: it gets more branches like those it carries, or passes on to others what it carries.</source>
         <translation>Dotknij gałęzi: dostanie więcej takich, jakie niesie, albo przekaże je dalej.</translation>
     </message>
     <message>
-        <source>Reproduce</source>
+        <source>Reshape</source>
         <translation>Odtwórz</translation>
     </message>
     <message>
-        <source>Draw a trunk and a silhouette: the same tree takes this new figure.</source>
+        <source>Draw a trunk and a silhouette: the same tree takes on this new shape.</source>
         <translation>Narysuj pień i sylwetkę: to samo drzewo przyjmie tę nową postać.</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>Kopiuj obraz</translation>
     </message>
     <message>
-        <source>Put a picture of the tree as it is shown on the clipboard.</source>
+        <source>Copy a picture of the tree, as it is shown now, to the clipboard.</source>
         <translation>Umieścić w schowku obraz drzewa, tak jak je widać.</translation>
     </message>
     <message>
@@ -428,7 +428,7 @@
         <translation>Inne podobne</translation>
     </message>
     <message>
-        <source>See six trees that the same strokes make by another chance, and take one.</source>
+        <source>See six other trees that the same strokes could have made, and take one.</source>
         <translation>Zobaczyć sześć drzew, które te same pociągnięcia dają przez inny przypadek, i wziąć jedno.</translation>
     </message>
     <message>
@@ -444,7 +444,7 @@
         <translation>Pierścień narzędzi</translation>
     </message>
     <message>
-        <source>Tools, undo and the size of the brush around the pointer. Hold the key, and let go over one.</source>
+        <source>Tools, undo and brush size in a ring around the pointer. Hold the key, and let go over the one you want.</source>
         <translation>Narzędzia, cofanie i rozmiar pędzla wokół wskaźnika. Przytrzymać klawisz i puścić nad jednym z nich.</translation>
     </message>
     <message>
@@ -452,7 +452,7 @@
         <translation>Drugi widok</translation>
     </message>
     <message>
-        <source>Show the tree from the right in a corner; draw there, too, to give it depth.</source>
+        <source>Show the tree from the right, in a corner of the window; draw there, too, to give it depth.</source>
         <translation>Pokazać w rogu drzewo z prawej; rysowanie także tam daje mu głębię.</translation>
     </message>
 </context>
@@ -466,18 +466,18 @@
 <context>
     <name>BendTool</name>
     <message>
-        <source>Pull at a branch to bend it; tap to pin its base, then where it is held</source>
+        <source>Pull a branch to bend it; or tap where the bend begins, then where to hold it</source>
         <translation>Pociągnąć gałąź, aby ją wygiąć; stuknięcie przypina jej podstawę, a kolejne miejsca, w których jest trzymana</translation>
     </message>
 </context>
 <context>
     <name>BrushTool</name>
     <message>
-        <source>Drag to brush a tree into being; begin at a branch to go on from its depth</source>
+        <source>Drag to brush a tree into being; begin at a branch to draw at its depth</source>
         <translation>Przeciągnąć, aby namalować drzewo; początek na gałęzi oznacza malowanie na jej głębokości</translation>
     </message>
     <message>
-        <source>No bud sees this place: draw on, or begin at a branch</source>
+        <source>No bud sees this place: keep drawing, or begin at a branch</source>
         <translation>Żaden pąk nie widzi tego miejsca: rysuj dalej albo zacznij od gałęzi</translation>
     </message>
     <message>
@@ -499,11 +499,11 @@
 <context>
     <name>CommandLine</name>
     <message>
-        <source>--strict: nothing is written, since operations found nothing to do, or not all that they name</source>
+        <source>--strict: nothing is written, because some operations did not find everything that they name</source>
         <translation>--strict: nic nie zapisano, bo operacje nie znalazły nic do zrobienia albo nie wszystko, co wymieniają</translation>
     </message>
     <message>
-        <source>--size wants WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
+        <source>--size needs WIDTHxHEIGHT of up to %1 pixels each, not &quot;%2&quot;</source>
         <translation>--size wymaga SZEROKOŚĆxWYSOKOŚĆ, najwyżej po %1 pikseli, a nie „%2”</translation>
     </message>
     <message>
@@ -515,15 +515,15 @@
         <translation>--camera to front, side, top lub three-quarter, a nie „%1”</translation>
     </message>
     <message>
-        <source>--threads wants a number from 1 to %1, not &quot;%2&quot;</source>
+        <source>--threads needs a number from 1 to %1, not &quot;%2&quot;</source>
         <translation>--threads wymaga liczby od 1 do %1, a nie „%2”</translation>
     </message>
     <message>
-        <source>--seed wants a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
+        <source>--seed needs a whole number from 0 to 18446744073709551615, not &quot;%1&quot;</source>
         <translation>--seed wymaga liczby całkowitej od 0 do 18446744073709551615, a nie „%1”</translation>
     </message>
     <message>
-        <source>%1 knows no option %2</source>
+        <source>%1 has no option %2</source>
         <translation>%1 nie zna opcji %2</translation>
     </message>
     <message>
@@ -535,39 +535,39 @@
         <translation>po %1 musi następować wartość</translation>
     </message>
     <message>
-        <source>--transparent wants --png FILE</source>
+        <source>--transparent needs --png FILE</source>
         <translation>--transparent wymaga --png PLIK</translation>
     </message>
     <message>
-        <source>--ground-shadow wants --transparent</source>
+        <source>--ground-shadow needs --transparent</source>
         <translation>--ground-shadow wymaga --transparent</translation>
     </message>
     <message>
-        <source>%1 wants one project</source>
+        <source>%1 needs one project</source>
         <translation>%1 wymaga jednego projektu</translation>
     </message>
     <message>
-        <source>render wants --png FILE</source>
+        <source>render needs --png FILE</source>
         <translation>render wymaga --png PLIK</translation>
     </message>
     <message>
-        <source>info wants one file</source>
+        <source>info needs one file</source>
         <translation>info wymaga jednego pliku</translation>
     </message>
     <message>
-        <source>a window shows one file, so what is &quot;%1&quot;?</source>
+        <source>a window opens only one file; &quot;%1&quot; is one too many</source>
         <translation>okno pokazuje jeden plik, czym więc jest „%1”?</translation>
     </message>
     <message>
-        <source>%1: its history, played again, gives another tree than it holds</source>
+        <source>%1: its history, played again, gives a different tree from the one it holds</source>
         <translation>%1: jego historia odtworzona ponownie daje inne drzewo niż zapisane</translation>
     </message>
     <message>
-        <source>replay wants at least one recipe or project</source>
+        <source>replay needs at least one recipe or project</source>
         <translation>replay wymaga co najmniej jednego przepisu lub projektu</translation>
     </message>
     <message>
-        <source>import wants one skeleton and -o OUT</source>
+        <source>import needs one skeleton and -o OUT</source>
         <translation>import wymaga jednego szkieletu i -o WYNIK</translation>
     </message>
     <message>
@@ -575,23 +575,23 @@
         <translation>nie ma miejsca na więcej zestawów parametrów</translation>
     </message>
     <message>
-        <source>--set wants group.name=value, not &quot;%1&quot;</source>
+        <source>--set needs group.name=value, not &quot;%1&quot;</source>
         <translation>--set wymaga grupa.nazwa=wartość, a nie „%1”</translation>
     </message>
     <message>
-        <source>--set knows no parameter &quot;%1&quot;</source>
+        <source>--set: there is no parameter &quot;%1&quot;</source>
         <translation>--set nie zna parametru „%1”</translation>
     </message>
     <message>
-        <source>--fibres wants --png FILE</source>
+        <source>--fibres needs --png FILE</source>
         <translation>--fibres wymaga --png PLIK</translation>
     </message>
     <message>
-        <source>--index wants a whole number from 0, not &quot;%1&quot;</source>
+        <source>--index needs a whole number from 0, not &quot;%1&quot;</source>
         <translation>--index wymaga liczby całkowitej od 0, a nie „%1”</translation>
     </message>
     <message>
-        <source>sketch wants at least one drawing</source>
+        <source>sketch needs at least one drawing</source>
         <translation>sketch wymaga co najmniej jednego rysunku</translation>
     </message>
     <message>
@@ -603,7 +603,7 @@
         <translation>nie ma linii, która mogłaby być pniem, ani korony</translation>
     </message>
     <message>
-        <source>--vary wants a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
+        <source>--vary needs a whole number from 0, and after a colon an amount from %1 to 1 if you like, such as 7 or 7:0.5, not &quot;%2&quot;</source>
         <translation>--vary wymaga liczby całkowitej od 0, a po dwukropku, jeśli chcesz, miary od %1 do 1, jak 7 lub 7:0.5, a nie „%2”</translation>
     </message>
     <message>
@@ -620,29 +620,29 @@ espalier replay RECIPE|PROJECT... [-o OUT]... [--png FILE] [--size WxH]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--stats FILE] [--profiles FILE] [--threads N] [--seed N]
                 [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
-    Does what a recipe says, without a window, and writes what comes of it.
-    Of a project, all is done again that was done to its tree.
-    Of several recipes each continues the tree of the one before: the first
-    says the seed, and each begins by putting its parameters in force.
+    Plays a recipe without a window, and writes the result.
+    For a project, all that was done to its tree is done again.
+    With several recipes, each continues the tree of the one before: the
+    first sets the seed, and each begins by applying its own parameters.
     --profiles: the places of the strands in each cross-section, as JSON.
-    What operations do not find in the tree is printed; with --strict it is an
+    Whatever an operation does not find is printed; with --strict it is an
     error, and nothing is written.
     --set gives a parameter a value for the whole replay, whatever recipes say:
     --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.
-    --vary makes angles and lengths of the tree deviate a little, by an amount of
-    0.3, or up to 1: with another seed it is another tree beside it in a forest.
+    --vary makes the tree&apos;s angles and lengths deviate a little, by 0.3 or by
+    an AMOUNT of up to 1; each SEED gives another neighbour in a forest.
 
 espalier import SKELETON.csv -o OUT...
-    Makes a tree of a measured one: lines of id, parent, both ends and radius.
+    Makes a tree from a measured one: each line has id, parent, both ends, radius.
 
 espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]
                 [--size WxH] [--camera ...] [--stats FILE] [--seed N]
                 [--set GROUP.NAME=VALUE]...
-    Makes a tree of a drawing: lines are branches, small loops leaves,
+    Makes a tree from a drawing: lines are branches, small loops are leaves,
     a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!
-    .ndjson, of which --index takes a line, from 0. Of several drawings each is
-    drawn over the one before. --front-only: depth is given once, without a
-    second placing from the side.
+    .ndjson, where --index picks a line, from 0. Several drawings are drawn one
+    over the other. --front-only: the drawing is placed once, and not a second
+    time from the side.
 
 espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
                 [--set GROUP.NAME=VALUE]...
@@ -652,17 +652,17 @@ espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]
 espalier render PROJECT --png FILE [--size WxH] [--camera ...]
                 [--transparent [--ground-shadow]] [--fibres]
                 [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...
-    Takes a picture. It wants a display; a virtual one will do.
+    Draws a picture. It needs a display; a virtual one will do.
     --transparent: the tree alone, with straight alpha; --ground-shadow keeps
-    its shadow, as black of some opacity. --fibres: the strands of the wood.
+    its shadow, as partly transparent black. --fibres: the strands of the wood.
 
 espalier info FILE
-    Says as JSON what is in a project.
+    Prints as JSON what is in a project.
 
 espalier --help, --version
 
-OUT ends in .espalier (project) or in the ending of a format:
-%1Ends with 0 when done, 2 when the command line is wrong, 3 when an input is
+OUT ends in .espalier (project) or in the suffix of a format:
+%1Exits with 0 when done, 2 when the command line is wrong, 3 when an input is
 unreadable or wrong, 4 when an output could not be written.
 </source>
         <translation>Espalier: malowanie drzew.
@@ -752,7 +752,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Zmiana parametrów</translation>
     </message>
     <message>
-        <source>Travel in Time</source>
+        <source>Go to Another Time</source>
         <translation>Podróż w czasie</translation>
     </message>
     <message>
@@ -760,7 +760,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Usunięcie grubości</translation>
     </message>
     <message>
-        <source>Width</source>
+        <source>Set Width</source>
         <translation>Grubość</translation>
     </message>
     <message>
@@ -792,7 +792,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pobudzanie</translation>
     </message>
     <message>
-        <source>Profile</source>
+        <source>Draw Profile</source>
         <translation>Profil</translation>
     </message>
     <message>
@@ -800,7 +800,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Interpolacja profili</translation>
     </message>
     <message>
-        <source>Clear Profile</source>
+        <source>Remove Profile</source>
         <translation>Usunięcie profilu</translation>
     </message>
     <message>
@@ -836,7 +836,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Rozmieść liście</translation>
     </message>
     <message>
-        <source>Propagate Branch</source>
+        <source>Pass On Branch</source>
         <translation>Przenieś gałąź</translation>
     </message>
     <message>
@@ -844,7 +844,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>nowy pień musi być otwartą linią</translation>
     </message>
     <message>
-        <source>Reproduce Tree</source>
+        <source>Reshape Tree</source>
         <translation>Odtwórz drzewo</translation>
     </message>
     <message>
@@ -908,8 +908,8 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Usunięcie obwiedni</translation>
     </message>
     <message>
-        <source>Earlier Step</source>
-        <translation>Wcześniejszy krok</translation>
+        <source>Earlier Steps</source>
+        <translation>Wcześniejsze kroki</translation>
     </message>
 </context>
 <context>
@@ -941,7 +941,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>nie ma rysunku %1</translation>
     </message>
     <message>
-        <source>the x and y of a stroke differ in number</source>
+        <source>a stroke has more x than y values, or fewer</source>
         <translation>kreska nie ma tylu x co y</translation>
     </message>
     <message>
@@ -949,7 +949,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>kreska ma punkt, który nie jest liczbą</translation>
     </message>
     <message>
-        <source>it is greater than 32 MB</source>
+        <source>it is larger than 32 MB</source>
         <translation>jest większy niż 32 MB</translation>
     </message>
     <message>
@@ -980,14 +980,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Lasso nie obejmuje żadnego obszaru.</translation>
     </message>
     <message>
-        <source>The lasso is too small for how far it is from the origin.</source>
+        <source>The lasso is too small for its distance from the origin.</source>
         <translation>Lasso jest za małe jak na swoją odległość od początku układu.</translation>
     </message>
 </context>
 <context>
     <name>EraserTool</name>
     <message>
-        <source>Brush over twigs to take some of them, evenly; what goes turns red</source>
+        <source>Brush over twigs to thin them evenly; those that will go turn red</source>
         <translation>Przesuń pędzlem po gałązkach, aby równomiernie usunąć część z nich; to, co zniknie, robi się czerwone</translation>
     </message>
     <message>
@@ -1029,7 +1029,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Eksport anulowano.</translation>
     </message>
     <message>
-        <source>there are too many files of similar names in its folder; choose another name or another folder</source>
+        <source>there are too many files with similar names in this folder; choose another name or another folder</source>
         <translation>w jego folderze jest zbyt wiele plików o podobnych nazwach; wybrać inną nazwę lub inny folder</translation>
     </message>
     <message>
@@ -1037,7 +1037,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>inny program utworzył ten plik podczas eksportu; wyeksportować ponownie, a zostanie wybrana inna nazwa</translation>
     </message>
     <message>
-        <source>the tree takes more than the 4 GB that such a file can hold; export fewer details</source>
+        <source>the tree takes more than the 4 GB that such a file can hold; export less detail</source>
         <translation>drzewo zajmuje więcej niż 4 GB, które mieści taki plik; wyeksportować mniej szczegółów</translation>
     </message>
 </context>
@@ -1075,7 +1075,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>„%1” jeszcze rośnie. To, co dotąd wyrosło, nie jest zapisane.</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>„%1” ma niezapisane zmiany.</translation>
     </message>
     <message>
@@ -1134,7 +1134,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>%1 nie jest folderem</translation>
     </message>
     <message>
-        <source>there is a folder of this name</source>
+        <source>a folder with this name already exists</source>
         <translation>istnieje folder o tej nazwie</translation>
     </message>
     <message>
@@ -1150,7 +1150,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>dysk jest pełny</translation>
     </message>
     <message>
-        <source>your share of the disk is full</source>
+        <source>your disk quota is used up</source>
         <translation>przydzielona część dysku jest pełna</translation>
     </message>
     <message>
@@ -1166,7 +1166,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>plik jest za duży na ten dysk</translation>
     </message>
     <message>
-        <source>the disk is faulty</source>
+        <source>the disk reports an error</source>
         <translation>dysk jest uszkodzony</translation>
     </message>
     <message>
@@ -1189,7 +1189,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>GrowTool</name>
     <message>
-        <source>Press and hold: the tree grows until you let go.</source>
+        <source>Press and hold: the tree grows until you let go</source>
         <translation>Nacisnąć i przytrzymać: drzewo rośnie aż do puszczenia.</translation>
     </message>
 </context>
@@ -1208,11 +1208,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>obraz jest uszkodzony</translation>
     </message>
     <message>
-        <source>it has %1 × %2 pixels; %3 along an edge are the most</source>
+        <source>it has %1 × %2 pixels; %3 along an edge is the most</source>
         <translation>wymiary to %1 × %2 pikseli; bok może mieć najwyżej %3</translation>
     </message>
     <message>
-        <source>it has only %1 × %2 pixels</source>
+        <source>it is too small: only %1 × %2 pixels</source>
         <translation>wymiary to tylko %1 × %2 pikseli</translation>
     </message>
     <message>
@@ -1246,7 +1246,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>umieszcza liść w innym czasie</translation>
     </message>
     <message>
-        <source>it bears an internode whose parameters are not there</source>
+        <source>it creates an internode whose parameters are not there</source>
         <translation>tworzy międzywęźle, którego parametrów nie ma</translation>
     </message>
     <message>
@@ -1262,15 +1262,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>jego nowe międzywęźla są w złej kolejności</translation>
     </message>
     <message>
-        <source>it lets an internode die that did not</source>
+        <source>it records the death of an internode that did not die</source>
         <translation>uśmierca międzywęźle, które nie obumarło</translation>
     </message>
     <message>
-        <source>it bears an internode that is not there</source>
+        <source>it creates an internode that is not there</source>
         <translation>tworzy międzywęźle, którego nie ma</translation>
     </message>
     <message>
-        <source>it bears an internode at another time</source>
+        <source>it creates an internode at another time</source>
         <translation>tworzy międzywęźle w innym czasie</translation>
     </message>
     <message>
@@ -1314,7 +1314,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>zmienia „%1” w niemożliwy sposób</translation>
     </message>
     <message>
-        <source>it brings strokes or profiles that are not there</source>
+        <source>it refers to strokes or profiles that are not there</source>
         <translation>wnosi obrysy lub profile, których nie ma</translation>
     </message>
 </context>
@@ -1361,7 +1361,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>oczekiwano tekstu</translation>
     </message>
     <message>
-        <source>a whole number of at most 64 bits is expected, from 2^53 on as a string of digits</source>
+        <source>a whole number of at most 64 bits is expected; from 2^53 on, write it as a string of digits</source>
         <translation>oczekiwano liczby całkowitej do 64 bitów, od 2^53 zapisanej jako ciąg cyfr</translation>
     </message>
     <message>
@@ -1418,7 +1418,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>LeafChoices</name>
     <message>
-        <source>One leaf at a time along the branch, each turned as the second is against the first.</source>
+        <source>One leaf at a time along the branch, each turned from the one before as the second is from the first.</source>
         <translation>Po jednym liściu wzdłuż gałęzi, każdy obrócony tak jak drugi względem pierwszego.</translation>
     </message>
 </context>
@@ -1433,7 +1433,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Nazwa nie może zaczynać się od kropki.</translation>
     </message>
     <message>
-        <source>A name cannot hold any of / \ : * ? &quot; &lt; &gt; |.</source>
+        <source>A name cannot contain any of / \ : * ? &quot; &lt; &gt; |.</source>
         <translation>Nazwa nie może zawierać żadnego ze znaków / \ : * ? &quot; &lt; &gt; |.</translation>
     </message>
     <message>
@@ -1441,7 +1441,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Ta nazwa jest za długa.</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be made.</source>
+        <source>The folder %1 cannot be created.</source>
         <translation>Nie można utworzyć folderu %1.</translation>
     </message>
     <message>
@@ -1449,7 +1449,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Drzewo</translation>
     </message>
     <message>
-        <source>There is a tree named %1 already.</source>
+        <source>There is already a tree named %1.</source>
         <translation>Drzewo o nazwie %1 już istnieje.</translation>
     </message>
     <message>
@@ -1461,7 +1461,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Nie można skopiować %1: %2</translation>
     </message>
     <message>
-        <source>%1 is not there any more.</source>
+        <source>%1 is no longer there.</source>
         <translation>%1 już nie istnieje.</translation>
     </message>
     <message>
@@ -1480,11 +1480,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>MoveTool</name>
     <message>
-        <source>a trunk stays where it stands; hold a branch</source>
+        <source>a trunk stays where it stands; drag a branch</source>
         <translation>pień stoi w miejscu; chwyć gałąź</translation>
     </message>
     <message>
-        <source>Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it</source>
+        <source>Drag a branch along the wood or around it; drag its base to other wood, its tip to scale it</source>
         <translation>Przeciągnij gałąź wzdłuż drewna lub wokół niego; przy nasadzie na inne drewno; przy wierzchołku, by zmienić wielkość</translation>
     </message>
 </context>
@@ -1495,14 +1495,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Dotknij gałęzi: dostanie jeszcze jedną podobną do tych, które niesie</translation>
     </message>
     <message>
-        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which get it</source>
+        <source>Tap a branch: the others get what it carries; drag from it across branches to choose which of them get it</source>
         <translation>Stuknij gałąź: inne dostają to, co ona niesie; albo przeciągnij od niej przez te, które mają to dostać</translation>
     </message>
 </context>
 <context>
     <name>OffscreenRenderer</name>
     <message>
-        <source>A picture cannot be drawn, for there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
+        <source>A picture cannot be drawn, because there is no display that offers OpenGL 3.3; a virtual one (Xvfb) will do.</source>
         <translation>Nie można narysować obrazu: brak ekranu z obsługą OpenGL 3.3; wystarczy wirtualny (Xvfb).</translation>
     </message>
     <message>
@@ -1513,14 +1513,14 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>Outputs</name>
     <message>
-        <source>%1: the picture could not be packed</source>
+        <source>%1: the picture could not be compressed</source>
         <translation>%1: nie udało się spakować obrazu</translation>
     </message>
 </context>
 <context>
     <name>OwnTextures</name>
     <message>
-        <source>%1: there is no telling the leaf from what is behind it; the image needs a transparent or a plain background</source>
+        <source>%1: the leaf cannot be told apart from its background; the image needs a transparent or a plain background</source>
         <translation>%1: nie można odróżnić liścia od tego, co za nim; obraz musi mieć przezroczyste lub jednolite tło</translation>
     </message>
 </context>
@@ -1575,7 +1575,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kierunek</translation>
     </message>
     <message>
-        <source>Where the sun stands: 0° before the tree, 90° to its right; of a pinned sun, as you look at it.</source>
+        <source>Where the sun stands: 0° in front of the tree, 90° to its right; for a pinned sun, as seen on the screen.</source>
         <translation>Gdzie stoi słońce: 0° przed drzewem, 90° po jego prawej; przypięte słońce: względem patrzącego.</translation>
     </message>
     <message>
@@ -1595,7 +1595,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Jak wyraźnie widać obraz.</translation>
     </message>
     <message>
-        <source>How high the picture is.</source>
+        <source>How tall the picture is.</source>
         <translation>Jak wysoki jest obraz.</translation>
     </message>
     <message>
@@ -1635,7 +1635,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kąt docelowy</translation>
     </message>
     <message>
-        <source>Where shoots turn: 0° is up, 90° level, and more makes them weep.</source>
+        <source>The direction that shoots turn to: 0° is up, 90° level, and more makes them weep.</source>
         <translation>Dokąd zwracają się pędy: 0° to w górę, 90° poziomo, a przy większym kącie pędy zwisają.</translation>
     </message>
     <message>
@@ -1647,7 +1647,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pąki górne i dolne</translation>
     </message>
     <message>
-        <source>Vigour of the buds above and below a leaning branch.</source>
+        <source>Vigour of the buds on the upper and lower sides of a leaning branch.</source>
         <translation>Wigor pąków nad pochyloną gałęzią i pod nią.</translation>
     </message>
     <message>
@@ -1655,7 +1655,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pionowa półoś elipsy grawimorfizmu.</translation>
     </message>
     <message>
-        <source>Buds at the sides</source>
+        <source>Buds on the sides</source>
         <translation>Pąki boczne</translation>
     </message>
     <message>
@@ -1663,7 +1663,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Wigor pąków po bokach pochylonej gałęzi.</translation>
     </message>
     <message>
-        <source>Semi-axis parallel to the ground; the greater one is amphitony.</source>
+        <source>Semi-axis parallel to the ground; if it is the greater one, amphitony.</source>
         <translation>Półoś równoległa do ziemi; gdy jest większa, to amfitonia.</translation>
     </message>
     <message>
@@ -1699,7 +1699,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>O ile oś odchyla się od gałęzi, którą wydaje: przy 0 pozostaje prosta, więcej daje zygzak.</translation>
     </message>
     <message>
-        <source>The main axis yields to a lateral, as toward sympodial growth.</source>
+        <source>How far the main axis gives way to a lateral: a tendency to sympodial growth.</source>
         <translation>Oś główna ustępuje bocznej, jak przy wzroście sympodialnym.</translation>
     </message>
     <message>
@@ -1719,7 +1719,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Tropizm</translation>
     </message>
     <message>
-        <source>How much a shoot turns toward the set-point angle.</source>
+        <source>How much a shoot turns towards the set-point angle.</source>
         <translation>Jak mocno pęd zwraca się ku kątowi docelowemu.</translation>
     </message>
     <message>
@@ -1731,7 +1731,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Wolne miejsce</translation>
     </message>
     <message>
-        <source>How much a shoot turns toward where there is room.</source>
+        <source>How much a shoot turns towards where there is room.</source>
         <translation>Jak mocno pęd zwraca się tam, gdzie jest miejsce.</translation>
     </message>
     <message>
@@ -1795,7 +1795,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>O ile lepiej rozwija się pąk w świetle niż pąk w cieniu.</translation>
     </message>
     <message>
-        <source>Exponent of the response to light: high for trees that demand it, low for those that bear shade.</source>
+        <source>Exponent of the response to light: high for light-demanding trees, low for shade-tolerant ones.</source>
         <translation>Wykładnik reakcji na światło: wysoki u drzew światłożądnych, niski u cienioznośnych.</translation>
     </message>
     <message>
@@ -1839,7 +1839,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Za pociągnięciem</translation>
     </message>
     <message>
-        <source>Shoots turn toward where the brush goes, instead of to the set-point angle.</source>
+        <source>Shoots turn the way the brush goes, instead of to the set-point angle.</source>
         <translation>Pędy zwracają się tam, dokąd zmierza pędzel, zamiast ku kątowi docelowemu.</translation>
     </message>
     <message>
@@ -1863,7 +1863,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Międzywęźle</translation>
     </message>
     <message>
-        <source>Length of one internode. It is the measure of everything that grows: smaller ones make finer trees.</source>
+        <source>Length of one internode. It is the measure of everything that grows: shorter ones make finer trees.</source>
         <translation>Długość jednego międzywęźla. To miara wszystkiego, co rośnie: krótsze daje drobniejsze drzewa.</translation>
     </message>
     <message>
@@ -1887,7 +1887,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Nieregularność</translation>
     </message>
     <message>
-        <source>Spread of angles and lengths: 0 is a diagram, 1 as wild as nature.</source>
+        <source>Spread of angles and lengths: 0 is as regular as a diagram, 1 as wild as nature.</source>
         <translation>Rozrzut kątów i długości: 0 to schemat, 1 to dzikość natury.</translation>
     </message>
     <message>
@@ -1915,7 +1915,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Jak szybko cień słabnie ku dołowi.</translation>
     </message>
     <message>
-        <source>Base of its decay from layer to layer.</source>
+        <source>Base of the shadow&apos;s decay from layer to layer.</source>
         <translation>Podstawa zaniku z warstwy na warstwę.</translation>
     </message>
     <message>
@@ -1935,7 +1935,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Gęstość pędzla</translation>
     </message>
     <message>
-        <source>How much room to grow the brush spreads, in points per cubic internode. More makes denser growth.</source>
+        <source>How densely the brush spreads room to grow, in points per cubic internode. More makes denser growth.</source>
         <translation>Ile miejsca do wzrostu rozsiewa pędzel, w punktach na sześcienne międzywęźle. Więcej daje gęstszy wzrost.</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pamięć pędzla</translation>
     </message>
     <message>
-        <source>Growth steps after which the room that the brush has spread is forgotten.</source>
+        <source>Growth steps after which the room to grow that the brush has spread is forgotten.</source>
         <translation>Liczba kroków wzrostu, po których miejsce rozsiane przez pędzel zostaje zapomniane.</translation>
     </message>
     <message>
@@ -1995,11 +1995,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Szerokość</translation>
     </message>
     <message>
-        <source>Width by length.</source>
+        <source>Width as a share of length.</source>
         <translation>Szerokość względem długości.</translation>
     </message>
     <message>
-        <source>Variation of size</source>
+        <source>Variation in size</source>
         <translation>Zmienność rozmiaru</translation>
     </message>
     <message>
@@ -2075,7 +2075,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Jak mocno liście zwisają.</translation>
     </message>
     <message>
-        <source>Toward the sky</source>
+        <source>Towards the sky</source>
         <translation>Ku niebu</translation>
     </message>
     <message>
@@ -2091,7 +2091,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>0° to czerwień, 60° żółć, 120° zieleń.</translation>
     </message>
     <message>
-        <source>Variation of hue</source>
+        <source>Variation in hue</source>
         <translation>Zmienność barwy</translation>
     </message>
     <message>
@@ -2103,7 +2103,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Nasycenie</translation>
     </message>
     <message>
-        <source>How strong the colour is: little of it makes blossom and silver leaves.</source>
+        <source>How strong the colour is: low values suit blossom and silvery leaves.</source>
         <translation>Jak mocny jest kolor: słaby daje kwiaty i srebrne liście.</translation>
     </message>
     <message>
@@ -2111,7 +2111,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Jasność</translation>
     </message>
     <message>
-        <source>How light the leaves are.</source>
+        <source>How bright the leaves are.</source>
         <translation>Jak jasne są liście.</translation>
     </message>
     <message>
@@ -2119,7 +2119,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Żółknięcie</translation>
     </message>
     <message>
-        <source>How far the leaves of weak shoots turn toward yellow and red.</source>
+        <source>How far the leaves of weak shoots turn towards yellow and red.</source>
         <translation>Jak mocno liście słabych pędów przechodzą w żółć i czerwień.</translation>
     </message>
     <message>
@@ -2323,7 +2323,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Znaczniki</translation>
     </message>
     <message>
-        <source>Show the points of free space that the brush spreads and shoots grow toward.</source>
+        <source>Show the points of free space that the brush spreads and shoots grow towards.</source>
         <translation>Pokazuje punkty wolnego miejsca, które rozsiewa pędzel i ku którym rosną pędy.</translation>
     </message>
     <message>
@@ -2439,7 +2439,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>W każdym węźle: jeden daje spiralę, dwa pary na krzyż, więcej okółek.</translation>
     </message>
     <message>
-        <source>Spread of the roll</source>
+        <source>Variation in roll</source>
         <translation>Rozrzut obrotu</translation>
     </message>
     <message>
@@ -2463,7 +2463,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Odchylenie standardowe kąta apikalnego.</translation>
     </message>
     <message>
-        <source>Orders of branches</source>
+        <source>Branch orders</source>
         <translation>Rzędy gałęzi</translation>
     </message>
     <message>
@@ -2519,7 +2519,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Spadek z odległością</translation>
     </message>
     <message>
-        <source>How much less shoots far from the root grow.</source>
+        <source>How much less a shoot grows far from the root.</source>
         <translation>O ile słabiej rosną pędy daleko od korzenia.</translation>
     </message>
     <message>
@@ -2531,7 +2531,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Spadek z wysokością</translation>
     </message>
     <message>
-        <source>How much less high shoots grow: more makes flat crowns.</source>
+        <source>How much less a shoot grows the higher it is: more makes the crown flat.</source>
         <translation>O ile słabiej rosną wysoko położone pędy: więcej daje płaskie korony.</translation>
     </message>
     <message>
@@ -2543,7 +2543,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Grawitropizm</translation>
     </message>
     <message>
-        <source>Above 0 shoots turn up at each node, below 0 branches turn down.</source>
+        <source>Above 0 shoots turn upwards at each node, below 0 downwards.</source>
         <translation>Powyżej 0 pędy w każdym węźle zwracają się w górę, poniżej 0 gałęzie zwracają się w dół.</translation>
     </message>
     <message>
@@ -2559,7 +2559,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>O ile pędy w każdym węźle zwracają się ku światłu.</translation>
     </message>
     <message>
-        <source>Growth toward the brightest direction.</source>
+        <source>Growth towards the brightest direction.</source>
         <translation>Wzrost w najjaśniejszym kierunku.</translation>
     </message>
     <message>
@@ -2567,7 +2567,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Poziome gałęzie</translation>
     </message>
     <message>
-        <source>How far a new branch turns to the level when it begins.</source>
+        <source>How far a new branch turns towards the horizontal where it begins.</source>
         <translation>Jak bardzo nowa gałąź na początku zwraca się ku poziomowi.</translation>
     </message>
     <message>
@@ -2603,7 +2603,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Największe ugięcie</translation>
     </message>
     <message>
-        <source>At most this part of the angle to straight down, for each internode.</source>
+        <source>An internode sags by at most this share of the angle between it and straight down.</source>
         <translation>Na każdym międzywęźlu najwyżej taka część kąta do pionu w dół.</translation>
     </message>
     <message>
@@ -2615,7 +2615,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Zrzucanie w cieniu</translation>
     </message>
     <message>
-        <source>Ends of branches with less light than this fall.</source>
+        <source>Branch ends that get less light than this drop off.</source>
         <translation>Końce gałęzi, które mają mniej światła, odpadają.</translation>
     </message>
     <message>
@@ -2727,7 +2727,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Także gałęzie</translation>
     </message>
     <message>
-        <source>A drag twists all that the branch carries, not only the branch itself. Shift does the opposite while you press.</source>
+        <source>A drag twists all that the branch carries, not only the branch itself. Hold Shift for the opposite.</source>
         <translation>Przeciągnięcie skręca wszystko, co gałąź niesie, a nie tylko ją samą. Przytrzymany Shift działa odwrotnie.</translation>
     </message>
     <message>
@@ -2743,7 +2743,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Żłobienia</translation>
     </message>
     <message>
-        <source>How far the trunk bulges below its limbs and toward its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
+        <source>How far the trunk bulges below its limbs and towards its roots, and how deep the hollows of lost limbs are. At 0 the wood is round.</source>
         <translation>Jak bardzo pień wybrzusza się pod konarami i ku korzeniom oraz jak głębokie są zagłębienia po utraconych konarach. Przy 0 drewno jest okrągłe.</translation>
     </message>
     <message>
@@ -2791,7 +2791,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Długości</translation>
     </message>
     <message>
-        <source>How much longer than drawn ones branches may become in depth.</source>
+        <source>How much longer branches may become in depth than those you drew.</source>
         <translation>O ile dłuższe niż narysowane mogą stać się gałęzie w głąb.</translation>
     </message>
     <message>
@@ -2799,7 +2799,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kąty</translation>
     </message>
     <message>
-        <source>How much wider than the widest drawn one an angle between branches may be.</source>
+        <source>How much wider an angle between branches may be than the widest you drew.</source>
         <translation>O ile szerszy niż najszerszy narysowany może być kąt między gałęziami.</translation>
     </message>
     <message>
@@ -2811,11 +2811,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Dotknięcie gałęzi daje innym to, co ona niesie. Inaczej dodaje jej jedną gałąź podobną do tych, które niesie.</translation>
     </message>
     <message>
-        <source>To its like</source>
+        <source>Only to similar ones</source>
         <translation>Podobnym</translation>
     </message>
     <message>
-        <source>Only branches with as many branchings below them get it.</source>
+        <source>Only branches that are as many forks away from the trunk get it.</source>
         <translation>Dostają to tylko gałęzie z tyloma samymi rozgałęzieniami pod sobą.</translation>
     </message>
     <message>
@@ -2827,7 +2827,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>To, co dostaje gałąź, jest większe lub mniejsze tak jak ona. Inaczej zachowuje wielkość i odległość od wierzchołka.</translation>
     </message>
     <message>
-        <source>In its place</source>
+        <source>Replace</source>
         <translation>W zamian</translation>
     </message>
     <message>
@@ -2839,7 +2839,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Odmienność</translation>
     </message>
     <message>
-        <source>How much the angles and lengths of a variation deviate from the tree.</source>
+        <source>How much the angles and lengths of a variation deviate from those of the tree.</source>
         <translation>Jak bardzo kąty i długości odmiany odbiegają od drzewa.</translation>
     </message>
     <message>
@@ -2859,7 +2859,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Dwie kreski obok siebie, jedna po drugiej, to dwie strony jednej gałęzi, która ma z nich swoją grubość.</translation>
     </message>
     <message>
-        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run toward you and away from you.</source>
+        <source>The drawing is placed twice, the second time turned by 90° around the trunk, so that the tree is as full from the side as from the front. Without this, its branches themselves run towards you and away from you.</source>
         <translation>Rysunek jest umieszczany dwa razy, drugi raz obrócony o 90° wokół pnia, więc drzewo jest z boku tak samo pełne jak z przodu. Bez tego same gałęzie biegną ku tobie i od ciebie.</translation>
     </message>
     <message>
@@ -2895,7 +2895,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Promień</translation>
     </message>
     <message>
-        <source>Radius of the brush, the same as that of the brush that paints.</source>
+        <source>Radius of the brush, shared with the Brush tool.</source>
         <translation>Promień pędzla, ten sam co pędzla, który maluje.</translation>
     </message>
     <message>
@@ -2907,7 +2907,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Najgrubsze drewno, które zniknie, jako część grubości pnia. Grubsze gałęzie zostają, ile razy by po nich przesuwać.</translation>
     </message>
     <message>
-        <source>Takes</source>
+        <source>Share of twigs</source>
         <translation>Ile</translation>
     </message>
     <message>
@@ -2950,7 +2950,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>axisWeight, tropismWeight i spaceWeight nie mogą wszystkie być równe 0</translation>
     </message>
     <message>
-        <source>it must not be beyond 0.99 times ellipseVertical, which is %1</source>
+        <source>it must not exceed 0.99 times ellipseVertical, which is %1</source>
         <translation>wartość nie może wykraczać poza 0,99 wartości ellipseVertical, czyli %1</translation>
     </message>
     <message>
@@ -2973,11 +2973,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>PositionCheck</name>
     <message>
-        <source>it and the later steps move a tree with axes of more than %1 m too often</source>
+        <source>it and the later steps move a tree whose axes are longer than %1 m too often</source>
         <translation>ten i późniejsze kroki zbyt często poruszają drzewo o osiach dłuższych niż %1 m</translation>
     </message>
     <message>
-        <source>before it, internode %1 lies further than %2 m away</source>
+        <source>before it, internode %1 lies more than %2 m away</source>
         <translation>przed nim międzywęźle %1 leży dalej niż %2 m</translation>
     </message>
     <message>
@@ -2985,7 +2985,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>krok %1 historii</translation>
     </message>
     <message>
-        <source>it lies further than %1 m away</source>
+        <source>it lies more than %1 m away</source>
         <translation>leży dalej niż %1 m od początku układu</translation>
     </message>
     <message>
@@ -3073,7 +3073,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>oczekiwano najwyżej %1 obrazów</translation>
     </message>
     <message>
-        <source>the image “%1” is missing in it or broken; the look that was drawn for it shows instead</source>
+        <source>the image “%1” is missing from it or broken; the built-in look is shown instead</source>
         <translation>brakuje w nim obrazu „%1” albo jest on uszkodzony; zamiast niego widać wygląd, który rysuje Espalier</translation>
     </message>
     <message>
@@ -3117,18 +3117,18 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>nie ma tła o tej nazwie</translation>
     </message>
     <message>
-        <source>its background and light cannot be read (%1); those of a new tree show instead</source>
+        <source>its background and light cannot be read (%1); those of a new tree are shown instead</source>
         <translation>nie można odczytać jego tła i światła (%1); zamiast nich widać te nowego drzewa</translation>
     </message>
     <message>
-        <source>the reference picture “%1” is missing in it or broken</source>
+        <source>the reference picture “%1” is missing from it or broken</source>
         <translation>brakuje w nim obrazu referencyjnego „%1” lub jest on uszkodzony</translation>
     </message>
 </context>
 <context>
     <name>Recipe</name>
     <message>
-        <source>a stroke has at least one point</source>
+        <source>a stroke needs at least one point</source>
         <translation>kreska ma co najmniej jeden punkt</translation>
     </message>
     <message>
@@ -3160,11 +3160,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>brak tego elementu</translation>
     </message>
     <message>
-        <source>a stroke has at least one sample</source>
+        <source>a stroke needs at least one sample</source>
         <translation>pociągnięcie ma co najmniej jedną próbkę</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 samples</source>
+        <source>a recipe can have at most %1 samples</source>
         <translation>przepis ma najwyżej %1 próbek</translation>
     </message>
     <message>
@@ -3176,7 +3176,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>right i up muszą mieć długość 1 i być prostopadłe</translation>
     </message>
     <message>
-        <source>a lasso has at least three points</source>
+        <source>a lasso needs at least three points</source>
         <translation>lasso ma co najmniej trzy punkty</translation>
     </message>
     <message>
@@ -3208,7 +3208,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>promień nie mieści się w zakresie 0…%1 m</translation>
     </message>
     <message>
-        <source>a bend has from 1 to %1 handles</source>
+        <source>a bend needs 1 to %1 handles</source>
         <translation>wygięcie ma od 1 do %1 uchwytów</translation>
     </message>
     <message>
@@ -3224,15 +3224,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>to nie jest przepis: przepis zaczyna się od „%1”: %2</translation>
     </message>
     <message>
-        <source>the recipe is of version %1, this program reads versions up to %2</source>
+        <source>the recipe is of version %1; this program reads versions up to %2</source>
         <translation>przepis jest w wersji %1, ten program odczytuje wersje do %2</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 operations</source>
+        <source>a recipe can have at most %1 operations</source>
         <translation>przepis ma najwyżej %1 operacji</translation>
     </message>
     <message>
-        <source>a recipe has at most %1 images</source>
+        <source>a recipe can have at most %1 images</source>
         <translation>przepis ma najwyżej %1 obrazów</translation>
     </message>
     <message>
@@ -3340,7 +3340,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>krok %1 historii</translation>
     </message>
     <message>
-        <source>another file of this name lies where the recipe&apos;s image belongs</source>
+        <source>another file with this name is where the recipe&apos;s image should go</source>
         <translation>w miejscu obrazu przepisu leży inny plik o tej nazwie</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>oczekiwano %1 liczb</translation>
     </message>
     <message>
-        <source>its parent is not one of the segments before it, nor -1</source>
+        <source>its parent is neither one of the segments before it nor -1</source>
         <translation>jego rodzic nie jest żadnym z segmentów przed nim ani -1</translation>
     </message>
     <message>
@@ -3384,7 +3384,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>międzywęźle %1 nie ma skręcenia do usunięcia</translation>
     </message>
     <message>
-        <source>a branch begins at one internode</source>
+        <source>a branch must begin at exactly one internode</source>
         <translation>gałąź zaczyna się na jednym międzywęźlu</translation>
     </message>
     <message>
@@ -3400,7 +3400,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>oczekiwano jednej z wartości: %1</translation>
     </message>
     <message>
-        <source>a stroke has at least %1 points</source>
+        <source>a stroke needs at least %1 points</source>
         <translation>kreska ma co najmniej %1 punkty</translation>
     </message>
     <message>
@@ -3436,7 +3436,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>pod pędzlem nie było gałązek do usunięcia</translation>
     </message>
     <message>
-        <source>the branch of internode %1 is kept clear like that already</source>
+        <source>the branch of internode %1 is already kept clear that far</source>
         <translation>gałąź międzywęźla %1 jest już tak oczyszczona</translation>
     </message>
     <message>
@@ -3469,15 +3469,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>ReproduceTool</name>
     <message>
-        <source>turn the view back to where you drew the first stroke, or press Esc to forget it</source>
+        <source>turn the view back to where you drew the first stroke, or press Esc to discard it</source>
         <translation>obróć widok tam, skąd powstała pierwsza kreska, albo zapomnij ją klawiszem Esc</translation>
     </message>
     <message>
-        <source>look at the tree from the side, not from above or below, to draw its figure</source>
+        <source>look at the tree from the side, not from above or below, to draw its shape</source>
         <translation>aby narysować postać drzewa, patrz na nie z boku, nie z góry ani z dołu</translation>
     </message>
     <message>
-        <source>there is no tree yet that could take another figure: make one first</source>
+        <source>there is no tree yet to give another shape: make one first</source>
         <translation>nie ma jeszcze drzewa, które mogłoby przyjąć inną postać: najpierw je zrób</translation>
     </message>
     <message>
@@ -3509,7 +3509,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>pień musi być nad ziemią: narysuj go od podstawy do wierzchołka</translation>
     </message>
     <message>
-        <source>Make a tree first, with the brush or the pencil; then draw its new figure</source>
+        <source>Make a tree first, with Brush or Sketch; then draw its new shape</source>
         <translation>Najpierw zrób drzewo pędzlem lub szkicem; potem narysuj jego nową postać</translation>
     </message>
     <message>
@@ -3524,11 +3524,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Stuknąć pąk, a odtąd będzie rósł tylko on; stuknąć obok drzewa, aby znów rosły wszystkie</translation>
     </message>
     <message>
-        <source>There is no bud here. Buds that are near the pointer show as dots.</source>
+        <source>There is no bud here. Buds near the pointer are shown as dots.</source>
         <translation>Tu nie ma pąka. Pąki blisko wskaźnika widać jako punkty.</translation>
     </message>
     <message>
-        <source>No bud is that near. Tap one of the dots, or go nearer with the wheel.</source>
+        <source>No bud is close enough. Tap one of the dots, or zoom in with the wheel.</source>
         <translation>Żaden pąk nie jest tak blisko. Dotknij jednego z punktów albo zbliż się kółkiem.</translation>
     </message>
 </context>
@@ -3551,15 +3551,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>„%1” nie jest liczbą dla %2</translation>
     </message>
     <message>
-        <source>its id %1 is that of line %2, too</source>
+        <source>its id %1 is already used in line %2</source>
         <translation>jego id %1 ma też wiersz %2</translation>
     </message>
     <message>
-        <source>there is no id %1, its parent</source>
+        <source>its parent, id %1, does not exist</source>
         <translation>nie ma id %1, jego rodzica</translation>
     </message>
     <message>
-        <source>it is carried by what it carries</source>
+        <source>it is its own ancestor</source>
         <translation>niesie go to, co sam niesie</translation>
     </message>
     <message>
@@ -3638,7 +3638,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>kopie miałyby więcej niż %1 międzywęźli</translation>
     </message>
     <message>
-        <source>a copy would reach farther than %1 m away</source>
+        <source>a copy would reach more than %1 m away</source>
         <translation>kopia sięgałaby dalej niż %1 m</translation>
     </message>
     <message>
@@ -3666,7 +3666,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>wszystkie inne gałęzie są za krótkie na to, co ma gałąź międzywęźla %1</translation>
     </message>
     <message>
-        <source>an internode would be longer than %1 m or lie farther than %2 m away</source>
+        <source>an internode would be longer than %1 m or lie more than %2 m away</source>
         <translation>międzywęźle byłoby dłuższe niż %1 m albo leżałoby dalej niż %2 m</translation>
     </message>
     <message>
@@ -3697,7 +3697,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Narysuj pień, potem gałęzie; dwie kreski obok siebie nadają gałęzi grubość</translation>
     </message>
     <message>
-        <source>Draw a branch from the wood; press Shift and draw across branches to take them away</source>
+        <source>Draw a branch from the wood; hold Shift and draw across branches to take them away</source>
         <translation>Narysuj gałąź od drewna; z Shiftem kreska w poprzek zabiera gałęzie</translation>
     </message>
     <message>
@@ -3759,7 +3759,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>wysokość %1°</translation>
     </message>
     <message>
-        <source>Drag the sun about the tree.</source>
+        <source>Drag the sun around the tree</source>
         <translation>Przeciągnąć słońce wokół drzewa.</translation>
     </message>
 </context>
@@ -3905,7 +3905,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>%1° od węzła do węzła</translation>
     </message>
     <message>
-        <source>Drag along a branch, or around it, to twist its strands; tap twice to untwist them</source>
+        <source>Drag along a branch, or around it, to twist its strands; double-tap to untwist them</source>
         <translation>Przeciągnąć wzdłuż gałęzi albo wokół niej, aby skręcić jej pasma; stuknąć dwa razy, aby je rozkręcić</translation>
     </message>
 </context>
@@ -3919,7 +3919,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>ZipArchive</name>
     <message>
-        <source>the archive could not be packed: %1</source>
+        <source>the archive could not be compressed: %1</source>
         <translation>nie udało się spakować archiwum: %1</translation>
     </message>
     <message>
@@ -4012,7 +4012,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Gatunek</translation>
     </message>
     <message>
-        <source>Sets all parameters of the vigour model to those of a species</source>
+        <source>Set all parameters of the vigour model to those of a species.</source>
         <translation>Ustawia wszystkie wartości modelu wigoru tak, jak rośnie dany gatunek</translation>
     </message>
     <message>
@@ -4034,7 +4034,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Tło</translation>
     </message>
     <message>
-        <source>The colour, or that at the lower edge.</source>
+        <source>The colour of the background, or of its lower edge.</source>
         <translation>Kolor, także ten przy dolnej krawędzi.</translation>
     </message>
     <message>
@@ -4093,20 +4093,20 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::BendPopOut</name>
     <message>
-        <source>Bending</source>
-        <translation>Zginanie</translation>
+        <source>Stiffness</source>
+        <translation>Sztywność</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Bending&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
-        <translation>&lt;b&gt;Zginanie&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się zginaniu: sztywna wygina się szerokim łukiem i prędzej się rozciąga.</translation>
+        <source>&lt;b&gt;Stiffness&lt;/b&gt;&lt;br&gt;How much a branch resists being bent: a stiff one bends in a wide curve and is stretched sooner.</source>
+        <translation>&lt;b&gt;Sztywność&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się zginaniu: sztywna wygina się szerokim łukiem i prędzej się rozciąga.</translation>
     </message>
     <message>
-        <source>Stretching</source>
-        <translation>Rozciąganie</translation>
+        <source>Holds length</source>
+        <translation>Trzyma długość</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Stretching&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: it keeps its length, or follows the hand further.</source>
-        <translation>&lt;b&gt;Rozciąganie&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się rozciąganiu: zachowuje długość albo dalej podąża za ręką.</translation>
+        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: with little, it follows the hand further.</source>
+        <translation>&lt;b&gt;Trzyma długość&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się rozciąganiu: zachowuje długość albo dalej podąża za ręką.</translation>
     </message>
     <message>
         <source>× %1</source>
@@ -4162,7 +4162,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::BrushRadius</name>
     <message>
-        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; toward zero it draws a single branch exactly along the stroke.</source>
+        <source>&lt;b&gt;Brush radius&lt;/b&gt; [ ]&lt;br&gt;A large brush grows a crown into the space it passes; towards zero it draws a single branch exactly along the stroke.</source>
         <translation>&lt;b&gt;Promień pędzla&lt;/b&gt; [ ]&lt;br&gt;Duży pędzel hoduje koronę w przestrzeni, którą przechodzi; przy promieniu bliskim zera rysuje pojedynczą gałąź dokładnie wzdłuż pociągnięcia.</translation>
     </message>
     <message>
@@ -4328,7 +4328,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Odtwórz</translation>
     </message>
     <message>
-        <source>Play what happened from here on, or all of it</source>
+        <source>Play what happened from here on, or all of it.</source>
         <translation>Odtwarza to, co działo się od tej chwili, albo całość</translation>
     </message>
     <message>
@@ -4371,7 +4371,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::HelpPage</name>
     <message>
-        <source>Page of the help</source>
+        <source>Help page</source>
         <translation>Strona pomocy</translation>
     </message>
 </context>
@@ -4382,7 +4382,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Wstecz</translation>
     </message>
     <message>
-        <source>Back to the page before</source>
+        <source>Back to the previous page</source>
         <translation>Powrót do poprzedniej strony</translation>
     </message>
     <message>
@@ -4402,11 +4402,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Szukaj</translation>
     </message>
     <message>
-        <source>Search in the help</source>
+        <source>Search the help</source>
         <translation>Szukaj w pomocy</translation>
     </message>
     <message>
-        <source>Pages of the help</source>
+        <source>Help pages</source>
         <translation>Strony pomocy</translation>
     </message>
     <message>
@@ -4460,7 +4460,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Znaczniki</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you did to it since goes.</source>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
         <translation>&lt;b&gt;Od nowa&lt;/b&gt;&lt;br&gt;Przenosi drzewo do chwili sprzed narysowania obwiedni i pozwala mu wypełnić ją ponownie z obecnymi parametrami. To, co zrobiono z nim później, przepada.</translation>
     </message>
     <message>
@@ -4483,7 +4483,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::LeafChoices</name>
     <message>
-        <source>Go on with</source>
+        <source>Continue with</source>
         <translation>Dalej</translation>
     </message>
     <message>
@@ -4503,7 +4503,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Okółki</translation>
     </message>
     <message>
-        <source>Such whorls at this distance along the whole branch.</source>
+        <source>Whorls like this along the whole branch, at the same spacing.</source>
         <translation>Takie okółki w tym odstępie wzdłuż całej gałęzi.</translation>
     </message>
     <message>
@@ -4588,7 +4588,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Zamknij</translation>
     </message>
     <message>
-        <source>A new seedling that grows as this tree does.</source>
+        <source>A new seedling that grows the way this tree does.</source>
         <translation>Nowa siewka, która rośnie tak jak to drzewo.</translation>
     </message>
     <message>
@@ -4631,7 +4631,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>PNG lub JPEG z jednym liściem, ogonkiem w dół, bez tła lub na jednolitym tle</translation>
     </message>
     <message>
-        <source>A PNG or JPEG of bark; maps of its normals and roughness found beside it are used, too</source>
+        <source>A PNG or JPEG of bark; normal and roughness maps found beside it are used, too</source>
         <translation>PNG lub JPEG z korą; mapy normalnych i chropowatości leżące obok też zostaną użyte</translation>
     </message>
     <message>
@@ -4677,7 +4677,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::MainWindow</name>
     <message>
-        <source>The tree has no more room to grow in.</source>
+        <source>The tree has no room left to grow.</source>
         <translation>Drzewo nie ma już miejsca, w którym mogłoby rosnąć.</translation>
     </message>
     <message>
@@ -4689,11 +4689,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Rośnie: %1</translation>
     </message>
     <message>
-        <source>%1 of %2 operations of the recipe found nothing to do, or not all that they name: %3</source>
+        <source>Not everything that the recipe names was found in the tree (%1 of %2 operations): %3</source>
         <translation>Operacje przepisu, które nie znalazły nic do zrobienia albo nie wszystko, co wymieniają (%1 z %2): %3</translation>
     </message>
     <message>
-        <source>Making the wood of strands</source>
+        <source>Building the wood from strands</source>
         <translation>Tworzenie drewna z pasm</translation>
     </message>
 </context>
@@ -4752,7 +4752,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::PictureSheet</name>
     <message>
-        <source>As the window, %1 × %2</source>
+        <source>Like the window, %1 × %2</source>
         <translation>Jak okno, %1 × %2</translation>
     </message>
     <message>
@@ -4900,7 +4900,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kontur</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside others splits the wood, one within another is a hollow.</source>
+        <source>&lt;b&gt;Outline&lt;/b&gt;&lt;br&gt;Draw a closed line. One beside another splits the wood; one within another is a hollow.</source>
         <translation>&lt;b&gt;Kontur&lt;/b&gt;&lt;br&gt;Narysować zamkniętą linię. Linia obok innych dzieli drewno, linia wewnątrz innej daje pustkę.</translation>
     </message>
     <message>
@@ -4960,7 +4960,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kopiuj na gałąź</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place of this branch: all between get this profile.</source>
+        <source>&lt;b&gt;Copy to branch&lt;/b&gt;&lt;br&gt;Then tap another place on this branch: everything between gets this profile.</source>
         <translation>&lt;b&gt;Kopiuj na gałąź&lt;/b&gt;&lt;br&gt;Następnie stuknąć inne miejsce tej gałęzi: wszystkie pomiędzy dostają ten profil.</translation>
     </message>
     <message>
@@ -4968,7 +4968,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>▼</translation>
     </message>
     <message>
-        <source>To the next place down the branch</source>
+        <source>To the next place down the branch.</source>
         <translation>Do następnego miejsca w dół gałęzi</translation>
     </message>
     <message>
@@ -4976,7 +4976,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>▲</translation>
     </message>
     <message>
-        <source>To the next place up the branch</source>
+        <source>To the next place up the branch.</source>
         <translation>Do następnego miejsca w górę gałęzi</translation>
     </message>
     <message>
@@ -4984,7 +4984,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Całość</translation>
     </message>
     <message>
-        <source>Show the whole section</source>
+        <source>Show the whole cross-section.</source>
         <translation>Pokazuje cały przekrój</translation>
     </message>
     <message>
@@ -5044,7 +5044,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Interpoluj</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place of this branch that has a profile: those between change from the one to the other.</source>
+        <source>&lt;b&gt;Blend&lt;/b&gt;&lt;br&gt;Then tap another place on this branch that has a profile: the sections between change from one to the other.</source>
         <translation>&lt;b&gt;Interpoluj&lt;/b&gt;&lt;br&gt;Następnie stuknąć inne miejsce tej gałęzi, które ma profil: miejsca pomiędzy przechodzą od jednego do drugiego.</translation>
     </message>
 </context>
@@ -5055,7 +5055,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Odetnij</translation>
     </message>
     <message>
-        <source>Tap a branch to take it off, or draw a line across several.</source>
+        <source>Tap a branch to cut it off, or draw a line across several.</source>
         <translation>Dotknij gałęzi, aby ją zdjąć, albo przeciągnij linię w poprzek kilku.</translation>
     </message>
     <message>
@@ -5063,7 +5063,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Bez pędów</translation>
     </message>
     <message>
-        <source>Drag up along a trunk or a branch: the shoots below your hand go, and no new ones come. Drag the ring down again to let buds shoot.</source>
+        <source>Drag up along a trunk or a branch: the shoots below your hand are removed, and no new ones come. Drag the ring down again to let buds shoot.</source>
         <translation>Przeciągnij w górę wzdłuż pnia lub gałęzi: pędy poniżej dłoni znikają i nowe nie wyrastają. Przeciągnij pierścień w dół, aby pąki znów mogły rosnąć.</translation>
     </message>
     <message>
@@ -5079,7 +5079,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Przerzedź</translation>
     </message>
     <message>
-        <source>Brush over the crown to take some of its twigs, evenly.</source>
+        <source>Brush over the crown to take out some of its twigs evenly.</source>
         <translation>Przesuń pędzlem po koronie, aby równomiernie usunąć część gałązek.</translation>
     </message>
 </context>
@@ -5116,7 +5116,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::ReproduceController</name>
     <message>
-        <source>Draw the new trunk, from its foot to its tip.</source>
+        <source>Draw the new trunk, from its base to its tip.</source>
         <translation>Narysuj nowy pień, od podstawy do wierzchołka.</translation>
     </message>
     <message>
@@ -5175,15 +5175,15 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>espalier::SettingsSheet</name>
     <message>
-        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt and the left button turn, too.</source>
+        <source>The middle button turns; with Shift it pans, with Ctrl it zooms. Alt with the left button turns, too.</source>
         <translation>Środkowy przycisk obraca, z Shift przesuwa, z Ctrl przybliża. Alt i lewy przycisk też obracają.</translation>
     </message>
     <message>
-        <source>Alt and the left button turn, Alt and the middle one pan, Alt and the right one zoom.</source>
+        <source>With Alt, the left button turns, the middle one pans and the right one zooms.</source>
         <translation>Alt i lewy przycisk obracają, Alt i środkowy przesuwają, Alt i prawy przybliżają.</translation>
     </message>
     <message>
-        <source>The right or middle button turns, Shift and the middle button pan. Alt and the left button turn, too.</source>
+        <source>The right or middle button turns; Shift with the middle button pans. Alt with the left button turns, too.</source>
         <translation>Prawy lub środkowy przycisk obraca, Shift i środkowy przesuwają. Alt i lewy przycisk też obracają.</translation>
     </message>
     <message>
@@ -5283,7 +5283,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kroki cofania</translation>
     </message>
     <message>
-        <source>A new number of steps applies from the next tree that you begin or open.</source>
+        <source>A change applies to the next tree that you begin or open.</source>
         <translation>Liczba kroków obowiązuje od następnego rozpoczętego lub otwartego drzewa.</translation>
     </message>
     <message>
@@ -5295,7 +5295,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>We własnym folderze programu</translation>
     </message>
     <message>
-        <source>Folder of the Library</source>
+        <source>Library Folder</source>
         <translation>Folder biblioteki</translation>
     </message>
     <message>
@@ -5327,11 +5327,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Stabilizacja kreski</translation>
     </message>
     <message>
-        <source>A stroke follows the pointer at this distance, like a stone on a string: it does not tremble.</source>
+        <source>A stroke follows the pointer at this distance, like a stone on a string, so it does not tremble.</source>
         <translation>Kreska podąża za wskaźnikiem w tej odległości, jak kamień na sznurku: nie drży.</translation>
     </message>
     <message>
-        <source>A stroke comes this much later than the pointer, and more smoothly.</source>
+        <source>A stroke lags this far behind the pointer, and is smoother.</source>
         <translation>Kreska przychodzi o tyle później niż wskaźnik, za to płynniej.</translation>
     </message>
     <message>
@@ -5355,7 +5355,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>wyłączone</translation>
     </message>
     <message>
-        <source>Applies from the next start of Espalier.</source>
+        <source>Takes effect the next time Espalier starts.</source>
         <translation>Działa od następnego uruchomienia programu.</translation>
     </message>
 </context>
@@ -5382,7 +5382,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Rozmiar nowego drzewa</translation>
     </message>
     <message>
-        <source>How tall shall the new tree become?</source>
+        <source>How tall should the new tree grow?</source>
         <translation>Jak wysokie ma być nowe drzewo?</translation>
     </message>
     <message>
@@ -5412,7 +5412,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Inna głębia</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose the depths of the branches anew.</source>
+        <source>&lt;b&gt;Another depth&lt;/b&gt;&lt;br&gt;Choose new depths for the branches.</source>
         <translation>&lt;b&gt;Inna głębia&lt;/b&gt;&lt;br&gt;Wybierz głębie gałęzi na nowo.</translation>
     </message>
 </context>
@@ -5427,7 +5427,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Otwórz ostatnie</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
+        <source>%1 has unsaved changes.</source>
         <translation>„%1” ma niezapisane zmiany.</translation>
     </message>
 </context>
@@ -5574,15 +5574,19 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <source>From the right</source>
         <translation>Z prawej</translation>
     </message>
+    <message>
+        <source>From the front</source>
+        <translation>Z przodu</translation>
+    </message>
 </context>
 <context>
     <name>espalier::Workspace</name>
     <message>
-        <source>Only one branch grows  ✕</source>
+        <source>Only one bud grows  ✕</source>
         <translation>Rośnie tylko jedna gałąź  ✕</translation>
     </message>
     <message>
-        <source>Let all buds grow again</source>
+        <source>Let all buds grow again.</source>
         <translation>Znów rosną wszystkie pąki</translation>
     </message>
     <message>
@@ -5598,7 +5602,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Wróć do mojego drzewa</translation>
     </message>
     <message>
-        <source>Show your own tree again, as it was before this recipe was played</source>
+        <source>Show your own tree again, as it was before this recipe was played.</source>
         <translation>Pokazać znów własne drzewo, takie jak przed odtworzeniem tego przepisu</translation>
     </message>
 </context>

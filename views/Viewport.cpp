@@ -91,7 +91,7 @@ void Viewport::moveCamera(const Camera& camera)
     if (sized == m_camera)
         return;
     m_camera = sized;
-    followSideView();
+    placeSecondView();
     m_pacer.disturb();
     redrawTree();
     Q_EMIT cameraChanged();
@@ -100,22 +100,29 @@ void Viewport::moveCamera(const Camera& camera)
 void Viewport::setFrameMargins(const QMargins& margins)
 {
     m_frameMargins = margins;
-    followSideView();
+    placeSecondView();
 }
 
-/// Puts the second view where it belongs now.
-void Viewport::followSideView()
+/// What the second view shows all of, m: a seedling alone is too small for that.
+Box3 Viewport::secondBounds() const
 {
-    const bool wasShown = m_side.isShown();
-    const QRect place = m_side.rect();
-    m_side.follow(m_camera, clearRect(), m_settings.values().sideViewShown);
-    if (m_side.rect() == place)
-        return;
-    if (wasShown && m_isInSideView) {
+    return m_document.index().livingCount() > 1 ? m_scene.bounds() : Box3();
+}
+
+/// Puts the second view where it belongs now. A gesture in it ends first, as it stands, since it is read with
+/// the camera that it began with.
+void Viewport::placeSecondView()
+{
+    const QRect place = SecondView::placeIn(m_settings.values().secondViewShown ? clearRect() : QRect());
+    const bool moves = place != m_second.rect();
+    if (moves && m_isInSecondView) {
         finishGesture();
-        m_isInSideView = false;
+        leaveViews();
     }
-    redrawTree();
+    if (!isGestureActive() || !m_isInSecondView)
+        m_second.follow(m_camera, clearRect(), place, secondBounds());
+    if (moves)
+        redrawTree();
 }
 
 void Viewport::setSeedlingView(double metres)
@@ -280,7 +287,7 @@ void Viewport::followSettings()
     if (values == m_shown)
         return;
     m_shown = values;
-    followSideView();
+    placeSecondView();
     m_scene.setFibresShown(values.fibresShown);
     m_pacer.disturb();
     redrawTree();
@@ -290,10 +297,10 @@ void Viewport::setTool(std::unique_ptr<Tool> tool)
 {
     finishGesture();
     delete m_labelEditor;
+    leaveViews();
     m_tool->leave();
     m_tool = std::move(tool);
     m_hand = m_tool.get();
-    m_isInSideView = false;
     setCursor(m_tool->cursor());
     update();
     Q_EMIT toolChanged();
@@ -348,6 +355,8 @@ void Viewport::timerEvent(QTimerEvent* event)
 {
     if (event->timerId() == m_ticks.timerId()) {
         tick();
+    } else if (event->timerId() == m_lateTimer.timerId()) {
+        flushLateMove();
     } else if (event->timerId() == m_restTimer.timerId()) {
         m_restTimer.stop();
         if (m_gestures.isBusy() || m_isGrowing || needsTicks()) {
@@ -407,187 +416,6 @@ void Viewport::redrawTree()
     m_pictureIsOld = true;
     m_restTimer.start(kRestAfter, this);
     update();
-}
-
-void Viewport::initializeGL()
-{
-    Gl* gl = currentGl();
-    if (gl == nullptr)
-        qFatal("This program needs OpenGL 3.3");
-    m_renderer = std::make_unique<Renderer>(*gl);
-    m_overlayRenderer = std::make_unique<OverlayRenderer>(*gl);
-    m_picture = std::make_unique<RenderTarget>(*gl);
-    m_pictureIsOld = true;
-    // A move to another window creates another context.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseGl, Qt::UniqueConnection);
-}
-
-QImage Viewport::grabPicture()
-{
-    if (!m_isGrowing) {
-        m_scene.prepare();
-        m_scene.prepareStrands();
-        redrawTree();
-    }
-    grabFramebuffer(); // draws pending changes
-    makeCurrent();
-    QImage picture = m_picture->readImage();
-    doneCurrent();
-    return picture;
-}
-
-void Viewport::releaseGl()
-{
-    if (!m_renderer)
-        return;
-    makeCurrent();
-    m_picture.reset();
-    m_side.releaseGl();
-    m_overlayRenderer.reset();
-    m_renderer.reset();
-    doneCurrent();
-}
-
-void Viewport::drawPicture()
-{
-    RenderOptions options;
-    options.view = m_settings.values();
-    m_pacer.apply(options);
-    Camera camera = m_camera;
-    const QSizeF pixels = QSizeF(size()) * devicePixelRatioF() * m_pacer.scale();
-    camera.setViewSize({std::round(pixels.width()), std::round(pixels.height())});
-    Gl& gl = *currentGl();
-    QElapsedTimer timer;
-    timer.start();
-    if (m_pictureIsOld)
-        m_passes = 0;
-    m_renderer->renderPass(m_scene, camera, options, *m_picture, m_passes);
-    // Only after a frame is finished is its time known. Waiting also keeps input from running ahead of the
-    // picture.
-    gl.glFinish();
-    m_pacer.frameTook(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
-    m_frame = m_renderer->frame();
-    const double now = m_pointers.now();
-    if (m_side.isShown() &&
-        (m_pacer.isAtRest() ? m_passes < SideView::kSamples : m_side.isDue(now) || !m_side.hasPicture())) {
-        m_side.drawPass(*m_renderer, m_scene, options, m_camera, devicePixelRatioF(), m_passes);
-        m_side.setDrawnAt(now);
-    }
-    m_pictureIsOld = false;
-    m_passIsDue = false;
-    ++m_passes;
-    startTicking();
-}
-
-void Viewport::paintGL()
-{
-    if (m_pictureIsOld || (m_passIsDue && isRefining()))
-        drawPicture();
-    Gl& gl = *currentGl();
-    const GLuint widgetBuffer = defaultFramebufferObject();
-    const QSize from = m_picture->size();
-    const QSize to = (QSizeF(size()) * devicePixelRatioF()).toSize();
-    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, m_picture->framebuffer());
-    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, widgetBuffer);
-    gl.glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, to.width(), to.height(),
-                         GL_COLOR_BUFFER_BIT, from == to ? GL_NEAREST : GL_LINEAR);
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
-    m_overlay.clear();
-    m_hand->paint(m_overlay);
-    if (const Competitors& only = m_document.competitors(); !only.areAll()) {
-        const BudRef bud{only.node, only.slot};
-        const Vec3 place = budPosition(m_document.tree(), m_document.index(), bud, branchRadius(only.node));
-        paintSelectionRings(m_overlay, m_camera, place, m_pointers.now() - m_selectedAt);
-    }
-    const bool showsSide = m_side.isShown() && m_side.hasPicture();
-    if (showsSide)
-        m_sideOverlay = m_overlay;
-    if (m_hand != m_sun.get())
-        m_sun->paint(m_overlay);
-    m_renderer->bindFrame(m_frame);
-    m_overlayRenderer->render(m_overlay, m_camera, m_picture->depthTexture(), QRect(QPoint(), to),
-                              devicePixelRatioF());
-    paintScale();
-    if (showsSide) {
-        gl.glBindFramebuffer(GL_FRAMEBUFFER, widgetBuffer);
-        m_side.show(gl, *m_renderer, *m_overlayRenderer, m_sideOverlay, widgetBuffer, height(),
-                    devicePixelRatioF());
-        paintSideFrame();
-    }
-    paintLabels();
-}
-
-void Viewport::paintScale()
-{
-    if (!m_settings.values().personShown)
-        return;
-    if (!isGestureActive())
-        m_personPlace = personPlace(m_scene.bounds());
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const bool isOverLight = isBackdropLight(m_settings.values());
-    paintPerson(painter, m_camera, m_personPlace, isOverLight);
-    paintScaleBar(painter, m_camera, clearRect(), isOverLight);
-}
-
-/// The second view's edge and its name.
-void Viewport::paintSideFrame()
-{
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const bool isOverLight = isBackdropLight(m_settings.values());
-    const QColor edge = isOverLight ? QColor(0, 0, 0, 110) : QColor(255, 255, 255, 110);
-    const QRectF frame = QRectF(m_side.rect()).adjusted(-0.5, -0.5, 0.5, 0.5);
-    painter.setPen(QPen(edge, m_isInSideView ? 2.0 : 1.0));
-    painter.drawRoundedRect(frame, 3.0, 3.0);
-    painter.setPen(isOverLight ? QColor(0, 0, 0, 190) : QColor(255, 255, 255, 190));
-    painter.drawText(frame.adjusted(8.0, 6.0, -8.0, -6.0), Qt::AlignTop | Qt::AlignLeft,
-                     tr("From the right"));
-}
-
-void Viewport::paintLabels()
-{
-    if (m_overlay.labels().empty())
-        return;
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    const std::vector<QRectF> boxes = labelBoxes(m_overlay, m_camera, QFontMetricsF(font()));
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (boxes[i].isNull())
-            continue;
-        const Overlay::Label& label = m_overlay.labels()[i];
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(24, 27, 32, 200));
-        painter.drawRoundedRect(boxes[i], 5.0, 5.0);
-        painter.setPen(label.colour);
-        painter.drawText(boxes[i], Qt::AlignCenter, label.text);
-    }
-}
-
-std::optional<InternodeId> Viewport::labelAt(const QPointF& screen) const
-{
-    if (m_isInSideView)
-        return std::nullopt;
-    const std::vector<QRectF> boxes = labelBoxes(m_overlay, m_camera, QFontMetricsF(font()));
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (boxes[i].contains(screen) && m_overlay.labels()[i].subject)
-            return m_overlay.labels()[i].subject;
-    }
-    return std::nullopt;
-}
-
-void Viewport::editLabel(InternodeId subject, const QString& text, std::function<bool(const QString&)> take)
-{
-    const std::vector<QRectF> boxes = labelBoxes(m_overlay, m_camera, QFontMetricsF(font()));
-    const auto label = std::ranges::find(m_overlay.labels(), subject, &Overlay::Label::subject);
-    if (label == m_overlay.labels().end())
-        return;
-    const QRectF box = boxes[static_cast<std::size_t>(label - m_overlay.labels().begin())];
-    // The field takes the focus, which would end the gesture that asks for it.
-    QTimer::singleShot(0, this, [this, box, text, take = std::move(take)] {
-        delete m_labelEditor;
-        m_labelEditor = new LabelEditor(box, text, take, this);
-    });
 }
 
 } // namespace espalier

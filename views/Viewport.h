@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "views/SideView.h"
+#include "views/SecondView.h"
 #include "views/camera/CameraFlight.h"
 #include "views/input/GestureReader.h"
 #include "views/input/HeldKeys.h"
@@ -96,8 +96,8 @@ public:
     /// eraser end prunes with any tool.
     void setTool(std::unique_ptr<Tool> tool);
     const Tool& tool() const { return *m_tool; }
-    /// The second view, which shows the tree from the side; see ViewValues::sideViewShown.
-    const SideView& sideView() const { return m_side; }
+    /// The second view, which shows the tree from the side; see ViewValues::secondViewShown.
+    const SecondView& secondView() const { return m_second; }
     /// Place of the ball that moves the sun, px. SunTool gets the samples of a pointer that is on it.
     QPointF sunPlace() const;
 
@@ -108,6 +108,8 @@ public:
     /// A gesture ends by itself when its pointer is lost: another window is in front, a dialog or menu opens,
     /// the keyboard leaves the tree, the system takes the touch away.
     bool isGestureActive() const { return m_hand->isActive(); }
+    /// Whether a pointer works with the tool or moves the camera.
+    bool isPointerDown() const { return m_gestures.isBusy(); }
     /// Ends a tool's gesture as it stands, as one undo step.
     void finishGesture();
     /// Cancels a tool's gesture; ends a gesture that moves the camera, too.
@@ -156,7 +158,7 @@ protected:
 
 private:
     // ToolContext
-    const Camera& camera() const override { return m_isInSideView ? m_side.camera() : m_camera; }
+    const Camera& camera() const override { return m_isInSecondView ? m_second.camera() : m_camera; }
     TreeDocument& document() override { return m_document; }
     ViewSettings& viewSettings() override { return m_settings; }
     std::optional<PickedBranch> pick(const QPointF& screen, PointerDevice device) const override;
@@ -172,6 +174,7 @@ private:
     // GestureTarget
     void toolBegins(const PointerSample& sample) override;
     void toolMoves(const PointerSample& sample) override;
+    void flushLateMove();
     void toolEnds(const PointerSample& sample) override;
     void toolIsFinished() override;
     void toolIsCancelled() override;
@@ -191,12 +194,14 @@ private:
     auto withPickScene(Pick&& pick) const;
     double reachOf(PointerDevice device) const;
     PointerSample takeInHand(const PointerSample& sample);
+    void leaveViews();
     /// @p sample as the tool in hand gets it: in the view where its gesture began.
     PointerSample inView(const PointerSample& sample) const
     {
-        return m_isInSideView ? m_side.seenFromHere(sample) : sample;
+        return m_isInSecondView ? m_second.seenFromHere(sample) : sample;
     }
-    void followSideView();
+    void placeSecondView();
+    Box3 secondBounds() const;
     void followDocument(const TreeChange& change);
     void followSettings();
     void moveCamera(const Camera& camera);
@@ -217,7 +222,7 @@ private:
         return m_pacer.isAtRest() && !m_pictureIsOld && m_passes < m_pacer.bestSamples();
     }
     void drawPicture();
-    void paintSideFrame();
+    void paintSecondFrame();
     void paintLabels();
     void paintScale();
     void releaseGl();
@@ -240,10 +245,10 @@ private:
     std::unique_ptr<Tool> m_eraser; ///< Gets the samples while a pen is turned over
     std::unique_ptr<SunTool> m_sun; ///< Gets the samples while the pointer is on the sun
     Tool* m_hand;                   ///< The one of the three that gets the samples now
-    SideView m_side;
-    bool m_isInSideView = false; ///< The hand is in the second view
+    SecondView m_second;
+    bool m_isInSecondView = false; ///< The hand is in the second view
     Overlay m_overlay;
-    Overlay m_sideOverlay; ///< The same for the second view, which does not show the sun
+    Overlay m_secondOverlay; ///< The same for the second view, which does not show the sun
     QPointer<LabelEditor> m_labelEditor;
 
     FramePacer m_pacer;
@@ -253,6 +258,10 @@ private:
     bool m_passIsDue = false;
     QBasicTimer m_ticks;
     QBasicTimer m_restTimer;
+    /// The newest sample that a tool which draws nothing has not got yet, because samples come faster than it
+    /// can work.
+    std::optional<PointerSample> m_lateMove;
+    QBasicTimer m_lateTimer;
     double m_lastTick = 0.0;    ///< s
     double m_selectedAt = -1e9; ///< Time when the bud that alone grows was chosen, s
 

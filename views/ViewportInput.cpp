@@ -3,6 +3,7 @@
 #include "views/Viewport.h"
 #include "views/tools/SunTool.h"
 
+#include <QApplication>
 #include <QKeyEvent>
 #include <QWheelEvent>
 
@@ -16,6 +17,8 @@ constexpr double kOrbitPerPixel = 0.0065; ///< rad
 constexpr double kZoomPerNotch = 0.88;
 /// A key that is only tapped moves the camera as much as one held for this long, s.
 constexpr double kCameraTap = 0.04;
+/// A sample that is older than this is late, s.
+constexpr double kLate = 0.03;
 
 } // namespace
 
@@ -28,6 +31,12 @@ bool Viewport::event(QEvent* event)
     case QEvent::TouchCancel:
     case QEvent::TabletPress:
         // A press of the mouse sets the focus by itself.
+        // Unlike a mouse, a pen beside a menu presses what is below it.
+        if (QWidget* menu = QApplication::activePopupWidget(); menu && event->type() == QEvent::TabletPress) {
+            menu->close();
+            event->accept();
+            return true;
+        }
         if (event->type() == QEvent::TouchBegin || event->type() == QEvent::TabletPress)
             setFocus(Qt::MouseFocusReason);
         [[fallthrough]];
@@ -141,15 +150,14 @@ void Viewport::hideEvent(QHideEvent* event)
 
 void Viewport::leaveEvent(QEvent* event)
 {
-    if (!m_hand->isActive())
-        m_hand->leave();
+    leaveViews();
     QOpenGLWidget::leaveEvent(event);
 }
 
 void Viewport::resizeEvent(QResizeEvent* event)
 {
     takeClearRect();
-    followSideView();
+    placeSecondView();
     m_gestures.setStrip(QRectF(0.0, height() - kStripHeight, width(), kStripHeight));
     QOpenGLWidget::resizeEvent(event);
 }
@@ -198,8 +206,11 @@ PointerSample Viewport::takeInHand(const PointerSample& sample)
     if (m_hand->isActive())
         return inView(sample);
     Tool* hand = sample.isEraser && !m_tool->takesEraser() ? m_eraser.get() : m_tool.get();
-    m_isInSideView = m_side.isAt(sample.position);
-    if (!m_isInSideView && m_sun->isAt(sample.position, reachOf(sample.device)))
+    const bool isInSecondView = m_second.isAt(sample.position);
+    if (isInSecondView != m_isInSecondView)
+        leaveViews();
+    m_isInSecondView = isInSecondView;
+    if (!m_isInSecondView && m_sun->isAt(sample.position, reachOf(sample.device)))
         hand = m_sun.get();
     if (hand != m_hand) {
         m_hand->leave();
@@ -207,6 +218,15 @@ PointerSample Viewport::takeInHand(const PointerSample& sample)
         setCursor(m_hand->cursor());
     }
     return inView(sample);
+}
+
+/// The pointer is in no view any more, unless a gesture is under way.
+void Viewport::leaveViews()
+{
+    if (m_hand->isActive())
+        return;
+    m_hand->leave();
+    m_isInSecondView = false;
 }
 
 bool Viewport::toolTakesFinger(const PointerSample& sample)
@@ -225,26 +245,47 @@ void Viewport::toolBegins(const PointerSample& sample)
     Q_EMIT gestureActiveChanged(true);
 }
 
+/// What is drawn needs all samples. Other tools need only where the pointer is now; if it was there long ago,
+/// more samples wait, and the newest of them will do.
 void Viewport::toolMoves(const PointerSample& sample)
 {
-    m_hand->move(m_hand->isFreehand() ? m_stabiliser.move(inView(sample)) : inView(sample));
+    if (m_hand->isFreehand()) {
+        m_hand->move(m_stabiliser.move(inView(sample)));
+    } else if (m_pointers.now() - sample.time > kLate) {
+        m_lateMove = inView(sample);
+        m_lateTimer.start(0, this);
+    } else {
+        m_lateMove.reset();
+        m_hand->move(inView(sample));
+    }
+}
+
+void Viewport::flushLateMove()
+{
+    m_lateTimer.stop();
+    if (const std::optional<PointerSample> sample = std::exchange(m_lateMove, std::nullopt);
+        sample && m_hand->isActive())
+        m_hand->move(*sample);
 }
 
 /// A calmed stroke ends where the pointer is.
 void Viewport::toolEnds(const PointerSample& sample)
 {
+    flushLateMove();
     m_hand->end(inView(sample));
     Q_EMIT gestureActiveChanged(false);
 }
 
 void Viewport::toolIsFinished()
 {
+    flushLateMove();
     m_hand->finish();
     Q_EMIT gestureActiveChanged(false);
 }
 
 void Viewport::toolIsCancelled()
 {
+    m_lateMove.reset();
     m_hand->cancel();
     Q_EMIT gestureActiveChanged(false);
 }
@@ -281,7 +322,13 @@ void Viewport::panBy(const QPointF& distance)
 {
     m_flight.stop();
     Camera camera = m_camera;
-    camera.pan(distance);
+    if (m_isInSecondView) {
+        Camera side = m_second.camera();
+        side.pan(distance);
+        camera.setTarget(side.target());
+    } else {
+        camera.pan(distance);
+    }
     moveCamera(camera);
 }
 
@@ -289,7 +336,7 @@ void Viewport::magnify(double factor, const QPointF& about)
 {
     m_flight.stop();
     Camera camera = m_camera;
-    camera.zoom(static_cast<float>(1.0 / factor), m_side.isAt(about) ? camera.targetPlace() : about);
+    camera.zoom(static_cast<float>(1.0 / factor), m_second.isAt(about) ? camera.targetPlace() : about);
     moveCamera(camera);
 }
 

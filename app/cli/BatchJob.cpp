@@ -300,16 +300,17 @@ Result<QString> playRecipes(TreeDocument& document, QString& name, const Command
     if (look)
         document.setLook(*look);
     if (wanted && !(document.tree() == *wanted)) {
-        complain(QCoreApplication::translate(
-                     "CommandLine", "%1: its history, played again, gives another tree than it holds")
-                     .arg(QFileInfo(line.inputs.constFirst()).fileName()));
+        complain(
+            QCoreApplication::translate(
+                "CommandLine", "%1: its history, played again, gives a different tree from the one it holds")
+                .arg(QFileInfo(line.inputs.constFirst()).fileName()));
         ++warnings;
     }
     if (line.strict && warnings > 0)
         return Error{Error::Kind::Input,
                      QCoreApplication::translate("CommandLine",
-                                                 "--strict: nothing is written, since operations "
-                                                 "found nothing to do, or not all that they name")};
+                                                 "--strict: nothing is written, because some "
+                                                 "operations did not find everything that they name")};
     return view;
 }
 

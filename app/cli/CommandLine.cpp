@@ -36,7 +36,7 @@ Result<QSize> parseSize(const QString& text)
     const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
     if (!match.hasMatch() || size.width() < 1 || size.height() < 1 || size.width() > kMaxPictureEdge ||
         size.height() > kMaxPictureEdge)
-        return usage(CommandLineText::tr("--size wants WIDTHxHEIGHT of up to %1 pixels each, not \"%2\"")
+        return usage(CommandLineText::tr("--size needs WIDTHxHEIGHT of up to %1 pixels each, not \"%2\"")
                          .arg(kMaxPictureEdge)
                          .arg(text));
     return size;
@@ -130,7 +130,7 @@ constexpr Option kOptions[] = {
          bool isNumber = false;
          line.drawing = value.toInt(&isNumber);
          if (!isNumber || line.drawing < 0)
-             return usage(CommandLineText::tr("--index wants a whole number from 0, not \"%1\"").arg(value));
+             return usage(CommandLineText::tr("--index needs a whole number from 0, not \"%1\"").arg(value));
          return {};
      }},
     {"front-only", " sketch ",
@@ -144,7 +144,7 @@ constexpr Option kOptions[] = {
          bool isNumber = false;
          line.threads = value.toInt(&isNumber);
          if (!isNumber || line.threads < 1 || line.threads > kMaxThreads)
-             return usage(CommandLineText::tr("--threads wants a number from 1 to %1, not \"%2\"")
+             return usage(CommandLineText::tr("--threads needs a number from 1 to %1, not \"%2\"")
                               .arg(kMaxThreads)
                               .arg(value));
          return {};
@@ -155,7 +155,7 @@ constexpr Option kOptions[] = {
          line.seed = value.toULongLong(&isNumber);
          if (!isNumber)
              return usage(
-                 CommandLineText::tr("--seed wants a whole number from 0 to 18446744073709551615, not \"%1\"")
+                 CommandLineText::tr("--seed needs a whole number from 0 to 18446744073709551615, not \"%1\"")
                      .arg(value));
          return {};
      }},
@@ -170,8 +170,8 @@ constexpr Option kOptions[] = {
          if (!isSeed || !isAmount || !(variation.amount >= VaryOperation::kLeastAmount) ||
              !(variation.amount <= 1.0))
              return usage(
-                 CommandLineText::tr("--vary wants a whole number from 0, and after a colon an amount "
-                                     "from %1 to 1 if you like, such as 7 or 7:0.5, not \"%2\"")
+                 CommandLineText::tr("--vary needs a whole number from 0, and after a colon an amount from "
+                                     "%1 to 1 if you like, such as 7 or 7:0.5, not \"%2\"")
                      .arg(VaryOperation::kLeastAmount)
                      .arg(value));
          line.variation = variation;
@@ -198,7 +198,7 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
     if (!parser.parse(QStringList{verb} + arguments)) {
         if (const QStringList unknown = parser.unknownOptionNames(); !unknown.isEmpty())
             return usage(
-                CommandLineText::tr("%1 knows no option %2").arg(verb, Option::dashed(unknown.constFirst())));
+                CommandLineText::tr("%1 has no option %2").arg(verb, Option::dashed(unknown.constFirst())));
         for (const Option* option : known) {
             const QString withValue = option->shown() + QLatin1Char('=');
             if (option->isFlag && std::ranges::any_of(arguments, [&](const QString& argument) {
@@ -228,41 +228,41 @@ Result<void> parseArguments(CommandLine& line, const QString& verb, const QStrin
 Result<void> checkComplete(const CommandLine& line)
 {
     if (line.transparent && line.picture.isEmpty())
-        return usage(CommandLineText::tr("--transparent wants --png FILE"));
+        return usage(CommandLineText::tr("--transparent needs --png FILE"));
     if (line.fibres && line.picture.isEmpty())
-        return usage(CommandLineText::tr("--fibres wants --png FILE"));
+        return usage(CommandLineText::tr("--fibres needs --png FILE"));
     if (line.groundShadow && !line.transparent)
-        return usage(CommandLineText::tr("--ground-shadow wants --transparent"));
+        return usage(CommandLineText::tr("--ground-shadow needs --transparent"));
     switch (line.verb) {
     case Verb::Replay:
         if (line.inputs.isEmpty())
-            return usage(CommandLineText::tr("replay wants at least one recipe or project"));
+            return usage(CommandLineText::tr("replay needs at least one recipe or project"));
         break;
     case Verb::Import:
         if (line.inputs.size() != 1 || line.outputs.isEmpty())
-            return usage(CommandLineText::tr("import wants one skeleton and -o OUT"));
+            return usage(CommandLineText::tr("import needs one skeleton and -o OUT"));
         break;
     case Verb::Sketch:
         if (line.inputs.isEmpty())
-            return usage(CommandLineText::tr("sketch wants at least one drawing"));
+            return usage(CommandLineText::tr("sketch needs at least one drawing"));
         break;
     case Verb::Export:
     case Verb::Render:
         if (line.inputs.size() != 1)
             return usage(
-                CommandLineText::tr("%1 wants one project")
+                CommandLineText::tr("%1 needs one project")
                     .arg(line.verb == Verb::Export ? QStringLiteral("export") : QStringLiteral("render")));
         if (line.verb == Verb::Render && line.picture.isEmpty())
-            return usage(CommandLineText::tr("render wants --png FILE"));
+            return usage(CommandLineText::tr("render needs --png FILE"));
         break;
     case Verb::Info:
         if (line.inputs.size() != 1)
-            return usage(CommandLineText::tr("info wants one file"));
+            return usage(CommandLineText::tr("info needs one file"));
         break;
     default:
         if (line.inputs.size() > 1)
-            return usage(
-                CommandLineText::tr("a window shows one file, so what is \"%1\"?").arg(line.inputs[1]));
+            return usage(CommandLineText::tr("a window opens only one file; \"%1\" is one too many")
+                             .arg(line.inputs[1]));
     }
     return {};
 }
@@ -342,29 +342,29 @@ QString commandLineHelp()
                "                [--transparent [--ground-shadow]] [--fibres]\n"
                "                [--stats FILE] [--profiles FILE] [--threads N] [--seed N]\n"
                "                [--strict] [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...\n"
-               "    Does what a recipe says, without a window, and writes what comes of it.\n"
-               "    Of a project, all is done again that was done to its tree.\n"
-               "    Of several recipes each continues the tree of the one before: the first\n"
-               "    says the seed, and each begins by putting its parameters in force.\n"
+               "    Plays a recipe without a window, and writes the result.\n"
+               "    For a project, all that was done to its tree is done again.\n"
+               "    With several recipes, each continues the tree of the one before: the\n"
+               "    first sets the seed, and each begins by applying its own parameters.\n"
                "    --profiles: the places of the strands in each cross-section, as JSON.\n"
-               "    What operations do not find in the tree is printed; with --strict it is an\n"
+               "    Whatever an operation does not find is printed; with --strict it is an\n"
                "    error, and nothing is written.\n"
                "    --set gives a parameter a value for the whole replay, whatever recipes say:\n"
                "    --set growth.shedding=0.1 --set leaves.visible=false. Angles are in degrees.\n"
-               "    --vary makes angles and lengths of the tree deviate a little, by an amount of\n"
-               "    0.3, or up to 1: with another seed it is another tree beside it in a forest.\n"
+               "    --vary makes the tree's angles and lengths deviate a little, by 0.3 or by\n"
+               "    an AMOUNT of up to 1; each SEED gives another neighbour in a forest.\n"
                "\n"
                "espalier import SKELETON.csv -o OUT...\n"
-               "    Makes a tree of a measured one: lines of id, parent, both ends and radius.\n"
+               "    Makes a tree from a measured one: each line has id, parent, both ends, radius.\n"
                "\n"
                "espalier sketch DRAWING... [--index N] [--front-only] [-o OUT]... [--png FILE]\n"
                "                [--size WxH] [--camera ...] [--stats FILE] [--seed N]\n"
                "                [--set GROUP.NAME=VALUE]...\n"
-               "    Makes a tree of a drawing: lines are branches, small loops leaves,\n"
+               "    Makes a tree from a drawing: lines are branches, small loops are leaves,\n"
                "    a large loop is a crown to grow into. Drawings are SVG, or Quick, Draw!\n"
-               "    .ndjson, of which --index takes a line, from 0. Of several drawings each is\n"
-               "    drawn over the one before. --front-only: depth is given once, without a\n"
-               "    second placing from the side.\n"
+               "    .ndjson, where --index picks a line, from 0. Several drawings are drawn one\n"
+               "    over the other. --front-only: the drawing is placed once, and not a second\n"
+               "    time from the side.\n"
                "\n"
                "espalier export PROJECT [-o OUT]... [--vary SEED[:AMOUNT]]\n"
                "                [--set GROUP.NAME=VALUE]...\n"
@@ -374,18 +374,18 @@ QString commandLineHelp()
                "espalier render PROJECT --png FILE [--size WxH] [--camera ...]\n"
                "                [--transparent [--ground-shadow]] [--fibres]\n"
                "                [--vary SEED[:AMOUNT]] [--set GROUP.NAME=VALUE]...\n"
-               "    Takes a picture. It wants a display; a virtual one will do.\n"
+               "    Draws a picture. It needs a display; a virtual one will do.\n"
                "    --transparent: the tree alone, with straight alpha; --ground-shadow keeps\n"
-               "    its shadow, as black of some opacity. --fibres: the strands of the wood.\n"
+               "    its shadow, as partly transparent black. --fibres: the strands of the wood.\n"
                "\n"
                "espalier info FILE\n"
-               "    Says as JSON what is in a project.\n"
+               "    Prints as JSON what is in a project.\n"
                "\n"
                "espalier --help, --version\n"
                "\n"
-               "OUT ends in .espalier (project) or in the ending of a format:\n"
+               "OUT ends in .espalier (project) or in the suffix of a format:\n"
                "%1"
-               "Ends with 0 when done, 2 when the command line is wrong, 3 when an input is\n"
+               "Exits with 0 when done, 2 when the command line is wrong, 3 when an input is\n"
                "unreadable or wrong, 4 when an output could not be written.\n")
         .arg(formatList());
 }

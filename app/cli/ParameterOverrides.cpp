@@ -90,7 +90,7 @@ Result<void> ParameterOverrides::add(const QString& text)
     const auto equals = text.indexOf(QLatin1Char('='));
     const QString key = text.left(equals).trimmed();
     if (equals < 1)
-        return inputError({}, OverrideText::tr("--set wants group.name=value, not \"%1\"").arg(text));
+        return inputError({}, OverrideText::tr("--set needs group.name=value, not \"%1\"").arg(text));
     std::optional<QJsonValue> value;
     const TreeParameters roomy = roomyParameters();
     visitParameters(roomy, [&](const ParameterInfo& info, const auto&) {
@@ -98,7 +98,7 @@ Result<void> ParameterOverrides::add(const QString& text)
             value = valueOf(info, text.mid(equals + 1).trimmed());
     });
     if (!value)
-        return inputError({}, OverrideText::tr("--set knows no parameter \"%1\"").arg(key));
+        return inputError({}, OverrideText::tr("--set: there is no parameter \"%1\"").arg(key));
     const QString group = key.section(QLatin1Char('.'), 0, 0);
     QJsonObject members = m_values.value(group).toObject();
     members[key.section(QLatin1Char('.'), 1)] = *value;

@@ -96,7 +96,7 @@ Unsaved askAboutUnsaved(QWidget& window, const QString& name, bool isGrowing)
     QMessageBox question(
         QMessageBox::NoIcon, DialogText::tr("Espalier"),
         isGrowing ? DialogText::tr("%1 is still growing. What has grown so far is not saved.").arg(name)
-                  : DialogText::tr("%1 has changes that are not saved.").arg(name),
+                  : DialogText::tr("%1 has unsaved changes.").arg(name),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
     dress(*question.button(QMessageBox::Save), DialogText::tr("&Save"));
     dress(*question.button(QMessageBox::Discard), DialogText::tr("&Discard"));

@@ -101,7 +101,7 @@ QString Library::problemWith(const QString& name)
         return tr("A name cannot begin with a full stop.");
     for (const QChar character : name) {
         if (QStringLiteral("/\\:*?\"<>|").contains(character) || !character.isPrint())
-            return tr("A name cannot hold any of / \\ : * ? \" < > |.");
+            return tr("A name cannot contain any of / \\ : * ? \" < > |.");
     }
     if (name.toUtf8().size() > kMostBytes)
         return tr("This name is too long.");
@@ -118,7 +118,7 @@ Result<void> Library::makeFolder(const QString& folder) const
     if (QDir().mkpath(folder))
         return {};
     return Error{Error::Kind::Output,
-                 tr("The folder %1 cannot be made.").arg(QDir::toNativeSeparators(folder))};
+                 tr("The folder %1 cannot be created.").arg(QDir::toNativeSeparators(folder))};
 }
 
 Result<QString> Library::newFile(const QString& name) const
@@ -138,7 +138,7 @@ Result<QString> Library::rename(const QString& fileName, const QString& name) co
     if (path == QFileInfo(fileName).absoluteFilePath())
         return path;
     if (QFileInfo::exists(path))
-        return Error{Error::Kind::Input, tr("There is a tree named %1 already.").arg(wanted)};
+        return Error{Error::Kind::Input, tr("There is already a tree named %1.").arg(wanted)};
     QFile file(fileName);
     if (!file.rename(path))
         return Error{
@@ -163,7 +163,7 @@ Result<Library::Trashed> Library::moveToTrash(const QString& fileName) const
     const QFileInfo original(fileName);
     const QString name = original.completeBaseName();
     if (!original.exists())
-        return Error{Error::Kind::Input, tr("%1 is not there any more.").arg(name)};
+        return Error{Error::Kind::Input, tr("%1 is no longer there.").arg(name)};
     if (const std::optional<QString> path = m_systemTrash(fileName))
         return Trashed{fileName, *path, true};
     const QString trash = QDir(original.absolutePath()).filePath(kTrash);

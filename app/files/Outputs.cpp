@@ -37,7 +37,7 @@ Result<void> writePicture(const QImage& picture, const QString& fileName)
     if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG")) {
         return Error{
             Error::Kind::Output,
-            QCoreApplication::translate("Outputs", "%1: the picture could not be packed").arg(fileName)};
+            QCoreApplication::translate("Outputs", "%1: the picture could not be compressed").arg(fileName)};
     }
     return writeFile(fileName, bytes);
 }

@@ -90,7 +90,7 @@ void visitViewValues(Values& values, Visit&& visit)
     visit(QStringLiteral("view/newBuds"), values.newBuds);
     visit(QStringLiteral("view/budSpacing"), values.budSpacing);
     visit(QStringLiteral("view/personShown"), values.personShown);
-    visit(QStringLiteral("view/sideViewShown"), values.sideViewShown);
+    visit(QStringLiteral("view/secondViewShown"), values.secondViewShown);
 }
 
 /// Calls @p visit(key, field) for each value of a look that is stored. The picture to draw after belongs to

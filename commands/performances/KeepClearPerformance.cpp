@@ -12,7 +12,7 @@ QString KeepClearOperation::perform(TreeDocument& document) const
         return id.error().message;
     return keepClear(document, *id, length)
                ? QString()
-               : RecipeText::tr("the branch of internode %1 is kept clear like that already").arg(*id);
+               : RecipeText::tr("the branch of internode %1 is already kept clear that far").arg(*id);
 }
 
 } // namespace espalier

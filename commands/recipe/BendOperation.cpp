@@ -87,7 +87,7 @@ BendOperation::Grip readGrip(JsonReader& reader, RecipeReading& reading)
     const QJsonArray handles = reader.array(kHandlesKey);
     if (handles.isEmpty() || handles.size() > BendOperation::kMostHandles)
         reader.fail(kHandlesKey,
-                    RecipeText::tr("a bend has from 1 to %1 handles").arg(BendOperation::kMostHandles));
+                    RecipeText::tr("a bend needs 1 to %1 handles").arg(BendOperation::kMostHandles));
     for (qsizetype i = 0; i < std::min(handles.size(), BendOperation::kMostHandles); ++i) {
         readMember(reader, kHandlesKey, handles, i,
                    [&](JsonReader& handle) { grip.handles.push_back(readHandle(handle)); });

@@ -75,7 +75,7 @@ BrushStrokeOperation BrushStrokeOperation::read(JsonReader& reader, RecipeReadin
         stroke.end = StrokeEnd::Arrives;
     stroke.placement = readPlacement(reader);
     if (array.isEmpty())
-        reader.fail(kSamplesKey, RecipeText::tr("a stroke has at least one sample"));
+        reader.fail(kSamplesKey, RecipeText::tr("a stroke needs at least one sample"));
     if (!reading.admitSamples(reader, kSamplesKey, array.size()))
         return stroke;
     stroke.samples.resize(static_cast<std::size_t>(array.size()));

@@ -26,7 +26,7 @@ Result<SkeletonSegment> segmentOf(const QJsonValue& json, std::size_t index)
     const double parent = numbers[0].toDouble();
     if (parent != std::floor(parent) || parent < -1.0 || parent >= static_cast<double>(index))
         return Error{Error::Kind::Input,
-                     RecipeText::tr("its parent is not one of the segments before it, nor -1")};
+                     RecipeText::tr("its parent is neither one of the segments before it nor -1")};
     const auto at = [&](qsizetype i) { return static_cast<float>(numbers[i].toDouble()); };
     const SkeletonSegment segment{.parent = parent < 0.0 ? kNoInternode : static_cast<std::uint32_t>(parent),
                                   .base = {at(1), at(2), at(3)},

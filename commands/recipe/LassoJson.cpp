@@ -41,8 +41,8 @@ LassoStroke readLasso(JsonReader& reader, RecipeReading& reading, qsizetype leas
     const QJsonArray array = reader.array(kPointsKey);
     if (array.size() < least)
         reader.fail(kPointsKey, least == kLeastLassoPoints
-                                    ? RecipeText::tr("a lasso has at least three points")
-                                    : RecipeText::tr("a stroke has at least %1 points").arg(least));
+                                    ? RecipeText::tr("a lasso needs at least three points")
+                                    : RecipeText::tr("a stroke needs at least %1 points").arg(least));
     if (!reading.admitSamples(reader, kPointsKey, array.size()))
         return stroke;
     stroke.points.reserve(static_cast<std::size_t>(array.size()));

@@ -56,7 +56,7 @@ Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
         reader.integer(recipeLimits::kVersionKey, 1, std::numeric_limits<std::int32_t>::max());
     if (version > recipeLimits::kVersion) {
         return inputError({},
-                          RecipeText::tr("the recipe is of version %1, this program reads versions up to %2")
+                          RecipeText::tr("the recipe is of version %1; this program reads versions up to %2")
                               .arg(version)
                               .arg(recipeLimits::kVersion));
     }
@@ -74,7 +74,7 @@ Result<Recipe> parseRecipe(const QByteArray& json, const QString& folder)
     const QJsonArray operations = reader.array(kOperationsKey);
     if (operations.size() > recipeLimits::kOperations) {
         reader.fail(kOperationsKey,
-                    RecipeText::tr("a recipe has at most %1 operations").arg(recipeLimits::kOperations));
+                    RecipeText::tr("a recipe can have at most %1 operations").arg(recipeLimits::kOperations));
     }
     if (const Result<void> end = reader.finish(); !end)
         return end.error();

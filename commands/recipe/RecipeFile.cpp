@@ -74,7 +74,7 @@ Result<void> writeImage(const ImageAsset& image, const QString& fileName)
     if (there.open(QIODevice::ReadOnly) && there.readAll() == image.file())
         return {};
     return notWritten(fileName,
-                      RecipeText::tr("another file of this name lies where the recipe's image belongs"));
+                      RecipeText::tr("another file with this name is where the recipe's image should go"));
 }
 
 } // namespace
@@ -84,7 +84,7 @@ Result<void> saveRecipe(Recipe recipe, const QString& fileName)
     const Images images = renameImages(recipe);
     if (images.size() > recipeLimits::kImages)
         return notWritten(fileName,
-                          RecipeText::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
+                          RecipeText::tr("a recipe can have at most %1 images").arg(recipeLimits::kImages));
     const QByteArray text = writeRecipe(recipe);
     const QDir folder(QFileInfo(fileName).path());
     for (const ImageAsset& image : images) {

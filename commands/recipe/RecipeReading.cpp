@@ -14,7 +14,8 @@ namespace espalier {
 Result<ImageAsset> RecipeReading::readImage(const QString& name) const
 {
     if (m_images.size() >= recipeLimits::kImages)
-        return inputError(name, RecipeText::tr("a recipe has at most %1 images").arg(recipeLimits::kImages));
+        return inputError(name,
+                          RecipeText::tr("a recipe can have at most %1 images").arg(recipeLimits::kImages));
     const Result<QString> path = pathOf(name);
     return path ? readImageFile(*path, name) : path.error();
 }
@@ -72,7 +73,7 @@ bool RecipeReading::admitSamples(JsonReader& reader, QLatin1StringView key, qsiz
 {
     m_samples += samples;
     if (m_samples > recipeLimits::kSamples)
-        reader.fail(key, RecipeText::tr("a recipe has at most %1 samples").arg(recipeLimits::kSamples));
+        reader.fail(key, RecipeText::tr("a recipe can have at most %1 samples").arg(recipeLimits::kSamples));
     return m_samples <= recipeLimits::kSamples;
 }
 

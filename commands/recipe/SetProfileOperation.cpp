@@ -43,7 +43,7 @@ SetProfileOperation SetProfileOperation::read(JsonReader& reader, RecipeReading&
     if (reader.has(kToKey)) {
         operation.to = InternodeReference::read(reader, kToKey);
         if (array.size() > 1)
-            reader.fail(kToKey, RecipeText::tr("a branch begins at one internode"));
+            reader.fail(kToKey, RecipeText::tr("a branch must begin at exactly one internode"));
     }
     if (reader.has(kClearKey)) {
         if (reader.value(kClearKey) != QJsonValue(true))

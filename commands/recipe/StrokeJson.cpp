@@ -12,7 +12,7 @@ std::vector<Vec2> readStroke(JsonReader& reader, RecipeReading& reading, QLatin1
 {
     std::vector<Vec2> stroke;
     if (array.isEmpty())
-        reader.fail(inputError(place, RecipeText::tr("a stroke has at least one point")));
+        reader.fail(inputError(place, RecipeText::tr("a stroke needs at least one point")));
     if (!reading.admitSamples(reader, key, array.size()))
         return stroke;
     for (qsizetype i = 0; i < array.size(); ++i) {

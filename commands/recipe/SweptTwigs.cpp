@@ -42,7 +42,7 @@ Sweep readSweep(JsonReader& reader, RecipeReading& reading)
         reader.fail(kEyeKey, coordinatesExpected());
     const QJsonArray path = reader.array(kSweepPathKey);
     if (path.isEmpty())
-        reader.fail(kSweepPathKey, RecipeText::tr("a stroke has at least one point"));
+        reader.fail(kSweepPathKey, RecipeText::tr("a stroke needs at least one point"));
     if (!reading.admitSamples(reader, kSweepPathKey, path.size()))
         return sweep;
     for (qsizetype i = 0; i < path.size(); ++i) {

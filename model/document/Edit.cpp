@@ -113,15 +113,14 @@ void Edit::travelTo(std::size_t position)
     m_to = position;
 }
 
-void Edit::record(const QString& text, const QByteArray& operation)
+void Edit::record(const QByteArray& operation)
 {
-    if (m_deltas.empty())
+    if (operation.isEmpty() || operation.size() > EditRecord::kMostBytes || m_deltas.empty())
         return;
     // A copy, since another thread may read the delta in a snapshot of the journal.
     auto first = std::make_shared<TreeDelta>(*m_deltas.front());
     first->record = std::make_shared<const EditRecord>(
-        EditRecord{operation.size() > EditRecord::kMostBytes ? QByteArray() : operation,
-                   static_cast<std::uint32_t>(m_deltas.size()), text});
+        EditRecord{operation, static_cast<std::uint32_t>(m_deltas.size())});
     m_document.m_journal[m_document.m_journal.size() - m_deltas.size()] = first;
     m_deltas.front() = std::move(first);
 }
@@ -131,7 +130,7 @@ void Edit::commit(const QString& text, const QByteArray& operation)
     if (m_hasEnded)
         return;
     m_document.note({.kind = Event::Committed, .text = text, .operation = operation});
-    record(text, operation);
+    record(operation);
     end();
     if (!hasChanges())
         return;

@@ -70,7 +70,7 @@ private:
     friend class TreeDocument;
 
     void end();
-    void record(const QString& text, const QByteArray& operation);
+    void record(const QByteArray& operation);
 
     TreeDocument& m_document;
     Interrupted m_interrupted;

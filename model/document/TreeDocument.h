@@ -36,6 +36,7 @@ struct TreeChange {
 class Edit;
 struct AsideDocument;
 struct PreparedTree;
+struct RestoredStep;
 
 /// A tree, its journal and its undo stack. An Edit is the one way to change it; views and panels listen to
 /// changed().
@@ -93,12 +94,11 @@ public:
     /// Replaces the tree by a seedling, in the default look of a scene; clears the undo stack.
     void reset(std::uint64_t seed, const TreeParameters& parameters = {});
     /// Replaces the tree by one that was read from a file, with its journal. The last @p ahead deltas of the
-    /// journal become the future. The undo stack then has the steps that the journal tells of, as if they had
-    /// just been done: one a recorded edit, and a travel if there is a future. What an edit had replaced or
-    /// ended is not in the journal; undo does not bring it back.
+    /// journal become the future; clears the undo stack.
     void reset(Tree tree, Journal journal, std::size_t ahead = 0);
-    /// The same; apart from the steps, the listeners of changed() and the old tree's destruction, in constant
-    /// time.
+    /// The same; the undo stack then has the steps of @p prepared, as if they had just been done. What an
+    /// edit had replaced or ended is not in the history; undo does not bring it back. Apart from these steps,
+    /// the listeners of changed() and the old tree's destruction, in constant time.
     void reset(PreparedTree prepared);
 
     /// Exchanges the tree and its whole history, the future included, as one undo step named @p text, after
@@ -162,12 +162,18 @@ private:
     void revertLast();
     /// Sets everything but the look to @p prepared; clears the undo stack.
     void replaceBy(PreparedTree prepared);
-    void restoreSteps();
+    void restoreSteps(std::vector<RestoredStep> steps);
     /// Swaps everything with @p other.
     void swapWith(PreparedTree& other);
     /// Goes back or forth in the history, to where @p position deltas of it have been applied.
     /// Precondition: position <= journal().size() + future().size().
     void travelTo(std::size_t position);
+    /// The delta at @p position of the history, the future included.
+    const std::shared_ptr<TreeDelta>& deltaAt(std::size_t position) const
+    {
+        return position < m_journal.size() ? m_journal[position]
+                                           : m_future[m_future.size() - 1 - (position - m_journal.size())];
+    }
     /// Removes the future and returns it, or sets it. EditCommand and Edit keep a future that has ended.
     Journal takeFuture() { return std::exchange(m_future, {}); }
     void setFuture(Journal future) { m_future = std::move(future); }

@@ -3,45 +3,35 @@
 #include "model/document/EditCommand.h"
 #include "model/document/PreparedTree.h"
 #include "model/document/TreeDocument.h"
-#include "model/tree/JournalEdit.h"
 
-#include <QCoreApplication>
 #include <QSignalBlocker>
 
-#include <span>
+#include <algorithm>
 
 namespace espalier {
 
-/// Fills the undo stack, which is empty, with the steps that the history tells of, as if they had just been
-/// done, and makes it clean.
-void TreeDocument::restoreSteps()
+/// Fills the undo stack, which is empty, and makes it clean.
+void TreeDocument::restoreSteps(std::vector<RestoredStep> steps)
 {
-    Journal history = m_journal;
-    history.insert(history.end(), m_future.rbegin(), m_future.rend());
-    if (history.empty())
+    if (steps.empty())
         return;
+    const std::size_t limit =
+        m_undoStack.undoLimit() > 0 ? static_cast<std::size_t>(m_undoStack.undoLimit()) : steps.size();
     {
         // A view of the stack would be filled again with each step.
         const QSignalBlocker blocker(m_undoStack);
-        for (std::size_t i = 0; i < history.size();) {
-            const JournalEdit edit = JournalEdit::at(history, i);
-            const EditRecord* record = history[i]->record.get();
+        for (std::size_t i = steps.size() - std::min(limit, steps.size()); i < steps.size(); ++i) {
+            const JournalEdit& deltas = steps[i].deltas;
             EditCommand::Content content;
-            content.from = content.to = edit.first;
-            const auto deltas = std::span(history).subspan(edit.first, edit.end - edit.first);
-            content.deltas.assign(deltas.begin(), deltas.end());
-            const QString name = record && !record->step.isEmpty()
-                                     ? record->step
-                                     : QCoreApplication::translate("Commands", "Earlier Step");
-            m_undoStack.push(new EditCommand(*this, name, std::move(content)));
-            i = edit.end;
-        }
-        if (!m_future.empty()) {
-            EditCommand::Content travel;
-            travel.from = history.size();
-            travel.to = m_journal.size();
-            const QString name = QCoreApplication::translate("Commands", "Travel in Time");
-            m_undoStack.push(new EditCommand(*this, name, std::move(travel)));
+            if (deltas.first == deltas.end) {
+                content.from = m_journal.size() + m_future.size();
+                content.to = m_journal.size();
+            } else {
+                content.from = content.to = deltas.first;
+                for (std::size_t at = deltas.first; at < deltas.end; ++at)
+                    content.deltas.push_back(deltaAt(at));
+            }
+            m_undoStack.push(new EditCommand(*this, steps[i].title, std::move(content)));
         }
         m_undoStack.setClean();
     }
@@ -53,8 +43,9 @@ void TreeDocument::restoreSteps()
 void TreeDocument::reset(PreparedTree prepared)
 {
     const SceneLook look = prepared.look.value_or(SceneLook());
+    std::vector<RestoredStep> steps = std::move(prepared.steps);
     replaceBy(std::move(prepared));
-    restoreSteps();
+    restoreSteps(std::move(steps));
     setLook(look);
 }
 

@@ -189,7 +189,7 @@ Result<Envelope> Envelope::fromStrokes(std::span<const LassoStroke> strokes, con
     Envelope envelope(std::make_shared<const Content>(std::move(content)));
     if (tooFar || !envelope.contains(envelope.deepest()))
         return envelopeError(
-            QT_TRANSLATE_NOOP("Envelope", "The lasso is too small for how far it is from the origin."));
+            QT_TRANSLATE_NOOP("Envelope", "The lasso is too small for its distance from the origin."));
     return envelope;
 }
 

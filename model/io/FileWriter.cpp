@@ -52,7 +52,7 @@ QString problemWithPlace(const QFileInfo& target)
     if (!folder.isDir())
         return WriterText::tr("%1 is not a folder").arg(folder.filePath());
     if (target.isDir())
-        return WriterText::tr("there is a folder of this name");
+        return WriterText::tr("a folder with this name already exists");
     if (!target.exists() && !folder.isWritable())
         return WriterText::tr("you may not write into the folder %1").arg(folder.filePath());
     if (target.exists() && !target.isWritable())
@@ -79,7 +79,7 @@ QString systemReason(int number)
     case ENOSPC:
         return WriterText::tr("the disk is full");
     case EDQUOT:
-        return WriterText::tr("your share of the disk is full");
+        return WriterText::tr("your disk quota is used up");
     case EROFS:
         return WriterText::tr("the disk is read-only");
     case EACCES:
@@ -88,7 +88,7 @@ QString systemReason(int number)
     case EFBIG:
         return WriterText::tr("the file is too large for this disk");
     case EIO:
-        return WriterText::tr("the disk is faulty");
+        return WriterText::tr("the disk reports an error");
     case ENAMETOOLONG:
         return WriterText::tr("the name is too long");
     case EMFILE:

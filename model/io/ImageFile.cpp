@@ -68,14 +68,14 @@ Result<ImageAsset> glanceAtImage(const QByteArray& file, const QString& name)
     if (size.isEmpty())
         return inputError(name, ImageText::tr("the image is broken"));
     if (std::max(size.width(), size.height()) > imageLimits::kEdge) {
-        return inputError(name, ImageText::tr("it has %1 × %2 pixels; %3 along an edge are the most")
+        return inputError(name, ImageText::tr("it has %1 × %2 pixels; %3 along an edge is the most")
                                     .arg(size.width())
                                     .arg(size.height())
                                     .arg(imageLimits::kEdge));
     }
     if (std::min(size.width(), size.height()) < imageLimits::kLeastEdge)
-        return inputError(name,
-                          ImageText::tr("it has only %1 × %2 pixels").arg(size.width()).arg(size.height()));
+        return inputError(
+            name, ImageText::tr("it is too small: only %1 × %2 pixels").arg(size.width()).arg(size.height()));
     return ImageAsset(file, name);
 }
 

@@ -118,8 +118,8 @@ std::uint64_t JsonReader::seed(QLatin1StringView key, std::optional<std::uint64_
     good = !digits.isEmpty() && std::ranges::all_of(digits, [](QChar c) { return c >= u'0' && c <= u'9'; });
     const std::uint64_t number = good ? digits.toULongLong(&good) : 0;
     if (!good) {
-        fail(key, JsonText::tr(
-                      "a whole number of at most 64 bits is expected, from 2^53 on as a string of digits"));
+        fail(key, JsonText::tr("a whole number of at most 64 bits is expected; from 2^53 on, write it as a "
+                               "string of digits"));
         return 0;
     }
     return number;

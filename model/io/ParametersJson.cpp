@@ -150,7 +150,7 @@ std::optional<Error> contradiction(const GrowthParameters& growth, const QString
     }
     if (std::abs(growth.ellipseOffset) > 0.99 * growth.ellipseVertical) {
         return inputError(place + QLatin1String(".growth.ellipseOffset"),
-                          ParametersText::tr("it must not be beyond 0.99 times ellipseVertical, which is %1")
+                          ParametersText::tr("it must not exceed 0.99 times ellipseVertical, which is %1")
                               .arg(growth.ellipseVertical));
     }
     return {};

@@ -37,7 +37,7 @@ struct CloseFile {
 Error outputError(const char* reason)
 {
     return {Error::Kind::Output,
-            ZipText::tr("the archive could not be packed: %1").arg(QString::fromUtf8(reason))};
+            ZipText::tr("the archive could not be compressed: %1").arg(QString::fromUtf8(reason))};
 }
 
 Error damaged(const char* name)

@@ -98,10 +98,10 @@ struct ViewValues : SceneLook {
     double depthAngle = 1.2;
     double budSpacing = 0.03; ///< Distance along the branch between them, m, 0...kMostBudSpacing
     bool leavesShown = true;
-    bool personShown = true;    ///< A person beside the tree, and a scale
-    bool sideViewShown = false; ///< A second view, from the side
-    bool fibresShown = false;   ///< Wood of strands shows as lines, one for each strand
-    bool isThemeLight = false;  ///< Whether the theme is light; Backdrop::Studio follows it
+    bool personShown = true;      ///< A person beside the tree, and a scale
+    bool secondViewShown = false; ///< A second view, from the side
+    bool fibresShown = false;     ///< Wood of strands shows as lines, one for each strand
+    bool isThemeLight = false;    ///< Whether the theme is light; Backdrop::Studio follows it
 
     bool operator==(const ViewValues&) const = default;
 };

@@ -235,8 +235,9 @@ Result<TreeDelta> BranchCopies::finish()
     if (m_isFull)
         return tooManyCopies();
     if (m_isFar)
-        return Error{Error::Kind::Input, SketchText::tr("a copy would reach farther than %1 m away")
-                                             .arg(static_cast<double>(kFarthestNode))};
+        return Error{
+            Error::Kind::Input,
+            SketchText::tr("a copy would reach more than %1 m away").arg(static_cast<double>(kFarthestNode))};
     std::ranges::sort(m_delta.died);
     if (!m_delta.bringsRows() && m_delta.died.empty() && m_delta.leaves.death.empty())
         m_delta.stepAfter = m_delta.stepBefore;

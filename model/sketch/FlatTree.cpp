@@ -257,10 +257,9 @@ Result<TreeDelta> giveDepth(const Tree& tree, const TreeIndex& index, const Dept
     DepthEdit edit(tree, flat, placed);
     TreeDelta delta = edit.make();
     if (edit.isFar())
-        return depthError(
-            SketchText::tr("an internode would be longer than %1 m or lie farther than %2 m away")
-                .arg(static_cast<double>(kGreatestLength))
-                .arg(static_cast<double>(kFarthestNode)));
+        return depthError(SketchText::tr("an internode would be longer than %1 m or lie more than %2 m away")
+                              .arg(static_cast<double>(kGreatestLength))
+                              .arg(static_cast<double>(kFarthestNode)));
     return delta;
 }
 

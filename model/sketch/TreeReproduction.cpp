@@ -205,11 +205,10 @@ Result<Reproduction> NewFigure::finish()
             continue;
         if (m_lengths[id] > double{kGreatestLength} ||
             (root + m_toWorld * m_nodes[id]).cwiseAbs().maxCoeff() > double{kFarthestNode})
-            return Error{
-                Error::Kind::Input,
-                SketchText::tr("an internode would be longer than %1 m or lie farther than %2 m away")
-                    .arg(static_cast<double>(kGreatestLength))
-                    .arg(static_cast<double>(kFarthestNode))};
+            return Error{Error::Kind::Input,
+                         SketchText::tr("an internode would be longer than %1 m or lie more than %2 m away")
+                             .arg(static_cast<double>(kGreatestLength))
+                             .arg(static_cast<double>(kFarthestNode))};
         const Rotation before = m_tree.columns().rotation[id];
         Rotation after = before;
         if (isTrunk(id)) {

@@ -86,11 +86,10 @@ Result<TreeDelta> varied(const Tree& tree, const TreeIndex& index, std::uint64_t
         }
         places[id] = placeOn(below.node, below.rotation, rotation, lengths[id]);
         if (!isFrame(rotation, lengths[id]) || !(places[id].node.cwiseAbs().maxCoeff() <= kFarthestNode))
-            return Error{
-                Error::Kind::Input,
-                SketchText::tr("an internode would be longer than %1 m or lie farther than %2 m away")
-                    .arg(static_cast<double>(kGreatestLength))
-                    .arg(static_cast<double>(kFarthestNode))};
+            return Error{Error::Kind::Input,
+                         SketchText::tr("an internode would be longer than %1 m or lie more than %2 m away")
+                             .arg(static_cast<double>(kGreatestLength))
+                             .arg(static_cast<double>(kFarthestNode))};
         delta.addFrame(id, c.rotation[id], rotation, c.length[id], lengths[id]);
     }
     return delta;

@@ -101,9 +101,9 @@ std::optional<double> ownLeafAspect(const ImageAsset& image)
 
 QString noLeafIn(const ImageAsset& image)
 {
-    return QCoreApplication::translate(
-               "OwnTextures", "%1: there is no telling the leaf from what is behind it; the image needs a "
-                              "transparent or a plain background")
+    return QCoreApplication::translate("OwnTextures",
+                                       "%1: the leaf cannot be told apart from its background; the image "
+                                       "needs a transparent or a plain background")
         .arg(image.name());
 }
 

@@ -5,9 +5,10 @@ namespace espalier {
 
 JournalEdit JournalEdit::at(const Journal& journal, std::size_t first)
 {
-    const std::size_t deltas = journal[first]->record ? journal[first]->record->deltas : 1;
+    const EditRecord* record = journal[first]->record.get();
+    const bool isKnown = record && !record->operation.isEmpty();
     std::size_t end = first + 1;
-    while (end < journal.size() && end - first < deltas && !journal[end]->record)
+    while (end < journal.size() && !journal[end]->record && (!isKnown || end - first < record->deltas))
         ++end;
     return {first, end};
 }

@@ -4,7 +4,6 @@
 #include "model/tree/TreeTables.h"
 
 #include <QByteArray>
-#include <QString>
 
 #include <cstddef>
 #include <memory>
@@ -19,16 +18,15 @@ struct TreeRows {
     KeptValues kept;
 };
 
-/// What made the deltas of one edit. The model stores these texts and does not interpret them.
+/// The operation that made the deltas of one edit. The model stores this text and does not interpret it.
 struct EditRecord {
     /// The greatest size of an operation, bytes; longer ones are not recorded.
     static constexpr qsizetype kMostBytes = 64 << 20;
 
     QByteArray operation;     ///< Compact JSON of a recipe's operation; empty if it is unknown
     std::uint32_t deltas = 1; ///< Of the whole edit; a journal that ends within the edit has fewer
-    QString step{};           ///< Name of the undo step, for the user; empty in files that are older than it
 
-    /// The record of an edit of which nothing is known, or nothing yet.
+    /// The record of an edit whose operation is not known, or not known yet.
     static const std::shared_ptr<const EditRecord>& unknown();
     bool operator==(const EditRecord&) const = default;
 };

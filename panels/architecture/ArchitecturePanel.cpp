@@ -131,7 +131,7 @@ void ArchitecturePanel::makeSpecies(QWidget& column)
     m_species = new QComboBox(&column);
     m_species->setObjectName(QStringLiteral("species"));
     m_species->setAccessibleName(tr("Species"));
-    m_species->setToolTip(tr("Sets all parameters of the vigour model to those of a species"));
+    m_species->setToolTip(tr("Set all parameters of the vigour model to those of a species."));
     m_species->setFocusPolicy(Qt::StrongFocus);
     m_species->addItem(tr("No species"));
     for (const VigourSpecies& species : vigourSpecies())

@@ -148,7 +148,7 @@ QLayout* LibraryPanel::makeFooter()
     words->addWidget(m_name);
     words->addWidget(m_line);
     line->addLayout(words, 1);
-    m_start->setToolTip(tr("A new seedling that grows as this tree does."));
+    m_start->setToolTip(tr("A new seedling that grows the way this tree does."));
     m_open->setDefault(true);
     for (QPushButton* button : {m_start, m_open}) {
         button->setMinimumSize(120, theme::kTarget);

@@ -6,9 +6,12 @@
 #include "views/Viewport.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QCursor>
 #include <QPoint>
 #include <QPointingDevice>
+#include <QScreen>
+#include <QTabletEvent>
 #include <QTest>
 
 #include <cmath>
@@ -28,6 +31,9 @@ private Q_SLOTS:
     void ring_isUsedByClicks();
     void ring_isUsedWithTheKeyHeld();
     void ring_goesAwayWithoutAChoice();
+    void ring_atAnEdge_waitsForAChoice();
+    void ring_waitsForTheButton();
+    void penBesideTheRing_closesIt();
 
 private:
     RingMenu& ring() { return *m_window->findChild<RingMenu*>(); }
@@ -166,6 +172,77 @@ void ComfortsTest::ring_goesAwayWithoutAChoice()
     QTest::mouseRelease(handle(), Qt::RightButton, {}, from + QPoint(60, 0));
     QVERIFY(viewport().mainCamera().azimuth() != azimuth);
     QVERIFY(!ring().isVisible());
+}
+
+void ComfortsTest::ring_atAnEdge_waitsForAChoice()
+{
+    makeTree();
+    // At an edge of the screen the ring does not have the pointer in its middle.
+    const QRect room = handle()->screen()->availableGeometry();
+    const int steps = m_window->document().undoStack().index();
+    for (const QPoint place :
+         {QPoint(room.right() - 2, room.center().y()), QPoint(room.right() - 85, room.center().y()),
+          QPoint(85, room.center().y()), QPoint(room.center().x(), 85),
+          QPoint(room.right() - 40, room.bottom() - 40)}) {
+        ring().openAt(place, Qt::Key_D);
+        QTRY_VERIFY(ring().isVisible());
+        QTest::keyRelease(&ring(), Qt::Key_D);
+        QVERIFY2(ring().isVisible(), qPrintable(QStringLiteral("at %1, %2").arg(place.x()).arg(place.y())));
+        QTest::keyClick(&ring(), Qt::Key_Escape);
+        QVERIFY(!ring().isVisible());
+    }
+    QVERIFY(hasTool(ActionId::Brush));
+    QCOMPARE(m_window->document().undoStack().index(), steps);
+}
+
+void ComfortsTest::ring_waitsForTheButton()
+{
+    // While a button is held, its release would go to the ring.
+    const QPoint from = at(0.6F, 1.0F);
+    const float azimuth = viewport().mainCamera().azimuth();
+    QTest::mousePress(handle(), Qt::RightButton, {}, from);
+    QTest::mouseMove(handle(), from + QPoint(10, 0));
+    QTest::keyClick(handle(), Qt::Key_D);
+    QVERIFY(!ring().isVisible());
+    QTest::mouseMove(handle(), from + QPoint(20, 0));
+    QTest::mouseRelease(handle(), Qt::RightButton, {}, from + QPoint(20, 0));
+    const float turned = viewport().mainCamera().azimuth();
+    QVERIFY(turned != azimuth);
+    QTest::mouseMove(handle(), from + QPoint(90, 50));
+    QCOMPARE(viewport().mainCamera().azimuth(), turned);
+    // A shortcut closes the ring and is not lost; a modifier alone does not close it.
+    ring().openAt(handle()->mapToGlobal(from));
+    QTRY_VERIFY(ring().isVisible());
+    QTest::keyPress(&ring(), Qt::Key_Shift);
+    QVERIFY(ring().isVisible());
+    QTest::keyClick(&ring(), Qt::Key_P);
+    QVERIFY(!ring().isVisible());
+    QTRY_VERIFY(hasTool(ActionId::Prune));
+}
+
+void ComfortsTest::penBesideTheRing_closesIt()
+{
+    makeTree();
+    const int steps = m_window->document().undoStack().index();
+    ring().openAt(handle()->mapToGlobal(at(0.6F, 1.0F)));
+    QTRY_VERIFY(ring().isVisible());
+    static const QPointingDevice pen(
+        "test stylus", 90, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
+        QInputDevice::Capability::Position | QInputDevice::Capability::Pressure, 1, 1);
+    const QPointF place = viewport().mapFromGlobal(QPointF(handle()->mapToGlobal(at(0.0F, 1.5F))));
+    const auto send = [&](QEvent::Type type, const QPointF& at, bool isDown) {
+        QTabletEvent event(type, &pen, at, viewport().mapToGlobal(at), isDown ? 0.5 : 0.0, 0.0F, 0.0F, 0.0F,
+                           0.0, 0.0F, Qt::NoModifier,
+                           type == QEvent::TabletMove ? Qt::NoButton : Qt::LeftButton,
+                           isDown ? Qt::LeftButton : Qt::NoButton);
+        QCoreApplication::sendEvent(&viewport(), &event);
+    };
+    send(QEvent::TabletPress, place, true);
+    QVERIFY(!ring().isVisible());
+    QVERIFY(!viewport().isGestureActive());
+    send(QEvent::TabletMove, place - QPointF(0.0, 60.0), true);
+    send(QEvent::TabletRelease, place - QPointF(0.0, 60.0), false);
+    QCOMPARE(m_window->document().undoStack().index(), steps);
 }
 
 void ComfortsTest::shiftDrag_changesTheRadiusInPlace()

@@ -230,14 +230,14 @@ void CommandLineTest::wrongLines_saySo_data()
     add("replay a.json --frobnicate", "--frobnicate");
     add("replay a.json --png=", "--png needs a value");
     add("replay a.json --png", "--png needs a value");
-    add("replay a.json -x", "replay knows no option -x");
-    add("replay a.json --stats s.json --help", "replay knows no option --help");
+    add("replay a.json -x", "replay has no option -x");
+    add("replay a.json --stats s.json --help", "replay has no option --help");
     add("replay a.json --set", "--set needs a value");
-    add("replay a.json --set growth.shedding", "--set wants group.name=value, not \"growth.shedding\"");
-    add("replay a.json --set =0.3", "--set wants group.name=value, not \"=0.3\"");
-    add("replay a.json --set growth.sheding=0.3", "--set knows no parameter \"growth.sheding\"");
-    add("replay a.json --set shedding=0.3", "--set knows no parameter \"shedding\"");
-    add("replay a.json --set leaves.image=a.png", "--set knows no parameter \"leaves.image\"");
+    add("replay a.json --set growth.shedding", "--set needs group.name=value, not \"growth.shedding\"");
+    add("replay a.json --set =0.3", "--set needs group.name=value, not \"=0.3\"");
+    add("replay a.json --set growth.sheding=0.3", "--set: there is no parameter \"growth.sheding\"");
+    add("replay a.json --set shedding=0.3", "--set: there is no parameter \"shedding\"");
+    add("replay a.json --set leaves.image=a.png", "--set: there is no parameter \"leaves.image\"");
     add("replay a.json --set growth.shedding=1.5", "--set growth.shedding: 1.5 is not within 0…1");
     add("replay a.json --set growth.shedding=much", "--set growth.shedding: a number is expected");
     add("replay a.json --set growth.shedding=inf", "--set growth.shedding: a number is expected");
@@ -254,12 +254,12 @@ void CommandLineTest::wrongLines_saySo_data()
          {"replay a.json --vary -1", "replay a.json --vary oak",
           "replay a.json --vary 1:", "replay a.json --vary 1:0", "replay a.json --vary 1:1.1",
           "replay a.json --vary 1:nan", "replay a.json --vary 1:0.5:2"})
-        add(words, "--vary wants a whole number from 0");
-    add("import a.csv -o a.obj --vary 1", "import knows no option --vary");
-    add("info a.espalier --set growth.shedding=0.3", "info knows no option --set");
-    add("import a.csv -o a.obj --set growth.shedding=0.3", "import knows no option --set");
-    add("--demo --set growth.shedding=0.3", "espalier knows no option --set");
-    add("--demo --seed 3", "espalier knows no option --seed");
+        add(words, "--vary needs a whole number from 0");
+    add("import a.csv -o a.obj --vary 1", "import has no option --vary");
+    add("info a.espalier --set growth.shedding=0.3", "info has no option --set");
+    add("import a.csv -o a.obj --set growth.shedding=0.3", "import has no option --set");
+    add("--demo --set growth.shedding=0.3", "espalier has no option --set");
+    add("--demo --seed 3", "espalier has no option --seed");
     add("export", "project");
     add("export a.espalier b.espalier", "one project");
     add("export a.espalier --stats s.json", "--stats");

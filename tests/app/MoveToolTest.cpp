@@ -181,7 +181,7 @@ void MoveToolTest::trunk_staysWithASentence()
     const int before = steps();
     drag(at(0.0F, 0.5F), at(0.4F, 0.5F));
     QCOMPARE(steps(), before);
-    QCOMPARE(notice(), QStringLiteral("A trunk stays where it stands; hold a branch."));
+    QCOMPARE(notice(), QStringLiteral("A trunk stays where it stands; drag a branch."));
 }
 
 void MoveToolTest::escape_bringsTheBranchBack()

@@ -79,7 +79,7 @@ void MultiplyToolTest::passOn_givesOthersTheTwigs()
     QTest::mouseClick(handle(), Qt::LeftButton, {}, at(0.7F, 1.325F));
     // The other branch gets the twig; so does the twig itself not.
     QCOMPARE(axes(), 5U);
-    QCOMPARE(m_window->document().undoStack().undoText(), QStringLiteral("Propagate Branch"));
+    QCOMPARE(m_window->document().undoStack().undoText(), QStringLiteral("Pass On Branch"));
 }
 
 void MultiplyToolTest::dragFromABranch_givesToThoseItCrosses()

@@ -91,7 +91,7 @@ void OwnImagesTest::imageThatIsNone_isRefusedInOneSentence()
     QCOMPARE(notice(), QStringLiteral("broken.png: it is neither a PNG nor a JPEG image"));
     writeTo(name, test::pngOf(test::repeatingBark(64, 64)));
     dropFile(m_window->workspace().sheet(2), name);
-    QTRY_VERIFY(notice().startsWith(QStringLiteral("broken.png: there is no telling the leaf")));
+    QTRY_VERIFY(notice().startsWith(QStringLiteral("broken.png: the leaf cannot be told apart")));
     QVERIFY(m_window->document().parameters() == before);
     QCOMPARE(m_window->document().undoStack().count(), 0);
 }

@@ -123,7 +123,7 @@ void ReproduceToolTest::trunkAndSilhouette_giveTheTreeItsFigure()
     QVERIFY(hint().contains(QStringLiteral("silhouette")));
     draw(m_crown);
     QCOMPARE(steps(), before + 1);
-    QCOMPARE(document().undoStack().undoText(), QStringLiteral("Reproduce Tree"));
+    QCOMPARE(document().undoStack().undoText(), QStringLiteral("Reshape Tree"));
     QCOMPARE(tree().size(), size);
     QCOMPARE(tool().due(), FigureStroke::Trunk);
     QVERIFY((tip() - Vec3(0.1F, 1.2F, 0.0F)).norm() < 0.03F);
@@ -288,8 +288,7 @@ void ReproduceToolTest::seedling_saysThatThereIsNoTree()
     action(ActionId::Reproduce)->trigger();
     QVERIFY(!another()->isEnabled());
     draw(m_trunk);
-    QCOMPARE(notice(),
-             QStringLiteral("There is no tree yet that could take another figure: make one first."));
+    QCOMPARE(notice(), QStringLiteral("There is no tree yet to give another shape: make one first."));
     QCOMPARE(steps(), 0);
 }
 
@@ -305,7 +304,7 @@ void ReproduceToolTest::viewFromAbove_isRefused()
     QTest::mouseMove(handle(), from - QPoint(0, 100));
     QTest::mouseRelease(handle(), Qt::LeftButton, {}, from - QPoint(0, 100));
     QCOMPARE(notice(), QStringLiteral("Look at the tree from the side, not from above or below, to draw its "
-                                      "figure."));
+                                      "shape."));
     QCOMPARE(steps(), before);
 }
 

@@ -44,6 +44,7 @@ private Q_SLOTS:
     void placedLeaves_bringSuggestions();
     void largeLoop_isACrownThatTheTreeFills();
     void tap_drawsNothing();
+    void secondViewThatMoves_keepsTheStrokeAsDrawn();
 
 private:
     struct Place {
@@ -72,6 +73,42 @@ private:
     void drawTree();
     std::uint32_t axes();
 };
+
+void SketchToolTest::secondViewThatMoves_keepsTheStrokeAsDrawn()
+{
+    take();
+    m_window->resize(1400, 900);
+    draw({{0.0F, 0.0F}, {0.0F, 2.0F}});
+    m_window->viewSettings().set(&ViewValues::secondViewShown, true);
+    QTRY_VERIFY(viewport().isAtRest());
+    const SecondView& second = viewport().secondView();
+    QVERIFY(second.isShown());
+    const auto place = [&](const Vec3& point) {
+        const QPoint inView = second.camera().project(point)->toPoint() + second.rect().topLeft();
+        return viewport().mapTo(m_window.get(), inView);
+    };
+    const int trunk = steps();
+    QTest::mousePress(handle(), Qt::LeftButton, {}, place({0.0F, 1.0F, 0.0F}));
+    for (int i = 1; i <= 10; ++i) {
+        const auto share = static_cast<float>(i) / 10.0F;
+        QTest::mouseMove(handle(), place({0.0F, 1.0F + 0.4F * share, -0.5F * share}));
+    }
+    QVERIFY(viewport().isGestureActive());
+    const QRect before = second.rect();
+    QTest::keyClick(handle(), Qt::Key_3, Qt::ControlModifier);
+    QTRY_VERIFY(second.rect() != before);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, place({0.0F, 1.4F, -0.5F}));
+    QTRY_COMPARE(steps(), trunk + 1);
+    Vec3 tip = Vec3::Zero();
+    for (InternodeId id = 0; id < tree().size(); ++id) {
+        if (index().nodePosition(id).z() < tip.z())
+            tip = index().nodePosition(id);
+    }
+    QVERIFY2((tip - Vec3(0.0F, 1.4F, -0.5F)).norm() < 0.1F,
+             qPrintable(QStringLiteral("%1 %2 %3").arg(tip.x()).arg(tip.y()).arg(tip.z())));
+    QTest::keyClick(handle(), Qt::Key_3, Qt::ControlModifier);
+    m_window->viewSettings().set(&ViewValues::secondViewShown, false);
+}
 
 QPoint SketchToolTest::drawOn(const std::vector<Place>& places, Qt::KeyboardModifiers keys)
 {

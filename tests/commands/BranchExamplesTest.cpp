@@ -83,13 +83,13 @@ std::vector<NamedCommand> exampleCommands()
     return {
         {QStringLiteral("Multiply Branch"),
          [](TreeDocument& document) { return bool(multiplyBranch(document, bearerOf(document), 3, 2)); }},
-        {QStringLiteral("Propagate Branch"),
+        {QStringLiteral("Pass On Branch"),
          [](TreeDocument& document) {
              return bool(propagateBranch(
                  document,
                  {.reference = bearerOf(document), .targets = Propagation::Targets::SameOrder, .axes = {}}));
          }},
-        {QStringLiteral("Propagate Branch"),
+        {QStringLiteral("Pass On Branch"),
          [](TreeDocument& document) {
              return bool(propagateBranch(document, {.reference = bearerOf(document),
                                                     .targets = Propagation::Targets::Listed,
@@ -97,7 +97,7 @@ std::vector<NamedCommand> exampleCommands()
                                                     .scaling = false,
                                                     .replaces = true}));
          }},
-        {QStringLiteral("Reproduce Tree"),
+        {QStringLiteral("Reshape Tree"),
          [](TreeDocument& document) { return bool(reproduceTree(document, figure())); }},
         {QStringLiteral("Vary Tree"),
          [](TreeDocument& document) { return bool(varyTree(document, 12, 0.4)); }},

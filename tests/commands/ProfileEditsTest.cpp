@@ -82,7 +82,7 @@ void ProfileEditsTest::profile_isOneUndoStep_undoneAndRedoneToTheBit()
         QVERIFY(document.tree().profileOf(path[2]) != nullptr);
         QVERIFY(*document.tree().profileOf(path[2]) == profile);
         QCOMPARE(document.undoStack().count(), steps + 1);
-        QCOMPARE(document.undoStack().undoText(), QStringLiteral("Profile"));
+        QCOMPARE(document.undoStack().undoText(), QStringLiteral("Draw Profile"));
         QCOMPARE(undoRedoFault(document, before), QString());
     }
 }

@@ -65,7 +65,7 @@ void WidthGestureTest::width_isOneDeltaAndOneUndoStep_undoneAndRedoneToTheBit()
         }
         gesture.finish();
         QCOMPARE(document.undoStack().count(), before.undoIndex + 1);
-        QCOMPARE(document.undoStack().undoText(), QStringLiteral("Width"));
+        QCOMPARE(document.undoStack().undoText(), QStringLiteral("Set Width"));
         QCOMPARE(indexFault(document), QString());
         const DocumentState done(document);
         document.undoStack().undo();

@@ -146,7 +146,7 @@ void drawSheet(Painter& by, const QJsonObject& sheet)
     QBuffer buffer(&bytes);
     const QString file = sheet.value(QStringLiteral("file")).toString();
     if (!image.save(&buffer, "jpg", kQuality))
-        fail(file + QStringLiteral(" could not be packed"));
+        fail(file + QStringLiteral(" could not be compressed"));
     if (const Result<void> written = writeFile(file, bytes); !written)
         fail(written.error().message);
     std::printf("%s %lld\n", qPrintable(file), static_cast<long long>(bytes.size()));

@@ -61,7 +61,7 @@ void keep(const QImage& picture, const QString& name)
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (!picture.convertToFormat(QImage::Format_RGB32).save(&buffer, "jpg", kQuality))
-        qFatal("%s.jpg could not be packed", qPrintable(name));
+        qFatal("%s.jpg could not be compressed", qPrintable(name));
     if (const Result<void> written = writeFile(name + QStringLiteral(".jpg"), bytes); !written)
         qFatal("%s", qPrintable(written.error().message));
     std::printf("%s.jpg\n", qPrintable(name));

@@ -12,6 +12,7 @@ int main(int argc, char** argv)
 {
     espalier::keepFreedMemory();
     QSurfaceFormat::setDefaultFormat(espalier::surfaceFormat());
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("Espalier"));
     QCoreApplication::setApplicationName(QStringLiteral("espalier-test"));

@@ -38,10 +38,11 @@ private Q_SLOTS:
     void picture_changesWithTheTreeAndComesToRest();
     void brushRadius_doesNotRedrawTheTree();
     void window_canBeChanged();
-    void sideView_givesDepthToWhatIsDrawnInIt();
-    void sideView_isPickedIn();
-    void sideView_zoomsAndTurnsWithTheLargeOne();
-    void sideView_needsRoom();
+    void secondView_givesDepthToWhatIsDrawnInIt();
+    void secondView_isPickedIn();
+    void secondView_zoomsAndTurnsWithTheLargeOne();
+    void secondView_needsRoom();
+    void hoverInASecondViewThatGoesAway_isOver();
     void sun_isDraggedAndNothingIsUndone();
     void sun_goesBehindTheTreeBeyondTheRim();
     void escape_putsTheSunBack();
@@ -392,12 +393,12 @@ void ViewportTest::window_canBeChanged()
     m_view->setParent(nullptr);
 }
 
-void ViewportTest::sideView_givesDepthToWhatIsDrawnInIt()
+void ViewportTest::secondView_givesDepthToWhatIsDrawnInIt()
 {
-    m_settings->set(&ViewValues::sideViewShown, true);
+    m_settings->set(&ViewValues::secondViewShown, true);
     m_settings->set(&ViewValues::brushRadius, 0.0);
     stroke(Vec3::Zero(), {0.0F, 2.0F, 0.0F}, 300);
-    const SideView& side = m_view->sideView();
+    const SecondView& side = m_view->secondView();
     QVERIFY(m_view->rect().contains(side.rect()));
     // In the view from the right, the right is away from the viewer of the large one.
     const auto place = [&](const Vec3& point) {
@@ -429,13 +430,13 @@ void ViewportTest::sideView_givesDepthToWhatIsDrawnInIt()
     QVERIFY(limb.max().x() > 0.5F);
 }
 
-void ViewportTest::sideView_isPickedIn()
+void ViewportTest::secondView_isPickedIn()
 {
-    m_settings->set(&ViewValues::sideViewShown, true);
+    m_settings->set(&ViewValues::secondViewShown, true);
     m_settings->set(&ViewValues::brushRadius, 0.0);
     stroke(Vec3::Zero(), {0.0F, 2.0F, 0.0F}, 300);
     m_view->setTool(std::make_unique<PruneTool>(m_view->toolContext()));
-    const SideView& side = m_view->sideView();
+    const SecondView& side = m_view->secondView();
     const QPoint middle = side.camera().project({0.0F, 1.0F, 0.0F})->toPoint() + side.rect().topLeft();
     const std::uint32_t trunk = alive();
     QTest::mouseClick(m_view.get(), Qt::LeftButton, {}, middle);
@@ -443,10 +444,10 @@ void ViewportTest::sideView_isPickedIn()
     QCOMPARE(m_document->undoStack().count(), 2);
 }
 
-void ViewportTest::sideView_zoomsAndTurnsWithTheLargeOne()
+void ViewportTest::secondView_zoomsAndTurnsWithTheLargeOne()
 {
-    m_settings->set(&ViewValues::sideViewShown, true);
-    const SideView& side = m_view->sideView();
+    m_settings->set(&ViewValues::secondViewShown, true);
+    const SecondView& side = m_view->secondView();
     const auto right = [&] { return static_cast<double>(side.camera().azimuth()); };
     const auto large = [&] { return static_cast<double>(m_view->mainCamera().azimuth()); };
     QVERIFY(std::abs(right() - large() - std::numbers::pi / 2.0) < 1e-6);
@@ -466,23 +467,37 @@ void ViewportTest::sideView_zoomsAndTurnsWithTheLargeOne()
     QVERIFY((m_view->mainCamera().target() - target).norm() < 1e-5F);
 }
 
-void ViewportTest::sideView_needsRoom()
+void ViewportTest::secondView_needsRoom()
 {
-    QVERIFY(!m_view->sideView().isShown());
-    m_settings->set(&ViewValues::sideViewShown, true);
-    QVERIFY(m_view->sideView().isShown());
+    QVERIFY(!m_view->secondView().isShown());
+    m_settings->set(&ViewValues::secondViewShown, true);
+    QVERIFY(m_view->secondView().isShown());
     m_view->setFrameMargins({200, 100, 200, 100});
-    QVERIFY(!m_view->sideView().isShown());
+    QVERIFY(!m_view->secondView().isShown());
     m_view->setFrameMargins({0, 0, 0, 0});
-    QVERIFY(m_view->sideView().isShown());
+    QVERIFY(m_view->secondView().isShown());
     // It is drawn, and the large picture beside it stays the same.
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20'000);
     const QImage with = m_view->grabFramebuffer();
-    m_settings->set(&ViewValues::sideViewShown, false);
+    m_settings->set(&ViewValues::secondViewShown, false);
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 20'000);
     const QImage without = m_view->grabFramebuffer();
     QCOMPARE(with.copy(0, 0, 300, 480), without.copy(0, 0, 300, 480));
     QVERIFY(with != without);
+}
+
+void ViewportTest::hoverInASecondViewThatGoesAway_isOver()
+{
+    m_settings->set(&ViewValues::secondViewShown, true);
+    const auto spheres = [&] {
+        Overlay overlay;
+        m_view->tool().paint(overlay);
+        return overlay.spheres().size();
+    };
+    QTest::mouseMove(m_view.get(), m_view->secondView().rect().center());
+    QTRY_COMPARE(spheres(), std::size_t{1});
+    m_settings->set(&ViewValues::secondViewShown, false);
+    QCOMPARE(spheres(), std::size_t{0});
 }
 
 void ViewportTest::sun_isDraggedAndNothingIsUndone()

@@ -161,7 +161,7 @@ void GestureReader::readPointer(const PointerSample& sample)
             m_target.budIsAsked(sample);
         else if (ends && sample.phase == PointerPhase::Release)
             m_target.menuIsAsked(sample);
-    } else if (!distance.isNull()) {
+    } else if (!distance.isNull() && sample.phase != PointerPhase::Hover) {
         // A click that becomes a drag turns the view by the whole distance.
         const QPointF whole = std::exchange(m_mayBeClick, false) ? sample.position - m_pressedAt : distance;
         if (m_mode == Mode::Orbit)

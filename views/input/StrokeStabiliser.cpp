@@ -8,8 +8,8 @@ namespace espalier {
 
 namespace {
 
-/// A stroke that is nearer than this, px, has come.
-constexpr double kHasCome = 0.25;
+/// A stroke that is nearer than this to its aim, px, has arrived.
+constexpr double kArrived = 0.25;
 
 double lengthOf(const QPointF& vector)
 {
@@ -21,7 +21,7 @@ double lengthOf(const QPointF& vector)
 void StrokeStabiliser::begin(const PointerSample& sample)
 {
     m_last = sample;
-    m_stone = sample.position;
+    m_pulled = sample.position;
     m_at = sample.position;
     m_reached = sample.time;
 }
@@ -29,15 +29,15 @@ void StrokeStabiliser::begin(const PointerSample& sample)
 PointerSample StrokeStabiliser::move(const PointerSample& sample)
 {
     m_last = sample;
-    const QPointF string = sample.position - m_stone;
+    const QPointF string = sample.position - m_pulled;
     if (const double length = lengthOf(string); length > m_stabilising.distance)
-        m_stone += (1.0 - m_stabilising.distance / length) * string;
+        m_pulled += (1.0 - m_stabilising.distance / length) * string;
     return approach();
 }
 
 std::optional<PointerSample> StrokeStabiliser::rest(double time)
 {
-    if (lengthOf(m_stone - m_at) < kHasCome)
+    if (lengthOf(m_pulled - m_at) < kArrived)
         return {};
     m_last.time = std::max(m_last.time, time);
     return approach();
@@ -48,7 +48,7 @@ PointerSample StrokeStabiliser::approach()
 {
     const double passed = m_last.time - m_reached;
     const double share = m_stabilising.delay > 0.0 ? 1.0 - std::exp(-passed / m_stabilising.delay) : 1.0;
-    m_at += share * (m_stone - m_at);
+    m_at += share * (m_pulled - m_at);
     m_reached = m_last.time;
     PointerSample sample = m_last;
     sample.position = m_at;

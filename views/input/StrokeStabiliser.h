@@ -27,7 +27,7 @@ private:
 
     Stabilising m_stabilising;
     PointerSample m_last;   ///< The pointer's last sample
-    QPointF m_stone;        ///< Where the string has drawn the stone, px
+    QPointF m_pulled;       ///< Where the pointer has pulled the stroke to, as by a string, px
     QPointF m_at;           ///< Where the stroke is, px
     double m_reached = 0.0; ///< Time of the last sample of the stroke, s
 };

@@ -20,7 +20,7 @@ Error noOpenGl()
 {
     return {Error::Kind::Output,
             QCoreApplication::translate("OffscreenRenderer",
-                                        "A picture cannot be drawn, for there is no display that "
+                                        "A picture cannot be drawn, because there is no display that "
                                         "offers OpenGL 3.3; a virtual one (Xvfb) will do.")};
 }
 

@@ -24,9 +24,10 @@ struct RenderOptions {
     bool mayLag = false;
     /// Shadows may be those of an earlier state, or of an earlier sun.
     bool keepsShadows = false;
-    /// The detail of the tree's surface stays as it is for another camera.
-    bool keepsDetail = false;
-    bool isPlain = false; ///< Light is computed per vertex: a fast approximation
+    /// The scene is drawn as it was for another camera just before, with that one's detail.
+    bool isSecond = false;
+    float boldness = 0.0F; ///< Wood is drawn thicker by so many pixels on each side
+    bool isPlain = false;  ///< Light is computed per vertex: a fast approximation
 };
 
 } // namespace espalier

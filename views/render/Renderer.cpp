@@ -130,12 +130,13 @@ void Renderer::renderPass(TreeScene& scene, const Camera& camera, const RenderOp
 {
     const QSize size(static_cast<int>(camera.viewSize().width()),
                      static_cast<int>(camera.viewSize().height()));
-    if (!options.keepsDetail)
+    if (!options.isSecond) {
         scene.setPixelSize(1.0 / static_cast<double>(camera.pixelsPerMetre(camera.distance())));
-    if (options.mayLag)
-        scene.prepareSome();
-    else
-        scene.prepare();
+        if (options.mayLag)
+            scene.prepareSome();
+        else
+            scene.prepare();
+    }
     m_hasShadows = m_hasShadows && m_sceneNumber == scene.number();
     m_sceneNumber = scene.number();
     m_shadowsAreOld = m_tree.follow(scene) || m_shadowsAreOld;
@@ -347,7 +348,7 @@ void Renderer::drawTree(const RenderOptions& options, float saturation)
     bindTexture(kColourUnit, GL_TEXTURE_2D, m_tree.barkColour());
     bindTexture(kSurfaceUnit, GL_TEXTURE_2D, m_tree.barkSurface());
     bark.bind();
-    bark.setUniformValue("widening", options.samples > 1 ? 0.04F : 0.15F);
+    bark.setUniformValue("widening", options.boldness + (options.samples > 1 ? 0.04F : 0.15F));
     m_tree.drawBark();
 }
 

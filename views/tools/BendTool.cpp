@@ -347,7 +347,7 @@ void BendTool::paint(Overlay& overlay) const
 
 QString BendTool::tip() const
 {
-    return tr("Pull at a branch to bend it; tap to pin its base, then where it is held");
+    return tr("Pull a branch to bend it; or tap where the bend begins, then where to hold it");
 }
 
 } // namespace espalier

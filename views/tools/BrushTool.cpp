@@ -358,14 +358,14 @@ void BrushTool::paintReason(Overlay& overlay) const
     if (!m_gesture || m_now - m_begun < kReasonAfter || document.tree().size() > m_sizeBefore)
         return;
     const QString reason = document.competitors().areAll()
-                               ? tr("No bud sees this place: draw on, or begin at a branch")
+                               ? tr("No bud sees this place: keep drawing, or begin at a branch")
                                : tr("Only the chosen bud grows, and it does not see this place");
     overlay.addLabel({sampleAt(0.0).position, QPointF(16.0, 0.0), reason, kPickedColour});
 }
 
 QString BrushTool::tip() const
 {
-    return tr("Drag to brush a tree into being; begin at a branch to go on from its depth");
+    return tr("Drag to brush a tree into being; begin at a branch to draw at its depth");
 }
 
 } // namespace espalier

@@ -38,7 +38,7 @@ public:
 
     bool isActive() const override { return m_holds; }
     QCursor cursor() const override { return Qt::PointingHandCursor; }
-    QString tip() const override { return tr("Press and hold: the tree grows until you let go."); }
+    QString tip() const override { return tr("Press and hold: the tree grows until you let go"); }
 
 private:
     HeldGrowth& m_growth;

@@ -95,7 +95,7 @@ void MoveTool::grip()
     }
     if (tree.isRoot(first)) {
         m_held.reset();
-        m_refused(tr("a trunk stays where it stands; hold a branch"));
+        m_refused(tr("a trunk stays where it stands; drag a branch"));
         return;
     }
     const InternodeId parent = tree.parent(first);
@@ -301,7 +301,7 @@ void MoveTool::paint(Overlay& overlay) const
 
 QString MoveTool::tip() const
 {
-    return tr("Drag a branch along the wood or around it; at its base to other wood; at its tip to scale it");
+    return tr("Drag a branch along the wood or around it; drag its base to other wood, its tip to scale it");
 }
 
 } // namespace espalier

@@ -197,7 +197,7 @@ QString MultiplyTool::tip() const
 {
     return context().viewSettings().values().passesOn
                ? tr("Tap a branch: the others get what it carries; drag from it across branches to choose "
-                    "which get it")
+                    "which of them get it")
                : tr("Tap a branch: it gets one more branch like those that it carries");
 }
 

@@ -147,8 +147,8 @@ QString ReproduceTool::viewFault(double azimuth) const
 {
     if (-context().camera().forward().dot(towardViewer(azimuth)) >= kLeastPlaneFacing)
         return {};
-    return m_first ? tr("turn the view back to where you drew the first stroke, or press Esc to forget it")
-                   : tr("look at the tree from the side, not from above or below, to draw its figure");
+    return m_first ? tr("turn the view back to where you drew the first stroke, or press Esc to discard it")
+                   : tr("look at the tree from the side, not from above or below, to draw its shape");
 }
 
 /// The path on the plane; nothing where the plane is seen too sharply or too far away.
@@ -179,7 +179,7 @@ QString ReproduceTool::take()
         samples.emplace_back(point.x(), -point.y());
     const std::optional<SketchStroke> stroke = fitStroke(samples);
     if (isSeedling())
-        return tr("there is no tree yet that could take another figure: make one first");
+        return tr("there is no tree yet to give another shape: make one first");
     if (!stroke || stroke->kind == SketchStroke::Kind::Dot)
         return due() == FigureStroke::Trunk
                    ? tr("that is a point: draw the trunk as a line")
@@ -280,7 +280,7 @@ void ReproduceTool::paint(Overlay& overlay) const
 
 QString ReproduceTool::tip() const
 {
-    return isSeedling() ? tr("Make a tree first, with the brush or the pencil; then draw its new figure")
+    return isSeedling() ? tr("Make a tree first, with Brush or Sketch; then draw its new shape")
                         : tr("Draw the new trunk, then the silhouette of its crown");
 }
 

@@ -34,8 +34,8 @@ void SelectBudTool::end(const PointerSample& sample)
     look(sample);
     m_isActive = false;
     if (!m_isNear && context().document().competitors().areAll())
-        m_say(m_buds.empty() ? tr("There is no bud here. Buds that are near the pointer show as dots.")
-                             : tr("No bud is that near. Tap one of the dots, or go nearer with the wheel."));
+        m_say(m_buds.empty() ? tr("There is no bud here. Buds near the pointer are shown as dots.")
+                             : tr("No bud is close enough. Tap one of the dots, or zoom in with the wheel."));
     context().document().setCompetitors(
         m_isNear ? Competitors{m_buds.front().bud.node, m_buds.front().bud.slot} : Competitors{});
     if (sample.device == PointerDevice::Finger)

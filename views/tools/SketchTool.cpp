@@ -454,7 +454,7 @@ QString SketchTool::tip() const
 {
     return isSeedling()
                ? tr("Draw the trunk, then branches; two strokes side by side give a branch its width")
-               : tr("Draw a branch from the wood; press Shift and draw across branches to take them away");
+               : tr("Draw a branch from the wood; hold Shift and draw across branches to take them away");
 }
 
 } // namespace espalier

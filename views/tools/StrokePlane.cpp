@@ -15,10 +15,25 @@ constexpr float kLeastStrokeFacing = 0.35F;
 constexpr float kLeastSlope = 0.12F;
 /// A stroke that begins within so many radii of the trunk's axis begins at the trunk.
 constexpr float kTrunkReach = 1.5F;
+/// A limb that is this near to the trunk on the screen, px, hides it.
+constexpr float kTrunkPixels = 7.0F;
 
 Vec3 levelled(const Vec3& way)
 {
     return {way.x(), 0.0F, way.z()};
+}
+
+/// Whether a limb that was picked hides the trunk of @p root: it points to the viewer there.
+bool isBeforeTrunk(ToolContext& context, const PickedBranch& picked, InternodeId root)
+{
+    const TreeDocument& document = context.document();
+    const Camera& camera = context.camera();
+    const Vec3 trunk = trunkAt(document.tree(), document.index(), root, picked.position.y());
+    const float depth = camera.depth(trunk);
+    if (depth < Camera::kMinDistance)
+        return false;
+    const float sideways = std::abs((picked.position - trunk).dot(camera.right()));
+    return sideways < context.branchRadius(root) + kTrunkPixels / camera.pixelsPerMetre(depth);
 }
 
 } // namespace
@@ -33,15 +48,21 @@ StrokePlane StrokePlane::of(ToolContext& context, const std::optional<PickedBran
     if (picked)
         plane.m_anchor = picked->position;
     const InternodeId root = picked ? index.rootOf(tree, picked->id) : 0;
-    const bool isAtTrunk = !picked || index.axis(picked->id) == root;
+    // Only limbs are spread: a crown grows where it is brushed.
+    const bool spreads = view.brushPlane == BrushPlane::Spread &&
+                         view.brushRadius < document.parameters().growth.internodeLength;
+    const bool hidesTrunk = spreads && picked && isBeforeTrunk(context, *picked, root);
+    if (hidesTrunk)
+        plane.m_anchor = trunkAt(tree, index, root, picked->position.y());
+    const bool isAtTrunk = !picked || hidesTrunk || index.axis(picked->id) == root;
     constexpr auto kFar = static_cast<float>(recipeLimits::kCoordinate);
-    const Vec3 trunk = picked && isAtTrunk ? picked->position
+    const Vec3 trunk = picked && isAtTrunk ? plane.m_anchor
                                            : trunkAt(tree, index, root, picked ? picked->position.y() : 0.0F);
     plane.m_placement.around = trunk.cwiseMax(-kFar).cwiseMin(kFar);
     plane.m_placement.copies = static_cast<int>(view.brushSymmetry);
     // At its tip, the trunk goes on.
-    const bool isAtTip = picked && index.mainChild(picked->id) == kNoInternode;
-    plane.m_placement.isSpread = view.brushPlane == BrushPlane::Spread && isAtTrunk && !isAtTip;
+    const bool isAtTip = picked && !hidesTrunk && index.mainChild(picked->id) == kNoInternode;
+    plane.m_placement.isSpread = spreads && isAtTrunk && !isAtTip;
 
     if (view.brushPlane == BrushPlane::Trunk && picked) {
         const Camera& camera = context.camera();

@@ -168,7 +168,7 @@ void SunTool::paint(Overlay& overlay) const
 
 QString SunTool::tip() const
 {
-    return tr("Drag the sun about the tree.");
+    return tr("Drag the sun around the tree");
 }
 
 } // namespace espalier

@@ -218,7 +218,7 @@ void TwistTool::paint(Overlay& overlay) const
 
 QString TwistTool::tip() const
 {
-    return tr("Drag along a branch, or around it, to twist its strands; tap twice to untwist them");
+    return tr("Drag along a branch, or around it, to twist its strands; double-tap to untwist them");
 }
 
 } // namespace espalier

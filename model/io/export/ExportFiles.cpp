@@ -40,11 +40,10 @@ Result<void> ExportFiles::chooseNames(const QStringList& endings)
             return {};
         m_stem = QStringLiteral("%1_%2").arg(first).arg(number);
     }
-    return Error{
-        Error::Kind::Output,
-        inputError(mainName(), ExportText::tr("there are too many files of similar names in its folder; "
-                                              "choose another name or another folder"))
-            .message};
+    return Error{Error::Kind::Output,
+                 inputError(mainName(), ExportText::tr("there are too many files with similar names in this "
+                                                       "folder; choose another name or another folder"))
+                     .message};
 }
 
 bool ExportFiles::isFree(const QString& name, const QStringList& existing) const

@@ -250,8 +250,9 @@ Result<void> GlbFormat::write(const ExportScene& scene, ExportFiles& files) cons
         return Error{
             Error::Kind::Output,
             inputError(files.mainName(),
-                       QCoreApplication::translate("Exporter", "the tree takes more than the 4 GB that such "
-                                                               "a file can hold; export fewer details"))
+                       QCoreApplication::translate(
+                           "Exporter",
+                           "the tree takes more than the 4 GB that such a file can hold; export less detail"))
                 .message};
     }
     return files.addMain([&](QIODevice& device) { return builder.write(device); });

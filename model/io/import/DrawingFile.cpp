@@ -175,7 +175,7 @@ Result<DrawingStrokes> readQuickDraw(const QByteArray& bytes, int index)
         const QJsonArray right = drawn.toArray().at(0).toArray();
         const QJsonArray down = drawn.toArray().at(1).toArray();
         if (right.size() != down.size())
-            return Error{Error::Kind::Input, DrawingText::tr("the x and y of a stroke differ in number")};
+            return Error{Error::Kind::Input, DrawingText::tr("a stroke has more x than y values, or fewer")};
         std::vector<Vec2> stroke;
         for (qsizetype i = 0; i < right.size(); ++i) {
             const Vec2 point(static_cast<float>(right.at(i).toDouble()),
@@ -200,7 +200,7 @@ Result<DrawingStrokes> readDrawing(const QString& fileName, int index)
     if (!file.open(QIODevice::ReadOnly))
         return inputError(name, file.errorString());
     if (file.size() > kMostDrawingBytes)
-        return inputError(name, DrawingText::tr("it is greater than 32 MB"));
+        return inputError(name, DrawingText::tr("it is larger than 32 MB"));
     const QByteArray bytes = file.readAll();
     const bool isSvg = QFileInfo(fileName).suffix().toLower() == QLatin1String("svg");
     Result<DrawingStrokes> strokes = isSvg ? readSvg(bytes) : readQuickDraw(bytes, index);

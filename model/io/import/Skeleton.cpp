@@ -132,9 +132,10 @@ Result<Skeleton> inOrder(std::vector<Row>& rows)
     std::ranges::stable_sort(byId, {}, idOf);
     const auto twice = std::ranges::adjacent_find(byId, {}, idOf);
     if (twice != byId.end())
-        return inputError(lineName(rows[twice[1]].line), SkeletonText::tr("its id %1 is that of line %2, too")
-                                                             .arg(rows[*twice].id)
-                                                             .arg(rows[*twice].line));
+        return inputError(lineName(rows[twice[1]].line),
+                          SkeletonText::tr("its id %1 is already used in line %2")
+                              .arg(rows[*twice].id)
+                              .arg(rows[*twice].line));
 
     std::vector<std::uint32_t> ready;                             // rows whose parents come before them
     std::vector<std::pair<std::uint32_t, std::uint32_t>> carried; // parent, row
@@ -146,7 +147,7 @@ Result<Skeleton> inOrder(std::vector<Row>& rows)
         const auto parent = std::ranges::lower_bound(byId, rows[row].parent, {}, idOf);
         if (parent == byId.end() || rows[*parent].id != rows[row].parent)
             return inputError(lineName(rows[row].line),
-                              SkeletonText::tr("there is no id %1, its parent").arg(rows[row].parent));
+                              SkeletonText::tr("its parent, id %1, does not exist").arg(rows[row].parent));
         carried.emplace_back(*parent, row);
     }
     std::ranges::sort(carried);
@@ -166,7 +167,7 @@ Result<Skeleton> inOrder(std::vector<Row>& rows)
     if (skeleton.size() < rows.size()) {
         const auto left = std::ranges::find(isPlaced, false) - isPlaced.begin();
         return inputError(lineName(rows[static_cast<std::size_t>(left)].line),
-                          SkeletonText::tr("it is carried by what it carries"));
+                          SkeletonText::tr("it is its own ancestor"));
     }
     return skeleton;
 }

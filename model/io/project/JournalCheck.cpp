@@ -120,7 +120,7 @@ QString Rewind::timeFault(const TreeDelta& delta) const
         },
         m_tree.content().kept, delta.kept);
     if (!hasAll)
-        return JournalText::tr("it brings strokes or profiles that are not there");
+        return JournalText::tr("it refers to strokes or profiles that are not there");
     return {};
 }
 
@@ -132,11 +132,11 @@ QString Rewind::birthFault(const TreeDelta& delta) const
         return JournalText::tr("its births are out of order");
     for (InternodeId id = delta.born.first; id != delta.born.end(); ++id) {
         if (c.birth[id] < delta.stepBefore || c.birth[id] > delta.stepAfter)
-            return JournalText::tr("it bears an internode at another time");
+            return JournalText::tr("it creates an internode at another time");
         if (c.death[id] != kNever && c.death[id] != delta.stepAfter)
-            return JournalText::tr("it bears an internode that is not there");
+            return JournalText::tr("it creates an internode that is not there");
         if (c.parameterSet[id] >= m_tree.parameterSets().size())
-            return JournalText::tr("it bears an internode whose parameters are not there");
+            return JournalText::tr("it creates an internode whose parameters are not there");
     }
     return {};
 }
@@ -199,7 +199,7 @@ QString Rewind::deathFault(const TreeDelta& delta)
     ++m_round;
     for (const InternodeId id : delta.died) {
         if (id >= m_tree.size() || id == 0 || c.death[id] != delta.stepAfter || !isNewInRound(id))
-            return JournalText::tr("it lets an internode die that did not");
+            return JournalText::tr("it records the death of an internode that did not die");
         countContinuation(id, 1);
     }
     for (const InternodeId id : delta.died) {
@@ -213,7 +213,7 @@ QString Rewind::deathFault(const TreeDelta& delta)
     }
     for (InternodeId id = delta.born.first; id != delta.born.end(); ++id) {
         if (c.death[id] != kNever && m_rounds[id] != m_round)
-            return JournalText::tr("it bears an internode that is not there");
+            return JournalText::tr("it creates an internode that is not there");
     }
     return {};
 }

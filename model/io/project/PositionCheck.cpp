@@ -122,18 +122,18 @@ Result<void> checkPositions(const Tree& tree, const Journal& journal)
     PlaceRewind rewind(tree);
     if (const InternodeId id = rewind.farNode(); id != kNoInternode)
         return inputError(PositionText::tr("internode %1").arg(id),
-                          PositionText::tr("it lies further than %1 m away").arg(kFarthestNode));
+                          PositionText::tr("it lies more than %1 m away").arg(kFarthestNode));
     for (std::size_t i = journal.size(); i-- > 0;) {
         rewind.revert(*journal[i]);
         const QString place = PositionText::tr("step %1 of the history").arg(i + 1);
         if (const InternodeId id = rewind.farNode(); id != kNoInternode)
-            return inputError(place, PositionText::tr("before it, internode %1 lies further than %2 m away")
+            return inputError(place, PositionText::tr("before it, internode %1 lies more than %2 m away")
                                          .arg(id)
                                          .arg(kFarthestNode));
         if (rewind.work() > projectLimits::kMovedRows)
             return inputError(
-                place, PositionText::tr("it and the later steps move a tree with axes of more than %1 m too "
-                                        "often")
+                place, PositionText::tr(
+                           "it and the later steps move a tree whose axes are longer than %1 m too often")
                            .arg(kFarthestNode));
     }
     return {};

@@ -110,18 +110,18 @@ void takeLook(const ZipReader& archive, Project& project)
 {
     QStringList warnings;
     if (!project.warning.isEmpty())
-        warnings.append(
-            ProjectFileText::tr(
-                "the image “%1” is missing in it or broken; the look that was drawn for it shows instead")
-                .arg(project.warning));
+        warnings.append(ProjectFileText::tr(
+                            "the image “%1” is missing from it or broken; the built-in look is shown instead")
+                            .arg(project.warning));
     Result<std::optional<ReadLook>> look = readLook(archive);
     if (!look) {
-        warnings.append(ProjectFileText::tr("its background and light cannot be read (%1); those of a new "
-                                            "tree show instead")
-                            .arg(look.error().message));
+        warnings.append(
+            ProjectFileText::tr(
+                "its background and light cannot be read (%1); those of a new tree are shown instead")
+                .arg(look.error().message));
     } else if (*look) {
         if (!(*look)->lostPicture.isEmpty())
-            warnings.append(ProjectFileText::tr("the reference picture “%1” is missing in it or broken")
+            warnings.append(ProjectFileText::tr("the reference picture “%1” is missing from it or broken")
                                 .arg((*look)->lostPicture));
         project.look = std::move((*look)->look);
     }

@@ -26,7 +26,7 @@ Tree shownTree(const Project& project);
 /// - journal/<number> with a row a delta, and journal/<table>.<column>.count, .row, .before and .after for
 /// the cells that
 ///   the deltas changed;
-/// - journal/records.deltas, .size, .json and .steps: what made the edits (EditRecord; see addRecords());
+/// - journal/records.deltas, .size and .json: what made the edits (EditRecord), the texts one after another;
 /// files
 ///   that are older than records have none of these;
 /// - look.json: the look of the scene (SceneLook); files that are older than looks have none;

@@ -21,8 +21,6 @@ inline constexpr std::uint32_t kLassoPoints = 10'000'000; ///< In all
 inline constexpr std::uint32_t kProfiles = 100'000;
 inline constexpr std::uint32_t kProfilePoints = 10'000'000;     ///< In all
 inline constexpr qsizetype kRecordBytes = qsizetype{512} << 20; ///< Of what made the edits, in all
-inline constexpr qsizetype kStepBytes = qsizetype{64} << 20;    ///< Of the steps' names, in all
-inline constexpr qsizetype kStepLength = 200;                   ///< Of one name
 inline constexpr std::uint32_t kImages = 4096;
 inline constexpr qsizetype kImageBytes = qsizetype{512} << 20; ///< Size of all images together
 } // namespace projectLimits

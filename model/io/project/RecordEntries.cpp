@@ -6,9 +6,7 @@
 #include "model/io/project/ProjectLimits.h"
 #include "model/io/project/ProjectText.h"
 
-#include <QJsonArray>
 #include <QJsonDocument>
-#include <QStringList>
 
 namespace espalier {
 
@@ -17,7 +15,6 @@ namespace {
 constexpr char kDeltas[] = "journal/records.deltas";
 constexpr char kSizes[] = "journal/records.size";
 constexpr char kOperations[] = "journal/records.json";
-constexpr char kSteps[] = "journal/records.steps";
 
 Error doNotAddUp()
 {
@@ -32,7 +29,6 @@ void addRecords(ZipWriter& archive, const Journal& journal)
     QList<std::uint32_t> deltas;
     QList<std::uint32_t> sizes;
     QByteArray operations;
-    QJsonArray steps;
     for (const auto& delta : journal) {
         const EditRecord* record = delta->record.get();
         deltas.append(record ? record->deltas : 0);
@@ -42,41 +38,13 @@ void addRecords(ZipWriter& archive, const Journal& journal)
         const QByteArray operation = hasRoom ? record->operation : QByteArray();
         sizes.append(static_cast<std::uint32_t>(operation.size()));
         operations.append(operation);
-        steps.append(record->step);
     }
     if (sizes.isEmpty())
         return;
     addEntry(archive, kDeltas, deltas);
     addEntry(archive, kSizes, sizes);
     archive.add(kOperations, operations);
-    const QByteArray names = QJsonDocument(steps).toJson(QJsonDocument::Compact);
-    if (names.size() <= projectLimits::kStepBytes)
-        archive.add(kSteps, names);
 }
-
-namespace {
-
-/// The names of @p count undo steps; none if the file is older than names.
-Result<QStringList> readSteps(const ZipReader& archive, qsizetype count)
-{
-    if (!archive.contains(kSteps))
-        return QStringList();
-    const Result<QByteArray> json = archive.read(kSteps, projectLimits::kStepBytes);
-    if (!json)
-        return json.error();
-    const QJsonArray values = QJsonDocument::fromJson(*json).array();
-    if (values.size() != count)
-        return doNotAddUp();
-    QStringList names;
-    for (const QJsonValue& value : values) {
-        QString name = value.toString().left(projectLimits::kStepLength);
-        name.removeIf([](QChar c) { return c.category() == QChar::Other_Control && !c.isSpace(); });
-        names.append(name.simplified());
-    }
-    return names;
-}
-
-} // namespace
 
 Result<void> readRecords(const ZipReader& archive, Journal& journal)
 {
@@ -95,17 +63,13 @@ Result<void> readRecords(const ZipReader& archive, Journal& journal)
     const Result<QByteArray> operations = archive.read(kOperations, projectLimits::kRecordBytes);
     if (!operations)
         return operations.error();
-    const Result<QStringList> steps = readSteps(archive, sizes.size());
-    if (!steps)
-        return steps.error();
 
     qsizetype edit = 0;
     qsizetype first = 0;
     for (qsizetype i = 0; i < deltas.size(); ++i) {
         if (deltas[i] == 0)
             continue;
-        const qsizetype bytes = sizes[edit];
-        const QString step = steps->value(edit++);
+        const qsizetype bytes = sizes[edit++];
         if (bytes > EditRecord::kMostBytes || bytes > operations->size() - first)
             return doNotAddUp();
         const QByteArray operation = operations->sliced(first, bytes);
@@ -115,7 +79,7 @@ Result<void> readRecords(const ZipReader& archive, Journal& journal)
                               ProjectText::tr("the record of what was done is not a JSON object"));
         }
         journal[static_cast<std::size_t>(i)]->record =
-            std::make_shared<const EditRecord>(EditRecord{operation, deltas[i], step});
+            std::make_shared<const EditRecord>(EditRecord{operation, deltas[i]});
     }
     return first == operations->size() ? Result<void>() : doNotAddUp();
 }

@@ -11,8 +11,6 @@ namespace espalier {
 /// journal/records.deltas has a row a delta, which is 0 where no edit begins; journal/records.size has a row
 /// an edit, the bytes of its operation; journal/records.json has the operations, one after another. An
 /// operation that finds no room within projectLimits::kRecordBytes is left out: it is not known then.
-/// journal/records.steps has the names of the undo steps, a JSON array with a text an edit; without room for
-/// them they are left out.
 void addRecords(ZipWriter& archive, const Journal& journal);
 
 /// Gives @p journal the records that the archive has; none if the file is older than records. An Error for

@@ -133,7 +133,7 @@ std::vector<Case> cases()
         {"keepClear", KeepClearOperation{3U, 0.1F}, {}},
         {"keepClear of what is not there", KeepClearOperation{kMissing, 0.1F}, missing},
         {"keepClear that changes nothing", KeepClearOperation{3U, 0.0F},
-         QStringLiteral("the branch of internode 3 is kept clear like that already")},
+         QStringLiteral("the branch of internode 3 is already kept clear that far")},
         {"erase", EraseOperation{sweptFromTheFront(100.0F)}, {}},
         {"erase beside the tree", EraseOperation{sweptFromTheFront(0.0F)},
          QStringLiteral("nothing under the brush could be erased")},

@@ -32,14 +32,14 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row("{\"espalier-recipe\": 1,\n\n \"name\": nan}", "line 3: not valid JSON: ");
     row("{\"espalier-recipe\": 1, \"seed\": 1e999}", "line 1: not valid JSON: illegal number");
     row(R"({"espalier-recipe": 2, "new": 1})",
-        "the recipe is of version 2, this program reads versions up to 1");
+        "the recipe is of version 2; this program reads versions up to 1");
     row(R"({"espalier-recipe": "1"})", "espalier-recipe: a whole number");
     row(recipeOf(R"("nmae": "x")"), "“nmae” is not known here");
     row(recipeOf(R"("name": 5)"), "name: a string is expected");
     row(recipeOf(R"("seed": -1)"), "seed: a whole number of at most 64 bits");
     row(recipeOf(R"("seed": 1.5)"), "seed: a whole number of at most 64 bits is");
     row(recipeOf(R"("seed": "18446744073709551616")"), "seed: a whole number of at most 64 bits is expected");
-    row(recipeOf(R"("seed": "1x")"), "seed: a whole number of at most 64 bits is expected,");
+    row(recipeOf(R"("seed": "1x")"), "seed: a whole number of at most 64 bits is expected;");
     row(recipeOf(R"("camera": {"view": "below"})"), "camera.view: there is no view “below”");
     row(recipeOf(R"("camera": {"zoom": 2})"), "camera: “zoom” is not known here");
     row(recipeOf(R"("camera": 5)"), "camera: an object is expected");
@@ -59,7 +59,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "grow", "steps": 5, "count": 5})"),
         "operations[0]: “count” is not known here");
     row(operationsOf(R"({"op": "lasso", "points": [[0, 1], [2, 3]]})"),
-        "operations[0].points: a lasso has at least three points");
+        "operations[0].points: a lasso needs at least three points");
     row(operationsOf(R"({"op": "lasso", "points": [[0, 1], [2, 3], [1]]})"),
         "operations[0].points[2]: two numbers within");
     row(operationsOf(R"({"op": "lasso", "points": [[0, 1], [2, 3], [1, 1001]]})"),
@@ -90,7 +90,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "fillEnvelopes", "envelopes": []})"),
         "operations[0].envelopes: 1 to 10000 envelopes are expected");
     row(operationsOf(R"({"op": "fillEnvelopes", "envelopes": [{"points": [[0, 1], [1, 1]]}]})"),
-        "operations[0].envelopes[0].points: a lasso has at least three points");
+        "operations[0].envelopes[0].points: a lasso needs at least three points");
     row(operationsOf(
             R"({"op": "fillEnvelopes", "envelopes": [{"points": [[0, 1], [1, 1], [1, 2]], "op": "x"}]})"),
         "operations[0].envelopes[0]: “op” is not known here");
@@ -101,12 +101,12 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "import", "segments": [[-1, 0, 0, 0, 0, 1, 0]]})"),
         "operations[0].segments[0]: 8 numbers are expected");
     row(operationsOf(R"({"op": "import", "segments": [[0, 0, 0, 0, 0, 1, 0, 0.1]]})"),
-        "operations[0].segments[0]: its parent is not one of the segments before it");
+        "operations[0].segments[0]: its parent is neither one of the segments before it");
     row(operationsOf(R"({"op": "import", "segments": [[-1, 0, 0, 0, 0, 1, 0, 51]]})"),
         "operations[0].segments[0]: its radius is not between 0 and 50 m");
     row(operationsOf(R"({"op": "sketch"})"), "operations[0].strokes: 1 to 1000 strokes are expected");
     row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1]], []]})"),
-        "operations[0].strokes[1]: a stroke has at least one point");
+        "operations[0].strokes[1]: a stroke needs at least one point");
     row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1001]]]})"),
         "operations[0].strokes[0][1]: two numbers within ±1000 are expected, right and up, in m");
     row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1]]], "trees": 3})"),
@@ -114,7 +114,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "sketch", "strokes": [[[0, 0], [0, 1]]], "sideways": "some"})"),
         "operations[0].sideways: one of these is expected: all, limbs, none");
     row(operationsOf(R"({"op": "sketchStroke", "points": [[0, 0]]})"),
-        "operations[0].points: a stroke has at least 2 points");
+        "operations[0].points: a stroke needs at least 2 points");
     row(operationsOf(R"({"op": "sketchStroke", "points": [[0, 0], [0, 1]], "radii": [0.1, -1]})"),
         "operations[0].radii: numbers from 0 to 100 are expected, in m");
     row(operationsOf(R"({"op": "infer", "hull": 9})"),
@@ -133,7 +133,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "propagate", "internode": 1, "replaces": "no"})"),
         "operations[0].replaces: true or false is expected");
     row(operationsOf(R"({"op": "reproduce", "silhouette": [[0, 0]]})"),
-        "operations[0].trunk: a stroke has at least one point");
+        "operations[0].trunk: a stroke needs at least one point");
     row(operationsOf(R"({"op": "reproduce", "trunk": [[0, 0], [0, 1]], "silhouette": [[0, 0], [1]]})"),
         "operations[0].silhouette[1]: two numbers within ±1000 are expected, right and up, in m");
     row(operationsOf(
@@ -163,17 +163,17 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(recipeOf(R"("parameters": {"growth": {"axisWeight": 0, "tropismWeight": 0, "spaceWeight": 0}})"),
         "parameters.growth.axisWeight: axisWeight, tropismWeight and spaceWeight must not all be 0");
     row(recipeOf(R"("parameters": {"growth": {"ellipseOffset": -0.995}})"),
-        "parameters.growth.ellipseOffset: it must not be beyond 0.99 times ellipseVertical, which is 1");
+        "parameters.growth.ellipseOffset: it must not exceed 0.99 times ellipseVertical, which is 1");
     row(operationsOf(R"({"op": "setParameters", "parameters": {"growth": {"ellipseOffset": 0.9}}},
                       {"op": "setParameters", "parameters": {"growth": {"ellipseVertical": 0.9}}})"),
-        "operations[1].parameters.growth.ellipseOffset: it must not be beyond 0.99 times ellipseVertical, "
+        "operations[1].parameters.growth.ellipseOffset: it must not exceed 0.99 times ellipseVertical, "
         "which is 0.9");
 
     const auto stroke = [](const QByteArray& samples) {
         return operationsOf(R"({"op": "brushStroke", "samples": [)" + samples + "]}");
     };
-    row(stroke(""), "operations[0].samples: a stroke has at least one sample");
-    row(operationsOf(R"({"op": "brushStroke"})"), "operations[0].samples: a stroke has at least one");
+    row(stroke(""), "operations[0].samples: a stroke needs at least one sample");
+    row(operationsOf(R"({"op": "brushStroke"})"), "operations[0].samples: a stroke needs at least one");
     row(stroke("5"), "operations[0].samples[0]: an array of five numbers");
     row(stroke("[0,0,0,0]"), "operations[0].samples[0]: an array of five numbers is");
     row(stroke("[0,0,0,0,null]"), "operations[0].samples[0]: an array of five numbers is expected");
@@ -195,8 +195,8 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         return operationsOf(R"({"op": "bend", "base": 0, "handles": [)" + handle + "]" + rest + "}");
     };
     const QByteArray held = R"({"internode": 3, "target": [0, 1, 2]})";
-    row(bend(""), "operations[0].handles: a bend has from 1 to 100 handles");
-    row(bend(QByteArray(held + ',').repeated(100) + held), "operations[0].handles: a bend has from 1 to 100");
+    row(bend(""), "operations[0].handles: a bend needs 1 to 100 handles");
+    row(bend(QByteArray(held + ',').repeated(100) + held), "operations[0].handles: a bend needs 1 to 100");
     row(operationsOf(R"({"op": "bend", "handles": []})"), "operations[0].base: it is missing");
     row(bend("5"), "operations[0].handles[0]: an object is expected");
     row(bend(R"({"internode": -1, "target": [0, 1, 2]})"),
@@ -225,7 +225,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
         "operations[0].moves[0].calls: a whole number from 1 to 100000 is expected");
     row(bend(held, R"(, "moves": [5])"), "operations[0].moves[0]: an object is expected");
     row(bend(held, R"(, "regrips": [{"base": 0, "handles": []}])"),
-        "operations[0].regrips[0].handles: a bend has from 1 to 100 handles");
+        "operations[0].regrips[0].handles: a bend needs 1 to 100 handles");
     row(bend(held, R"(, "regrips": [{"base": 0, "handles": [)" + held + R"(], "bending": 1}])"),
         "operations[0].regrips[0]: “bending” is not known here");
     row(operationsOf(R"({"op": "setWidth", "internode": 1, "diameter": 1, "from": {}})"),
@@ -260,7 +260,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(operationsOf(R"({"op": "erase", "sweeps": [{"eye": [0, 0], "path": [[0, 0, 0, 1]]}]})"),
         "operations[0].sweeps[0].eye: three numbers within ±1000 are expected: x, y, z, in m");
     row(operationsOf(R"({"op": "erase", "sweeps": [{"eye": [0, 0, 5], "path": []}]})"),
-        "operations[0].sweeps[0].path: a stroke has at least one point");
+        "operations[0].sweeps[0].path: a stroke needs at least one point");
     row(operationsOf(R"({"op": "thin", "sweeps": [{"eye": [0, 0, 5], "path": [[0, 0, 0, -1]]}]})"),
         "operations[0].sweeps[0].path[0]: four numbers are expected: x, y, z within ±1000 m, and a radius "
         "within 0…100 m");
@@ -313,7 +313,7 @@ void WrongRecipesTest::wrongRecipes_nameThePlace_data()
     row(profile(R"("toProfile": )" + square + R"(, "profile": )" + square),
         "operations[0].toProfile: the other end of the branch (“to”) is missing");
     row(operationsOf(R"({"op": "setProfile", "internodes": [1, 2], "to": 3, "clear": true})"),
-        "operations[0].to: a branch begins at one internode");
+        "operations[0].to: a branch must begin at exactly one internode");
     row(operationsOf(R"({"op": "setWidth", "internode": 4294967295, "diameter": 1})"),
         "operations[0].internode: a whole number from 0 to 4294967294 is");
 }
@@ -368,7 +368,7 @@ void WrongRecipesTest::hugeRecipes_areRefusedBeforeTheyAreParsed()
     result = parseRecipe(operationsOf("{\"op\":\"brushStroke\",\"samples\":[" + samples + "]}"));
     QVERIFY(!result);
     QCOMPARE(result.error().message,
-             QStringLiteral("operations[0].samples: a recipe has at most 1000000 samples"));
+             QStringLiteral("operations[0].samples: a recipe can have at most 1000000 samples"));
 
     result = parseRecipe(QByteArray("[").repeated(1'000'000));
     QVERIFY(!result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/document/TreeDocument.h"
 
+#include "commands/DocumentProject.h"
 #include "commands/SetParameters.h"
 #include "model/document/PreparedTree.h"
 #include "tests/support/Documents.h"
@@ -8,6 +9,8 @@
 #include "tests/support/TestClasses.h"
 
 #include <QTest>
+
+#include <array>
 
 namespace espalier::test {
 
@@ -22,8 +25,11 @@ private Q_SLOTS:
     void nothingToUndo_isNoEvent();
     void reset_startsAnew();
     void resetToAJournal_revertsThroughIt();
-    void resetToAJournal_bringsTheStepsBack();
-    void resetToAnEarlierMoment_canUndoTheTravel();
+    void openedProject_hasItsStepsAgain();
+    void openedProject_namesItsStepsAsBefore();
+    void openedProject_inThePast_canUndoTheTravel();
+    void openedProject_keepsToTheUndoLimit();
+    void openedProject_ofWhichNothingIsKnown_isOneStep();
     void exchange_isUndoneAndRedoneWithAllThatSurroundsIt();
     void revertAndApplyOfEachDelta_passesThroughTheSameTrees();
     void memoryOfALivingInternode_isLimited();
@@ -178,7 +184,23 @@ void TreeDocumentTest::resetToAJournal_revertsThroughIt()
     QCOMPARE(indexFault(other), QString());
 }
 
-void TreeDocumentTest::resetToAJournal_bringsTheStepsBack()
+namespace {
+
+void undoAll(TreeDocument& document)
+{
+    while (document.undoStack().canUndo())
+        document.undo();
+}
+
+void redoAll(TreeDocument& document)
+{
+    while (document.undoStack().canRedo())
+        document.redo();
+}
+
+} // namespace
+
+void TreeDocumentTest::openedProject_hasItsStepsAgain()
 {
     for (std::uint64_t seed = 60; seed < 66; ++seed) {
         TreeDocument document;
@@ -187,45 +209,57 @@ void TreeDocumentTest::resetToAJournal_bringsTheStepsBack()
         TreeDocument other;
         int indexChanges = 0;
         connect(&other.undoStack(), &QUndoStack::indexChanged, this, [&] { ++indexChanges; });
-        other.reset(document.tree(), document.journal());
+        showProject(other, projectOf(document, QStringLiteral("Tree")));
         QVERIFY(indexChanges <= 2);
         const QUndoStack& stack = other.undoStack();
         QVERIFY(stack.isClean());
         QVERIFY(stack.canUndo() && !stack.canRedo());
+        int edits = 0;
+        for (std::size_t i = 0; i < document.journal().size(); ++edits)
+            i = JournalEdit::at(document.journal(), i).end;
+        QCOMPARE(stack.count(), edits);
 
-        // A step an edit, with the name that it was committed with.
-        QStringList names;
-        for (const auto& delta : document.journal()) {
-            if (delta->record)
-                names.append(delta->record->step);
-        }
-        QCOMPARE(stack.count(), names.size());
-        for (int i = 0; i < stack.count(); ++i)
-            QCOMPARE(stack.text(i), names[i]);
-        QVERIFY(!names.contains(QString()));
-
-        while (stack.canUndo())
-            other.undo();
+        undoAll(other);
         QCOMPARE(other.index().livingCount(), 1U);
         QCOMPARE(other.journal().size(), std::size_t{0});
         QCOMPARE(indexFault(other), QString());
-        while (stack.canRedo())
-            other.redo();
+        redoAll(other);
         QVERIFY(other.tree() == document.tree());
         QVERIFY(stack.isClean());
         QCOMPARE(indexFault(other), QString());
     }
 }
 
-void TreeDocumentTest::resetToAnEarlierMoment_canUndoTheTravel()
+void TreeDocumentTest::openedProject_namesItsStepsAsBefore()
+{
+    TreeDocument document;
+    document.reset(3);
+    const std::array line{Vec3(0.0F, 0.1F, 0.0F), Vec3(0.0F, 1.0F, 0.0F)};
+    brush(document, strokeAlong(line, 0.6F, 1.0));
+    grow(document, 4);
+    grow(document, 1);
+    TreeParameters others = document.parameters();
+    others.growth.branchingAngle *= 0.5;
+    setParameters(document, others);
+    TreeDocument opened;
+    showProject(opened, projectOf(document, QStringLiteral("Tree")));
+    QCOMPARE(opened.undoStack().count(), document.undoStack().count());
+    for (int i = 0; i < opened.undoStack().count(); ++i)
+        QCOMPARE(opened.undoStack().text(i), document.undoStack().text(i));
+    QVERIFY(document.undoStack().text(0) != document.undoStack().text(2));
+}
+
+void TreeDocumentTest::openedProject_inThePast_canUndoTheTravel()
 {
     TreeDocument document;
     growAtRandom(document, 52);
     travel(document, document.journal().size() + document.future().size());
     const std::size_t whole = document.journal().size();
     QVERIFY(whole > 3);
+    Project project = projectOf(document, QStringLiteral("Tree"));
+    project.ahead = 2; // in the middle of an edit, maybe
     TreeDocument other;
-    other.reset(document.tree(), document.journal(), 2);
+    showProject(other, project);
     QCOMPARE(other.journal().size(), whole - 2);
     QVERIFY(other.undoStack().isClean());
     other.undo();
@@ -233,13 +267,49 @@ void TreeDocumentTest::resetToAnEarlierMoment_canUndoTheTravel()
     QVERIFY(other.tree() == document.tree());
     other.redo();
     QCOMPARE(other.future().size(), std::size_t{2});
-    while (other.undoStack().canUndo())
-        other.undo();
+    undoAll(other);
     QCOMPARE(other.index().livingCount(), 1U);
-    while (other.undoStack().canRedo())
-        other.redo();
+    redoAll(other);
     QCOMPARE(other.journal().size(), whole - 2);
     QCOMPARE(indexFault(other), QString());
+}
+
+void TreeDocumentTest::openedProject_keepsToTheUndoLimit()
+{
+    TreeDocument document;
+    for (int i = 0; i < 5; ++i)
+        grow(document, 1);
+    TreeDocument other;
+    other.undoStack().setUndoLimit(2);
+    showProject(other, projectOf(document, QStringLiteral("Tree")));
+    QCOMPARE(other.undoStack().count(), 2);
+    QVERIFY(other.undoStack().isClean());
+    undoAll(other);
+    QCOMPARE(other.journal().size(), document.journal().size() - 2);
+    redoAll(other);
+    QVERIFY(other.tree() == document.tree());
+    QVERIFY(other.undoStack().isClean());
+}
+
+void TreeDocumentTest::openedProject_ofWhichNothingIsKnown_isOneStep()
+{
+    TreeDocument document;
+    for (int i = 0; i < 5; ++i)
+        grow(document, 2);
+    Project project = projectOf(document, QStringLiteral("Tree"));
+    for (auto& delta : project.journal) {
+        auto nameless = std::make_shared<TreeDelta>(*delta);
+        nameless->record = nullptr;
+        delta = std::move(nameless);
+    }
+    TreeDocument other;
+    showProject(other, project);
+    QCOMPARE(other.undoStack().count(), 1);
+    QCOMPARE(other.undoStack().text(0), QStringLiteral("Earlier Steps"));
+    undoAll(other);
+    QCOMPARE(other.index().livingCount(), 1U);
+    redoAll(other);
+    QVERIFY(other.tree() == document.tree());
 }
 
 void TreeDocumentTest::exchange_isUndoneAndRedoneWithAllThatSurroundsIt()

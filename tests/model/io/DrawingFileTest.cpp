@@ -110,7 +110,7 @@ void DrawingFileTest::faults_areNamed_data()
     QTest::newRow("no JSON") << QByteArray("hello") << "c.ndjson"
                              << "c.ndjson: ";
     QTest::newRow("uneven") << QByteArray(R"({"drawing":[[[1,2],[1]]]})") << "d.ndjson"
-                            << "d.ndjson: the x and y of a stroke differ in number";
+                            << "d.ndjson: a stroke has more x than y values, or fewer";
     QTest::newRow("no number") << QByteArray(R"({"drawing":[[[1,"a"],[1,2]]]})") << "e.ndjson"
                                << "e.ndjson: a stroke has a point that is not a number";
     QTest::newRow("no strokes") << QByteArray(R"({"drawing":[]})") << "f.ndjson"

@@ -197,7 +197,8 @@ void FileWriterTest::placesThatCannotBeWritten_areNamed_data()
     QTest::newRow("no folder") << QStringLiteral("none/a.txt") << QStringLiteral("none does not exist");
     QTest::newRow("a file as folder")
         << QStringLiteral("file/a.txt") << QStringLiteral("file is not a folder");
-    QTest::newRow("a folder") << QStringLiteral("folder") << QStringLiteral("there is a folder of this name");
+    QTest::newRow("a folder") << QStringLiteral("folder")
+                              << QStringLiteral("a folder with this name already exists");
     QTest::newRow("no name") << QString() << QStringLiteral("a file needs a name");
     QTest::newRow("a long name") << QString(300, QLatin1Char('n')) << QStringLiteral("the name is too long");
 }

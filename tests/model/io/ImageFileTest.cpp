@@ -104,10 +104,11 @@ void ImageFileTest::refused_data()
     QTest::newRow("damaged") << (png.first(60) + QByteArray(40, 'x') + png.sliced(100))
                              << QStringLiteral("the image is broken");
     QTest::newRow("too wide") << withSize(png, 8193, 4)
-                              << QStringLiteral("it has 8193 × 4 pixels; 8192 along an edge are the most");
+                              << QStringLiteral("it has 8193 × 4 pixels; 8192 along an edge is the most");
     QTest::newRow("absurd") << withSize(png, 2'000'000'000, 2'000'000'000)
                             << QStringLiteral("the image is broken");
-    QTest::newRow("too small") << pngOf(plain(3, 50)) << QStringLiteral("it has only 3 × 50 pixels");
+    QTest::newRow("too small") << pngOf(plain(3, 50))
+                               << QStringLiteral("it is too small: only 3 × 50 pixels");
     QTest::newRow("too many bytes") << (png + QByteArray(64 << 20, '\0'))
                                     << QStringLiteral("it is larger than 64 MB");
 }

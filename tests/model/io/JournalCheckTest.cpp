@@ -194,7 +194,7 @@ void JournalCheckTest::wrongHistories_areRefused_data()
             edit(b, [](TreeDelta& delta) { delta.internodes.parameterSet.push_back({3, 60'000, 0}); });
         });
     row("an internode grows with later parameters",
-        "step 5 of the history: it bears an internode whose parameters are not there", [](TreeBuilder& b) {
+        "step 5 of the history: it creates an internode whose parameters are not there", [](TreeBuilder& b) {
             TreeDelta delta = randomGrowth(b.tree, 1);
             delta.rows->internodes.parameterSet[0] = 1;
             b.apply(std::move(delta));
@@ -294,14 +294,14 @@ void JournalCheckTest::farNodes_areRefusedAtEachMoment_data()
 
     TreeBuilder builder = foldedAxis();
     straighten(builder);
-    row("at the end", builder, "internode 10: it lies further than 10000 m away");
+    row("at the end", builder, "internode 10: it lies more than 10000 m away");
     builder.apply(turnAll(builder.tree, kBack));
     row("before the last step", builder,
-        "step 3 of the history: before it, internode 10 lies further than 10000 m away");
+        "step 3 of the history: before it, internode 10 lies more than 10000 m away");
     builder.apply(randomGrowth(builder.tree, 3));
     builder.apply(bend(builder.tree, 1, Rotation(Eigen::AngleAxisf(0.5F, Vec3::UnitX())), 1.0F));
     row("before some steps", builder,
-        "step 3 of the history: before it, internode 10 lies further than 10000 m away");
+        "step 3 of the history: before it, internode 10 lies more than 10000 m away");
 
     TreeBuilder lengths = foldedAxis();
     TreeDelta shrink = turnAll(lengths.tree, Rotation::Identity());
@@ -316,8 +316,7 @@ void JournalCheckTest::farNodes_areRefusedAtEachMoment_data()
     for (InternodeId id = 1; id <= kLongAxis; ++id)
         again.internodes.length.push_back({id, 900.0F, 1.0F});
     lengths.apply(std::move(again));
-    row("by lengths", lengths,
-        "step 4 of the history: before it, internode 12 lies further than 10000 m away");
+    row("by lengths", lengths, "step 4 of the history: before it, internode 12 lies more than 10000 m away");
 
     TreeBuilder root;
     root.growAxis(0, kTerminalSlot, Rotation::Identity(), 10, Rotation::Identity(), 950.0F);
@@ -327,7 +326,7 @@ void JournalCheckTest::farNodes_areRefusedAtEachMoment_data()
     TreeDelta home = deltaStartingAt(root.tree);
     home.sparse.rootPosition.push_back({0, Vec3(0.0F, 1000.0F, 0.0F), std::nullopt});
     root.apply(std::move(home));
-    row("by the root", root, "step 3 of the history: before it, internode 10 lies further than 10000 m away");
+    row("by the root", root, "step 3 of the history: before it, internode 10 lies more than 10000 m away");
 }
 
 void JournalCheckTest::farNodes_areRefusedAtEachMoment()

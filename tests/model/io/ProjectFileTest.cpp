@@ -45,8 +45,8 @@ QImage picture()
 Project recordedProject()
 {
     Project project = sampleProject(50);
-    project.journal[0]->record = std::make_shared<const EditRecord>(
-        EditRecord{R"({"op":"grow","steps":2})", 2, QStringLiteral("Grow, 2 steps")});
+    project.journal[0]->record =
+        std::make_shared<const EditRecord>(EditRecord{R"({"op":"grow","steps":2})", 2});
     project.journal[2]->record = EditRecord::unknown();
     return project;
 }
@@ -89,7 +89,6 @@ private Q_SLOTS:
     void wrongColumns_areRefused_data();
     void wrongColumns_areRefused();
     void records_areKept();
-    void nameOfAStep_isOneShortLine();
     void wrongRecords_areRefused_data();
     void wrongRecords_areRefused();
     void zipBomb_isRefusedBeforeItIsUnpacked();
@@ -219,8 +218,8 @@ void ProjectFileTest::missingOrWrongImages_showTheDrawnLook()
     QVERIFY(back->tree.parameters().bark.image == project.tree.parameters().bark.image);
     QVERIFY(survivesItsHistory(*back));
     QCOMPARE(back->warning,
-             QStringLiteral("the image “Älteste.png” is missing in it or broken; the look that was "
-                            "drawn for it shows instead"));
+             QStringLiteral("the image “Älteste.png” is missing from it or broken; the built-in "
+                            "look is shown instead"));
 
     const QTemporaryDir folder;
     QFile file(folder.filePath(QStringLiteral("oak.espalier")));
@@ -280,7 +279,8 @@ void ProjectFileTest::lostPicture_isSaid()
     QVERIFY(back && back->look);
     project.look->tracing.image = {};
     QVERIFY(back->look == project.look);
-    QCOMPARE(back->warning, QStringLiteral("the reference picture “Älteste.png” is missing in it or broken"));
+    QCOMPARE(back->warning,
+             QStringLiteral("the reference picture “Älteste.png” is missing from it or broken"));
 }
 
 void ProjectFileTest::wrongLooks_areLeftOutAndSaid_data()
@@ -637,32 +637,15 @@ void ProjectFileTest::records_areKept()
     QVERIFY(sameJournal(back->journal, project.journal));
     QCOMPARE(back->journal[0]->record->operation, QByteArray(R"({"op":"grow","steps":2})"));
     QCOMPARE(back->journal[0]->record->deltas, 2U);
-    QCOMPARE(back->journal[0]->record->step, QStringLiteral("Grow, 2 steps"));
     QVERIFY(!back->journal[1]->record);
     QVERIFY(back->journal[2]->record->operation.isEmpty());
-    // Files of before have no names of steps, or no records.
+    // Files of before have none.
     ZipEntries entries = unpackEntries(*packProject(project));
-    std::erase_if(entries, [](const auto& e) { return e.first == "journal/records.steps"; });
-    const Result<Project> nameless = unpackProject(packEntries(entries));
-    QVERIFY(nameless);
-    QCOMPARE(nameless->journal[0]->record->deltas, 2U);
-    QVERIFY(nameless->journal[0]->record->step.isEmpty());
     std::erase_if(entries, [](const auto& e) { return e.first.startsWith("journal/records"); });
     const Result<Project> old = unpackProject(packEntries(entries));
     QVERIFY(old);
     QVERIFY(old->tree == project.tree);
     QVERIFY(std::ranges::none_of(old->journal, [](const auto& delta) { return delta->record != nullptr; }));
-}
-
-void ProjectFileTest::nameOfAStep_isOneShortLine()
-{
-    ZipEntries entries = unpackEntries(*packProject(recordedProject()));
-    entry(entries, "journal/records.steps") =
-        "[\"Grow\\n\\u0007 twice\",\"" + QByteArray(100'000, 'x') + "\"]";
-    const Result<Project> project = unpackProject(packEntries(entries));
-    QVERIFY2(project, project ? "" : qPrintable(project.error().message));
-    QCOMPARE(project->journal[0]->record->step, QStringLiteral("Grow twice"));
-    QCOMPARE(project->journal[2]->record->step, QString(200, QLatin1Char('x')));
 }
 
 void ProjectFileTest::wrongRecords_areRefused_data()
@@ -683,9 +666,6 @@ void ProjectFileTest::wrongRecords_areRefused_data()
     QTest::newRow("more edits than sizes") << QByteArray("journal/records.size") << QByteArray(4, '\1')
                                            << QStringLiteral("journal/records.size");
     QTest::newRow("huge size") << QByteArray("journal/records.size") << QByteArray(8, '\x7f') << parts;
-    const QByteArray steps = "journal/records.steps";
-    QTest::newRow("steps that are no array") << steps << QByteArray("{}") << parts;
-    QTest::newRow("more steps than edits") << steps << QByteArray(R"(["Grow","","Prune"])") << parts;
     QTest::newRow("huge count") << QByteArray("journal/records.deltas") << QByteArray() << parts;
 }
 

@@ -104,10 +104,12 @@ void SkeletonTest::wrongTables_areRefused_data()
     add("not a number", "1,-1,0,0,0,0,0,nan,0.1\n", "line 2: it lies more than 10000 m away");
     add("far away", "1,-1,0,0,0,0,0,20000,0.1\n", "line 2: it lies more than 10000 m away");
     add("radius", "1,-1,0,0,0,0,0,1,-0.1\n", "line 2: its radius is not between 0 and 50 m");
-    add("twice", "1,-1,0,0,0,0,0,1,0.1\n1,-1,0,0,0,0,0,1,0.1\n", "line 3: its id 1 is that of line 2, too");
-    add("no parent", "1,-1,0,0,0,0,0,1,0.1\n2,9,0,0,0,0,0,1,0.1\n", "line 3: there is no id 9, its parent");
+    add("twice", "1,-1,0,0,0,0,0,1,0.1\n1,-1,0,0,0,0,0,1,0.1\n",
+        "line 3: its id 1 is already used in line 2");
+    add("no parent", "1,-1,0,0,0,0,0,1,0.1\n2,9,0,0,0,0,0,1,0.1\n",
+        "line 3: its parent, id 9, does not exist");
     add("circle", "1,-1,0,0,0,0,0,1,0.1\n2,3,0,0,0,0,0,1,0.1\n3,2,0,0,0,0,0,1,0.1\n",
-        "line 3: it is carried by what it carries");
+        "line 3: it is its own ancestor");
 }
 
 void SkeletonTest::wrongTables_areRefused()
@@ -287,7 +289,8 @@ void SkeletonTest::fileOfASkeleton_isReadAsARecipe()
     file.close();
     const Result<Recipe> wrong = readRecipe(name);
     QVERIFY(!wrong);
-    QCOMPARE(wrong.error().message, QStringLiteral("Old Cherry.csv: line 2: there is no id 5, its parent"));
+    QCOMPARE(wrong.error().message,
+             QStringLiteral("Old Cherry.csv: line 2: its parent, id 5, does not exist"));
 }
 
 static const TestClass<SkeletonTest> skeletonTest;

@@ -246,7 +246,7 @@ void BranchCopyTest::limits_areKept()
                 source, {.parent = parent, .along = 1.0F, .rotation = Rotation::Identity(), .scale = 1e6});
         const Result<TreeDelta> delta = copies.finish();
         QVERIFY(!delta);
-        QCOMPARE(messageOf(delta), QStringLiteral("a copy would reach farther than 10000 m away"));
+        QCOMPARE(messageOf(delta), QStringLiteral("a copy would reach more than 10000 m away"));
     }
     {
         BranchCopies copies(builder.tree, builder.index);

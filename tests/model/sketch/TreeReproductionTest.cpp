@@ -310,7 +310,7 @@ void TreeReproductionTest::emptyStrokes_areErrors()
     QCOMPARE(fault(kTrunk, {{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}}), noCrown);
     QCOMPARE(fault(kTrunk, {{-1.0, 0.0}, {0.0, 1.0}, {1.0, 2.0}}), noCrown);
     QCOMPARE(fault({{0.0, 0.0}, {0.0, 90'000.0}}, crownOutline()),
-             QStringLiteral("an internode would be longer than 1000 m or lie farther than 10000 m away"));
+             QStringLiteral("an internode would be longer than 1000 m or lie more than 10000 m away"));
 }
 
 static const TestClass<TreeReproductionTest> treeReproductionTest;

@@ -141,7 +141,7 @@ void TreeVariationTest::farNode_isAnError()
             continue;
         ++errors;
         QCOMPARE(messageOf(delta),
-                 QStringLiteral("an internode would be longer than 1000 m or lie farther than 10000 m away"));
+                 QStringLiteral("an internode would be longer than 1000 m or lie more than 10000 m away"));
     }
     QVERIFY(errors > 5);
 }

@@ -18,22 +18,26 @@ class Renderer;
 class TreeScene;
 struct RenderOptions;
 
-/// A small second view in the lower right corner of a viewport: the same tree, from the right. What is drawn
-/// in it has depth in the first view. It is drawn with the viewport's renderer, in the same context.
-class SideView {
+/// A small second view in the lower right corner of a viewport: the same tree, whole, from the right; from
+/// the front while the first view looks down at it. What is drawn in it has depth in the first view. It is
+/// drawn with the viewport's renderer, in the same context.
+class SecondView {
 public:
     /// The number of passes for a picture at rest.
     static constexpr int kSamples = 4;
 
-    /// Sets the place and the camera for the viewport's camera @p main and the part @p clear of the viewport,
-    /// px, that bars leave free. Without room there, or if it is not wanted, it is not shown.
-    void follow(const Camera& main, const QRect& clear, bool isWanted);
+    /// Where it is in the part @p clear of the viewport, px; empty if there is no room.
+    static QRect placeIn(const QRect& clear);
+    /// Shows what the viewport's camera @p main sees in the part @p clear, at @p place (px); nothing if that
+    /// is empty. Unless that camera is close to a part of it, all of @p bounds, m, is shown.
+    void follow(const Camera& main, const QRect& clear, const QRect& place, const Box3& bounds);
+    bool isFromTheFront() const { return m_isFromTheFront; }
     bool isShown() const { return !m_rect.isEmpty(); }
     /// In the viewport, px; empty if it is not shown.
     const QRect& rect() const { return m_rect; }
     const Camera& camera() const { return m_camera; }
     bool isAt(const QPointF& place) const { return isShown() && QRectF(m_rect).contains(place); }
-    /// @p sample with its position in this view.
+    /// @p sample with its position in this view; it does not leave it.
     PointerSample seenFromHere(PointerSample sample) const;
 
     /// Draws a pass of the tree's picture, as Renderer::renderPass(). The scene, its shadows and its detail
@@ -57,6 +61,7 @@ private:
     static constexpr double kInterval = 0.12;
 
     QRect m_rect;
+    bool m_isFromTheFront = false;
     Camera m_camera;
     std::optional<RenderTarget> m_picture;
     FrameUniforms m_frame; ///< Of the picture
