@@ -249,7 +249,7 @@ void CommandLineTest::wrongLines_saySo_data()
     add("replay a.json --set growth.axisWeight=0 --set growth.tropismWeight=0 --set growth.spaceWeight=0",
         "must not all be 0");
     add("export a.espalier --set growth.ellipseVertical=0.2 --set growth.ellipseOffset=0.3",
-        "--set growth.ellipseOffset: it must not be beyond");
+        "--set growth.ellipseOffset: it must not exceed");
     for (const char* words :
          {"replay a.json --vary -1", "replay a.json --vary oak",
           "replay a.json --vary 1:", "replay a.json --vary 1:0", "replay a.json --vary 1:1.1",

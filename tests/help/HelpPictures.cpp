@@ -7,6 +7,7 @@
 #include "panels/GrowPopOut.h"
 #include "panels/ProfilePanel.h"
 #include "panels/Theme.h"
+#include "panels/TimeSlider.h"
 #include "views/Viewport.h"
 #include "views/render/GlResources.h"
 #include "views/render/OffscreenRenderer.h"
@@ -26,7 +27,6 @@
 #include <QRect>
 #include <QSettings>
 #include <QSize>
-#include <QSlider>
 #include <QSurfaceFormat>
 #include <QTest>
 
@@ -120,6 +120,7 @@ public:
     void begin(const char* page, int count, ActionId tool)
     {
         play(m_window.document(), recipeOf(QString::fromLatin1(page)), count);
+        m_window.viewSettings().set(&ViewValues::personShown, false);
         m_window.actions()[tool]->trigger();
         look(Box3(Vec3(-0.9F, 0.0F, -0.3F), Vec3(0.9F, 2.3F, 0.3F)));
     }
@@ -247,14 +248,12 @@ void shootLasso(Photographer& by)
 void shootGrow(Photographer& by)
 {
     by.begin("grow", 2, ActionId::Grow);
-    auto* slider = by.window().workspace().growPopOut().findChild<QSlider*>(QStringLiteral("time"));
-    const double share = static_cast<double>(slider->value()) / slider->maximum();
-    const auto onSlider = [&](double along) {
-        const int x = static_cast<int>(8 + along * (slider->width() - 16));
-        return slider->mapTo(&by.window(), QPoint(x, slider->height() / 2));
+    const auto* slider = by.window().workspace().growPopOut().findChild<TimeSlider*>();
+    const auto onSlider = [&](int position) {
+        return slider->mapTo(&by.window(), slider->placeOf(position).toPoint());
     };
-    by.press(onSlider(share));
-    by.drag(onSlider(share * 0.7), 600);
+    by.press(onSlider(slider->value()));
+    by.drag(onSlider(slider->value() * 7 / 10), 600);
     by.shoot("grow-window", by.left(50));
     by.release();
 }
@@ -264,7 +263,7 @@ void shootPrune(Photographer& by)
     by.begin("prune", 4, ActionId::Prune);
     by.press(by.at(0.1, 1.05));
     by.drag(by.at(0.28, 0.55));
-    by.shoot("prune-window", by.left(100));
+    by.shoot("prune-window", by.left(50));
     by.takeBack();
 }
 

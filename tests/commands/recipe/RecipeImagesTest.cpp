@@ -121,7 +121,7 @@ void RecipeImagesTest::wrongImages_areRefused_data()
     row("folder", "bark", "\"..\"", "..: there is no such file");
     row("no image", "bark", "\"recipe.json\"", "recipe.json: it is neither a PNG nor a JPEG image");
     row("no leaf", "leaves", "\"../noise.png\"",
-        "../noise.png: the leaf cannot be told apart from what is behind it");
+        "../noise.png: the leaf cannot be told apart from its background");
 }
 
 void RecipeImagesTest::wrongImages_areRefused()
