@@ -45,7 +45,7 @@ constexpr int kGap = 10;
 constexpr int kStatusHeight = 60;
 constexpr int kStatusMargin = 20;
 /// Width that panes at the sides leave the tree at least, px.
-constexpr int kLeastRoom = 300;
+constexpr int kLeastRoom = 200;
 /// ms; the counts of a growing tree are not updated more often.
 constexpr int kCountInterval = 200;
 
