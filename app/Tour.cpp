@@ -140,7 +140,7 @@ void Tour::makeSteps(const Actions& actions)
         kDrawnTree};
     m_steps[HelpStep] = {
         said(tr("When you wonder")),
-        said(tr("<b>F1</b> or this button tells of the tool in your hand. <b>Ctrl+Z</b> takes back "
+        said(tr("<b>F1</b> or this button tells you about the tool in your hand. <b>Ctrl+Z</b> takes back "
                 "whatever you did, so try things.")),
         at(buttonOf(m_workspace, actions[ActionId::Help])),
         {}};

@@ -44,11 +44,10 @@ BendPopOut::BendPopOut(ViewSettings& settings, QWidget* parent) : Bar(parent), m
                   tr("<b>Stiffness</b><br>How much a branch resists being bent: a stiff one bends in a "
                      "wide curve and is stretched sooner."),
                   &ViewValues::bendingWeight);
-    m_stretching = addSlider(
-        QStringLiteral("stretchingWeight"), tr("Holds length"),
-        tr("<b>Holds length</b><br>How much a branch resists being stretched: with little, it follows "
-           "the hand further."),
-        &ViewValues::stretchingWeight);
+    m_stretching = addSlider(QStringLiteral("stretchingWeight"), tr("Holds length"),
+                             tr("<b>Holds length</b><br>How much a branch resists being stretched: at low "
+                                "values it follows the hand further."),
+                             &ViewValues::stretchingWeight);
     connect(&settings, &ViewSettings::changed, this, &BendPopOut::showValues);
     showValues();
 }

@@ -25,8 +25,9 @@ constexpr std::array kSwitches{
                           "A pen's pressure scales the brush: the radius is what a firm hand reaches.")),
     viewSwitch<&ViewValues::markersShown>(
         "view.markersShown", QT_TRANSLATE_NOOP("Parameters", "Markers"),
-        QT_TRANSLATE_NOOP("Parameters",
-                          "Show the points of free space that the brush spreads and shoots grow towards.")),
+        QT_TRANSLATE_NOOP(
+            "Parameters",
+            "Show the points of free space that the brush spreads, and that shoots grow towards.")),
     viewSwitch<&ViewValues::planeShown>(
         "view.planeShown", QT_TRANSLATE_NOOP("Parameters", "Drawing plane"),
         QT_TRANSLATE_NOOP("Parameters",

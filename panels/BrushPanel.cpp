@@ -48,8 +48,8 @@ BrushPanel::BrushPanel(TreeDocument& document, ViewSettings& settings, double so
     QVBoxLayout* pen = addBarColumn(*m_content, tr("Pen"), kPenWidth);
     pen->addWidget(makeBrushSwitch(BrushSwitch::Pressure, settings, m_content));
     m_curve->setFixedSize(kPenWidth, kCurveHeight);
-    m_curve->setToolTip(tr("<b>Pressure curve</b><br>How firmly the pen must press for the whole radius. "
-                           "Drag the curve, or press here with your pen to try it."));
+    m_curve->setToolTip(tr("<b>Pressure curve</b><br>How firmly the pen must press for the full radius. Drag "
+                           "the curve, or press here with your pen to try it."));
     pen->addWidget(m_curve);
     pen->addStretch();
     connect(m_curve, &PressureCurve::exponentEdited, this, &BrushPanel::pressureExponentEdited);

@@ -20,7 +20,7 @@ LassoPopOut::LassoPopOut(const TreeDocument& document, ViewSettings& settings, Q
       m_markers(new Toggle(tr("Markers"), this))
 {
     m_regrow->setObjectName(QStringLiteral("lassoRegrow"));
-    m_regrow->setToolTip(tr("<b>Regrow</b><br>Take the tree back to where it stood before its envelope was "
+    m_regrow->setToolTip(tr("<b>Regrow</b><br>Take the tree back to how it was before its envelope was "
                             "drawn, and let it fill the envelope again with the parameters that are in force "
                             "now. What you have done to it since is lost."));
     m_remove->setObjectName(QStringLiteral("lassoRemove"));

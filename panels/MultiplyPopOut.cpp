@@ -17,12 +17,11 @@ constexpr ViewField kPassesOn = viewSwitch<&ViewValues::passesOn>(
                       "branch like those that the branch carries."));
 constexpr ViewField kPassesOnInOrder = viewSwitch<&ViewValues::passesOnInOrder>(
     "view.passesOnInOrder", QT_TRANSLATE_NOOP("Parameters", "Only to similar ones"),
-    QT_TRANSLATE_NOOP("Parameters", "Only branches that are as many forks away from the trunk get it."));
+    QT_TRANSLATE_NOOP("Parameters", "Only branches that are equally many forks away from the trunk get it."));
 constexpr ViewField kPassesOnScaled = viewSwitch<&ViewValues::passesOnScaled>(
     "view.passesOnScaled", QT_TRANSLATE_NOOP("Parameters", "Scaled"),
-    QT_TRANSLATE_NOOP("Parameters",
-                      "What a branch gets is larger or smaller as the branch is. Otherwise it keeps its "
-                      "size, and its distance from the tip."));
+    QT_TRANSLATE_NOOP("Parameters", "What a branch gets is scaled to the size of that branch. Otherwise it "
+                                    "keeps its size, and its distance from the tip."));
 constexpr ViewField kPassesOnAnew = viewSwitch<&ViewValues::passesOnAnew>(
     "view.passesOnAnew", QT_TRANSLATE_NOOP("Parameters", "Replace"),
     QT_TRANSLATE_NOOP("Parameters", "What the branches carried until now is removed."));

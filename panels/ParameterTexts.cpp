@@ -60,8 +60,9 @@ constexpr ParameterText kVigourBuds[] = {
      QT_TRANSLATE_NOOP("Parameters", "How strongly growing tips hold back the buds below them."), Cubic, 2,
      "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Apical dominance: auxin from lit apical buds.")},
     {"vigour.inhibitorLoss", QT_TRANSLATE_NOOP("Parameters", "Fading of the inhibition"), "",
-     QT_TRANSLATE_NOOP("Parameters",
-                       "The share that is lost at each internode: more lets buds break nearer to the tip."),
+     QT_TRANSLATE_NOOP(
+         "Parameters",
+         "The share that is lost at each internode: higher values let buds break nearer to the tip."),
      Cubic, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Decay of the inhibitor on its way down.")},
 };
 
@@ -96,8 +97,8 @@ constexpr ParameterText kVigourWeight[] = {
      QT_TRANSLATE_NOOP("Parameters", "How far branches sag under their weight as they grow."), Cubic, 1, "",
      1.0, "", QT_TRANSLATE_NOOP("Parameters", "Gravimorphic bending by branch load.")},
     {"vigour.bendingExponent", QT_TRANSLATE_NOOP("Parameters", "Stiffness with age"), "p",
-     QT_TRANSLATE_NOOP("Parameters", "How much thick wood resists: more bends only the thin ends."), Linear,
-     2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Exponent of thickness in flexural stiffness.")},
+     QT_TRANSLATE_NOOP("Parameters", "How much thick wood resists: at high values only the thin ends bend."),
+     Linear, 2, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Exponent of thickness in flexural stiffness.")},
     {"vigour.bendingMaximum", QT_TRANSLATE_NOOP("Parameters", "Greatest sag"), "",
      QT_TRANSLATE_NOOP("Parameters",
                        "An internode sags by at most this share of the angle between it and straight down."),
@@ -135,8 +136,8 @@ constexpr ParameterText kGravimorphism[] = {
 
 constexpr ParameterText kBranching[] = {
     {"growth.branchingAngle", QT_TRANSLATE_NOOP("Parameters", "Branching angle"), "ψ",
-     QT_TRANSLATE_NOOP("Parameters", "Between a branch and the branches that leave it."), Linear, 0, "°", 1.0,
-     "", QT_TRANSLATE_NOOP("Parameters", "Angle of insertion of a lateral bud on its axis.")},
+     QT_TRANSLATE_NOOP("Parameters", "Between a branch and the branches that grow from it."), Linear, 0, "°",
+     1.0, "", QT_TRANSLATE_NOOP("Parameters", "Angle of insertion of a lateral bud on its axis.")},
     {"growth.deflectionAngle", QT_TRANSLATE_NOOP("Parameters", "Deflection"), "δ",
      QT_TRANSLATE_NOOP("Parameters", "How far an axis turns away from a branch that it bears: 0 keeps it "
                                      "straight, more makes it zigzag."),
@@ -249,7 +250,7 @@ constexpr ParameterText kMarkers[] = {
      Logarithmic, 3, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Density of the markers of free space.")},
     {"growth.markerAge", QT_TRANSLATE_NOOP("Parameters", "Brush memory"), "",
      QT_TRANSLATE_NOOP("Parameters",
-                       "Growth steps after which the room to grow that the brush has spread is forgotten."),
+                       "After this many growth steps, the room that the brush has spread is forgotten."),
      Logarithmic, 0, "", 1.0, "", QT_TRANSLATE_NOOP("Parameters", "Maximum age of a marker.")},
     {"growth.tropismFromStroke", QT_TRANSLATE_NOOP("Parameters", "Follow the stroke"), "",
      QT_TRANSLATE_NOOP("Parameters",
@@ -335,8 +336,8 @@ constexpr ParameterText kStrands[] = {
                                      "branches that separate more clearly."),
      Linear, 0},
     {"wood.strandRadius", QT_TRANSLATE_NOOP("Parameters", "Strand radius"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How thick each strand is. The trunk then gets as thick as its strands "
-                                     "make it; at 0 it keeps the width that it has."),
+     QT_TRANSLATE_NOOP("Parameters", "How thick each strand is. Above 0, the trunk gets as thick as its "
+                                     "strands make it; at 0 it keeps the width that it has."),
      Cubic, 1, "mm", 1000.0, QT_TRANSLATE_NOOP("Parameters", "automatic")},
     {"wood.alpha", QT_TRANSLATE_NOOP("Parameters", "Cohesion"), "α",
      QT_TRANSLATE_NOOP("Parameters", "Branches separate at a fork where their strands are further apart than "
@@ -347,8 +348,9 @@ constexpr ParameterText kStrands[] = {
                        "How the strands of a section are pressed together. At rest: until none overlaps. As "
                        "published: by the paper's simulation, which stops before that.")},
     {"wood.steps", QT_TRANSLATE_NOOP("Parameters", "Packing steps"), "",
-     QT_TRANSLATE_NOOP("Parameters", "How long strands are pressed together at each node. Few steps keep the "
-                                     "shape of a fork further down the trunk; many make it round at once."),
+     QT_TRANSLATE_NOOP("Parameters",
+                       "For how long strands are pressed together at each node. With few steps, the shape of "
+                       "a fork is kept further down the trunk; with many, the trunk is round at once."),
      Cubic, 0},
     {"wood.smoothing", QT_TRANSLATE_NOOP("Parameters", "Smoothing"), "",
      QT_TRANSLATE_NOOP("Parameters",

@@ -28,8 +28,8 @@ constexpr ViewField kPruneRadius{
 constexpr ViewField kEraserThickest{
     {"view.eraserThickest", Quantity::Number, kLeastThickest, 1},
     {"view.eraserThickest", QT_TRANSLATE_NOOP("Parameters", "Up to"), "",
-     QT_TRANSLATE_NOOP("Parameters", "The thickest wood that goes, as a share of the trunk's width. Thicker "
-                                     "branches stay, however often you brush over them."),
+     QT_TRANSLATE_NOOP("Parameters", "The thickest wood that is removed, as a share of the trunk's width. "
+                                     "Thicker branches stay, however often you brush over them."),
      ParameterText::Scale::Linear, 0, "%", 100.0},
     [](const ViewValues& values) { return values.eraserThickest; },
     [](ViewValues& values, double value) { values.eraserThickest = value; }};

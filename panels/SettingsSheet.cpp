@@ -258,7 +258,7 @@ QLayout* SettingsSheet::makeWork()
     form->setHorizontalSpacing(18);
     form->addRow(barHeading(tr("Work"), this));
     form->addRow(makeLabel(tr("Safety copy every"), m_autosave), m_autosave);
-    form->addRow(makeLabel(tr("Steps to undo"), m_undo), m_undo);
+    form->addRow(makeLabel(tr("Undo steps kept"), m_undo), m_undo);
     form->addRow(makeNote(tr("A change applies to the next tree that you begin or open.")));
     form->addRow(makeLabel(tr("Library"), change), change);
     form->addRow(m_folder);

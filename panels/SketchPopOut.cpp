@@ -21,7 +21,7 @@ constexpr ViewField kSketchCuts = viewSwitch<&ViewValues::sketchCuts>(
                       "crosses twice is erased. Shift or a pen's eraser does so, too."));
 constexpr ViewField kSketchSides = viewSwitch<&ViewValues::sketchSides>(
     "view.sketchSides", QT_TRANSLATE_NOOP("Parameters", "Two sides"),
-    QT_TRANSLATE_NOOP("Parameters", "Two strokes side by side, one after the other, are the two sides of one "
+    QT_TRANSLATE_NOOP("Parameters", "Two strokes in a row, drawn side by side, are the two sides of one "
                                     "branch, which gets its width from them."));
 constexpr ViewField kSketchMirror = viewSwitch<&ViewValues::sketchMirror>(
     "view.sketchMirror", QT_TRANSLATE_NOOP("Parameters", "Mirror"),

@@ -511,7 +511,7 @@
         <translation>%1: die Endung einer Ausgabe nennt ihr Format und ist eine von .espalier .%2</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <source>--camera needs front, side, top or three-quarter, not &quot;%1&quot;</source>
         <translation>--camera ist front, side, top oder three-quarter, nicht &quot;%1&quot;</translation>
     </message>
     <message>
@@ -986,7 +986,7 @@ geschrieben werden konnte.
 <context>
     <name>EraserTool</name>
     <message>
-        <source>Brush over twigs to thin them evenly; those that will go turn red</source>
+        <source>Brush over twigs to thin them evenly; those to be removed turn red</source>
         <translation>Über Zweige streichen, um einige gleichmäßig herauszunehmen; was fällt, wird rot</translation>
     </message>
     <message>
@@ -1078,7 +1078,7 @@ geschrieben werden konnte.
         <translation>%1 enthält ungespeicherte Änderungen.</translation>
     </message>
     <message>
-        <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
+        <source>%1 has been changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
         <translation>%1 wurde von einem anderen Fenster oder Programm geändert, seit es hier geöffnet oder gespeichert wurde. Beim Überschreiben gehen diese Änderungen verloren.</translation>
     </message>
     <message>
@@ -1249,11 +1249,11 @@ geschrieben werden konnte.
         <translation>er bringt ein Internodium hervor, dessen Parameter nicht da sind</translation>
     </message>
     <message>
-        <source>its steps do not join those around it</source>
+        <source>its steps do not follow on from those around it</source>
         <translation>die Schritte schließen nicht an die benachbarten an</translation>
     </message>
     <message>
-        <source>its parameters do not join those around it</source>
+        <source>its parameters do not follow on from those of the steps around it</source>
         <translation>die Parameter schließen nicht an die benachbarten an</translation>
     </message>
     <message>
@@ -1546,7 +1546,7 @@ geschrieben werden konnte.
         <translation>Verzweigungswinkel</translation>
     </message>
     <message>
-        <source>Between a branch and the branches that leave it.</source>
+        <source>Between a branch and the branches that grow from it.</source>
         <translation>Zwischen einem Ast und dem, was von ihm abzweigt.</translation>
     </message>
     <message>
@@ -1610,7 +1610,7 @@ geschrieben werden konnte.
         <translation>Pinselgedächtnis</translation>
     </message>
     <message>
-        <source>Growth steps after which the room to grow that the brush has spread is forgotten.</source>
+        <source>After this many growth steps, the room that the brush has spread is forgotten.</source>
         <translation>Wuchsschritte, nach denen der vom Pinsel verteilte Raum vergessen wird.</translation>
     </message>
     <message>
@@ -2322,7 +2322,7 @@ geschrieben werden konnte.
         <translation>Marker</translation>
     </message>
     <message>
-        <source>Show the points of free space that the brush spreads and shoots grow towards.</source>
+        <source>Show the points of free space that the brush spreads, and that shoots grow towards.</source>
         <translation>Die Punkte freien Raums zeigen, die der Pinsel verteilt und zu denen die Triebe wachsen.</translation>
     </message>
     <message>
@@ -2590,7 +2590,7 @@ geschrieben werden konnte.
         <translation>Steif im Alter</translation>
     </message>
     <message>
-        <source>How much thick wood resists: more bends only the thin ends.</source>
+        <source>How much thick wood resists: at high values only the thin ends bend.</source>
         <translation>Wie sehr dickes Holz widersteht: mehr biegt nur die dünnen Enden.</translation>
     </message>
     <message>
@@ -2642,7 +2642,7 @@ geschrieben werden konnte.
         <translation>Strangradius</translation>
     </message>
     <message>
-        <source>How thick each strand is. The trunk then gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
+        <source>How thick each strand is. Above 0, the trunk gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
         <translation>Wie dick jeder Strang ist. Der Stamm wird dann so dick, wie seine Stränge es verlangen; bei 0 behält er seine Dicke.</translation>
     </message>
     <message>
@@ -2666,7 +2666,7 @@ geschrieben werden konnte.
         <translation>Packungsschritte</translation>
     </message>
     <message>
-        <source>How long strands are pressed together at each node. Few steps keep the shape of a fork further down the trunk; many make it round at once.</source>
+        <source>For how long strands are pressed together at each node. With few steps, the shape of a fork is kept further down the trunk; with many, the trunk is round at once.</source>
         <translation>Wie lange Stränge an jedem Knoten aneinandergedrückt werden. Wenige Schritte erhalten die Form einer Gabel weiter den Stamm hinab; viele machen ihn gleich rund.</translation>
     </message>
     <message>
@@ -2734,7 +2734,7 @@ geschrieben werden konnte.
         <translation>Abklingen der Hemmung</translation>
     </message>
     <message>
-        <source>The share that is lost at each internode: more lets buds break nearer to the tip.</source>
+        <source>The share that is lost at each internode: higher values let buds break nearer to the tip.</source>
         <translation>Der Anteil, der an jedem Internodium verloren geht: Mehr lässt Knospen näher an der Spitze austreiben.</translation>
     </message>
     <message>
@@ -2814,7 +2814,7 @@ geschrieben werden konnte.
         <translation>An seinesgleichen</translation>
     </message>
     <message>
-        <source>Only branches that are as many forks away from the trunk get it.</source>
+        <source>Only branches that are equally many forks away from the trunk get it.</source>
         <translation>Nur Äste mit ebenso vielen Verzweigungen unter sich bekommen es.</translation>
     </message>
     <message>
@@ -2822,7 +2822,7 @@ geschrieben werden konnte.
         <translation>Skaliert</translation>
     </message>
     <message>
-        <source>What a branch gets is larger or smaller as the branch is. Otherwise it keeps its size, and its distance from the tip.</source>
+        <source>What a branch gets is scaled to the size of that branch. Otherwise it keeps its size, and its distance from the tip.</source>
         <translation>Was ein Ast bekommt, ist größer oder kleiner, wie der Ast es ist. Sonst behält es seine Größe und seinen Abstand von der Spitze.</translation>
     </message>
     <message>
@@ -2854,7 +2854,7 @@ geschrieben werden konnte.
         <translation>Zwei Seiten</translation>
     </message>
     <message>
-        <source>Two strokes side by side, one after the other, are the two sides of one branch, which gets its width from them.</source>
+        <source>Two strokes in a row, drawn side by side, are the two sides of one branch, which gets its width from them.</source>
         <translation>Zwei Striche nebeneinander, einer nach dem anderen, sind die beiden Seiten eines Astes, der von ihnen seine Dicke hat.</translation>
     </message>
     <message>
@@ -2902,7 +2902,7 @@ geschrieben werden konnte.
         <translation>Bis zu</translation>
     </message>
     <message>
-        <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
+        <source>The thickest wood that is removed, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
         <translation>Das dickste Holz, das fällt, als Anteil der Stammdicke. Dickere Äste bleiben, so oft man auch darüberstreicht.</translation>
     </message>
     <message>
@@ -4104,7 +4104,7 @@ geschrieben werden konnte.
         <translation>Hält die Länge</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: with little, it follows the hand further.</source>
+        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: at low values it follows the hand further.</source>
         <translation>&lt;b&gt;Hält die Länge&lt;/b&gt;&lt;br&gt;Wie sehr sich ein Ast dem Dehnen widersetzt: er behält seine Länge, oder er folgt der Hand weiter.</translation>
     </message>
     <message>
@@ -4146,7 +4146,7 @@ geschrieben werden konnte.
         <translation>Stift</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Drag the curve, or press here with your pen to try it.</source>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the full radius. Drag the curve, or press here with your pen to try it.</source>
         <translation>&lt;b&gt;Druckkurve&lt;/b&gt;&lt;br&gt;Wie fest der Stift für den ganzen Radius drücken muss. Die Kurve ziehen, oder zum Ausprobieren hier mit dem Stift drücken.</translation>
     </message>
     <message>
@@ -4269,7 +4269,7 @@ geschrieben werden konnte.
         <translation>%1 wurde von einem anderen Programm verschoben oder gelöscht. Der Baum ist noch hier; speichern, um ihn zu behalten.</translation>
     </message>
     <message>
-        <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
+        <source>%1 was changed by another window or program. Saving here asks before it replaces that version.</source>
         <translation>%1 wurde von einem anderen Fenster oder Programm geändert. Das Speichern fragt hier nach, bevor es diese Änderungen ersetzt.</translation>
     </message>
     <message>
@@ -4459,7 +4459,7 @@ geschrieben werden konnte.
         <translation>Marker</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to how it was before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
         <translation>&lt;b&gt;Neuwuchs&lt;/b&gt;&lt;br&gt;Den Baum dorthin zurückbringen, wo er vor dem Zeichnen seiner Hülle stand, und ihn die Hülle mit den jetzt geltenden Parametern neu füllen lassen. Was seither an ihm getan wurde, entfällt.</translation>
     </message>
     <message>
@@ -5277,7 +5277,7 @@ geschrieben werden konnte.
         <translation>Sicherheitskopie alle</translation>
     </message>
     <message>
-        <source>Steps to undo</source>
+        <source>Undo steps kept</source>
         <translation>Schritte zurück</translation>
     </message>
     <message>
@@ -5448,7 +5448,7 @@ geschrieben werden konnte.
         <translation>Bei Fragen</translation>
     </message>
     <message>
-        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
+        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells you about the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
         <translation>&lt;b&gt;F1&lt;/b&gt; oder dieser Knopf erklärt das Werkzeug in der Hand. &lt;b&gt;Strg+Z&lt;/b&gt; nimmt alles zurück, also ruhig ausprobieren.</translation>
     </message>
     <message>

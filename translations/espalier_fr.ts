@@ -511,7 +511,7 @@
         <translation>%1&#xa0;: le suffixe d’une sortie indique son format, et c’est l’un de .espalier .%2</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <source>--camera needs front, side, top or three-quarter, not &quot;%1&quot;</source>
         <translation>--camera vaut front, side, top ou three-quarter, pas «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
@@ -985,7 +985,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
 <context>
     <name>EraserTool</name>
     <message>
-        <source>Brush over twigs to thin them evenly; those that will go turn red</source>
+        <source>Brush over twigs to thin them evenly; those to be removed turn red</source>
         <translation>Passez sur les rameaux pour en retirer une partie, régulièrement ; ce qui part devient rouge</translation>
     </message>
     <message>
@@ -1077,7 +1077,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1 a des modifications non enregistrées.</translation>
     </message>
     <message>
-        <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
+        <source>%1 has been changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
         <translation>%1 a été modifié par une autre fenêtre ou un autre programme depuis son ouverture ou son enregistrement ici. L’écraser fait perdre ces modifications.</translation>
     </message>
     <message>
@@ -1248,11 +1248,11 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>elle fait naître un entre-nœud dont les paramètres n’existent pas</translation>
     </message>
     <message>
-        <source>its steps do not join those around it</source>
+        <source>its steps do not follow on from those around it</source>
         <translation>ses étapes ne se raccordent pas à celles qui l’entourent</translation>
     </message>
     <message>
-        <source>its parameters do not join those around it</source>
+        <source>its parameters do not follow on from those of the steps around it</source>
         <translation>ses paramètres ne se raccordent pas à ceux qui l’entourent</translation>
     </message>
     <message>
@@ -1681,7 +1681,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Angle d’insertion</translation>
     </message>
     <message>
-        <source>Between a branch and the branches that leave it.</source>
+        <source>Between a branch and the branches that grow from it.</source>
         <translation>Entre une branche et ce qui s’en détache.</translation>
     </message>
     <message>
@@ -1945,7 +1945,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Mémoire du pinceau</translation>
     </message>
     <message>
-        <source>Growth steps after which the room to grow that the brush has spread is forgotten.</source>
+        <source>After this many growth steps, the room that the brush has spread is forgotten.</source>
         <translation>Nombre d’étapes de croissance après lequel la place répandue par le pinceau est oubliée.</translation>
     </message>
     <message>
@@ -2321,7 +2321,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Marqueurs</translation>
     </message>
     <message>
-        <source>Show the points of free space that the brush spreads and shoots grow towards.</source>
+        <source>Show the points of free space that the brush spreads, and that shoots grow towards.</source>
         <translation>Afficher les points d’espace libre que répand le pinceau et vers lesquels les pousses se dirigent.</translation>
     </message>
     <message>
@@ -2589,7 +2589,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Raideur avec l’âge</translation>
     </message>
     <message>
-        <source>How much thick wood resists: more bends only the thin ends.</source>
+        <source>How much thick wood resists: at high values only the thin ends bend.</source>
         <translation>À quel point le bois épais résiste&#xa0;: davantage ne courbe que les bouts minces.</translation>
     </message>
     <message>
@@ -2641,7 +2641,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Rayon des brins</translation>
     </message>
     <message>
-        <source>How thick each strand is. The trunk then gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
+        <source>How thick each strand is. Above 0, the trunk gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
         <translation>L’épaisseur de chaque brin. Le tronc devient alors aussi épais que ses brins le demandent&#xa0;; à 0, il garde l’épaisseur qu’il a.</translation>
     </message>
     <message>
@@ -2665,7 +2665,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Étapes de tassement</translation>
     </message>
     <message>
-        <source>How long strands are pressed together at each node. Few steps keep the shape of a fork further down the trunk; many make it round at once.</source>
+        <source>For how long strands are pressed together at each node. With few steps, the shape of a fork is kept further down the trunk; with many, the trunk is round at once.</source>
         <translation>Combien de temps les brins sont serrés à chaque nœud. Peu d’étapes gardent la forme d’une fourche plus bas sur le tronc&#xa0;; beaucoup l’arrondissent aussitôt.</translation>
     </message>
     <message>
@@ -2733,7 +2733,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Atténuation de l’inhibition</translation>
     </message>
     <message>
-        <source>The share that is lost at each internode: more lets buds break nearer to the tip.</source>
+        <source>The share that is lost at each internode: higher values let buds break nearer to the tip.</source>
         <translation>La part qui se perd à chaque entre-nœud : plus elle est grande, plus les bourgeons débourrent près de l’extrémité.</translation>
     </message>
     <message>
@@ -2813,7 +2813,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À ses pareilles</translation>
     </message>
     <message>
-        <source>Only branches that are as many forks away from the trunk get it.</source>
+        <source>Only branches that are equally many forks away from the trunk get it.</source>
         <translation>Seules les branches ayant autant de ramifications sous elles le reçoivent.</translation>
     </message>
     <message>
@@ -2821,7 +2821,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>À l’échelle</translation>
     </message>
     <message>
-        <source>What a branch gets is larger or smaller as the branch is. Otherwise it keeps its size, and its distance from the tip.</source>
+        <source>What a branch gets is scaled to the size of that branch. Otherwise it keeps its size, and its distance from the tip.</source>
         <translation>Ce qu’une branche reçoit est plus grand ou plus petit, comme elle. Sinon, cela garde sa taille et sa distance à la pointe.</translation>
     </message>
     <message>
@@ -2853,7 +2853,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Deux côtés</translation>
     </message>
     <message>
-        <source>Two strokes side by side, one after the other, are the two sides of one branch, which gets its width from them.</source>
+        <source>Two strokes in a row, drawn side by side, are the two sides of one branch, which gets its width from them.</source>
         <translation>Deux traits côte à côte, l’un après l’autre, sont les deux côtés d’une branche, qui en reçoit son épaisseur.</translation>
     </message>
     <message>
@@ -2901,7 +2901,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Jusqu’à</translation>
     </message>
     <message>
-        <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
+        <source>The thickest wood that is removed, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
         <translation>Le bois le plus épais qui part, en part de l’épaisseur du tronc. Les branches plus grosses restent, même en repassant.</translation>
     </message>
     <message>
@@ -4103,7 +4103,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Garde sa longueur</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: with little, it follows the hand further.</source>
+        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: at low values it follows the hand further.</source>
         <translation>&lt;b&gt;Garde sa longueur&lt;/b&gt;&lt;br&gt;À quel point une branche résiste à l’étirement&#xa0;: elle garde sa longueur, ou suit la main plus loin.</translation>
     </message>
     <message>
@@ -4145,7 +4145,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Stylet</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Drag the curve, or press here with your pen to try it.</source>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the full radius. Drag the curve, or press here with your pen to try it.</source>
         <translation>&lt;b&gt;Courbe de pression&lt;/b&gt;&lt;br&gt;Avec quelle fermeté le stylet doit appuyer pour atteindre le rayon entier. Faire glisser la courbe, ou appuyer ici avec le stylet pour essayer.</translation>
     </message>
     <message>
@@ -4268,7 +4268,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>%1 a été déplacé ou supprimé par un autre programme. L’arbre est encore ici&#xa0;; l’enregistrer pour le garder.</translation>
     </message>
     <message>
-        <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
+        <source>%1 was changed by another window or program. Saving here asks before it replaces that version.</source>
         <translation>%1 a été modifié par une autre fenêtre ou un autre programme. Enregistrer ici demandera confirmation avant de remplacer ces modifications.</translation>
     </message>
     <message>
@@ -4458,7 +4458,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Marqueurs</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to how it was before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
         <translation>&lt;b&gt;Régénérer&lt;/b&gt;&lt;br&gt;Ramener l’arbre là où il en était avant que son enveloppe soit dessinée, et lui faire remplir à nouveau l’enveloppe avec les paramètres en vigueur maintenant. Ce qui lui a été fait depuis disparaît.</translation>
     </message>
     <message>
@@ -5276,7 +5276,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>Sauvegarde toutes les</translation>
     </message>
     <message>
-        <source>Steps to undo</source>
+        <source>Undo steps kept</source>
         <translation>Étapes annulables</translation>
     </message>
     <message>
@@ -5447,7 +5447,7 @@ une entrée est illisible ou fausse, 4 si une sortie n’a pas pu être écrite.
         <translation>En cas de doute</translation>
     </message>
     <message>
-        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
+        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells you about the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
         <translation>&lt;b&gt;F1&lt;/b&gt; ou ce bouton parle de l’outil en main. &lt;b&gt;Ctrl+Z&lt;/b&gt; annule tout ce que vous avez fait&#xa0;: essayez donc.</translation>
     </message>
     <message>

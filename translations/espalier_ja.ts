@@ -511,7 +511,7 @@
         <translation>%1: 出力の形式は拡張子で決まります。使えるのは .espalier .%2 です</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <source>--camera needs front, side, top or three-quarter, not &quot;%1&quot;</source>
         <translation>--camera は front、side、top、three-quarter のいずれかです (&quot;%1&quot; は使えません)</translation>
     </message>
     <message>
@@ -978,7 +978,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
 <context>
     <name>EraserTool</name>
     <message>
-        <source>Brush over twigs to thin them evenly; those that will go turn red</source>
+        <source>Brush over twigs to thin them evenly; those to be removed turn red</source>
         <translation>小枝の上をなぞると、むらなく一部が取れます。取れるものは赤くなります</translation>
     </message>
     <message>
@@ -1070,7 +1070,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 には保存していない変更があります。</translation>
     </message>
     <message>
-        <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
+        <source>%1 has been changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
         <translation>%1 は、ここで開くか保存した後に、別のウィンドウかプログラムで変更されました。上書きすると、その変更は失われます。</translation>
     </message>
     <message>
@@ -1241,11 +1241,11 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>パラメーターのない節間を生じています</translation>
     </message>
     <message>
-        <source>its steps do not join those around it</source>
+        <source>its steps do not follow on from those around it</source>
         <translation>ステップが前後とつながりません</translation>
     </message>
     <message>
-        <source>its parameters do not join those around it</source>
+        <source>its parameters do not follow on from those of the steps around it</source>
         <translation>パラメーターが前後とつながりません</translation>
     </message>
     <message>
@@ -1674,7 +1674,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>分枝角</translation>
     </message>
     <message>
-        <source>Between a branch and the branches that leave it.</source>
+        <source>Between a branch and the branches that grow from it.</source>
         <translation>枝と、そこから分かれる枝との間の角度です。</translation>
     </message>
     <message>
@@ -1938,7 +1938,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ブラシの記憶</translation>
     </message>
     <message>
-        <source>Growth steps after which the room to grow that the brush has spread is forgotten.</source>
+        <source>After this many growth steps, the room that the brush has spread is forgotten.</source>
         <translation>ブラシが広げた余地が忘れられるまでの成長ステップ数です。</translation>
     </message>
     <message>
@@ -2314,7 +2314,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>マーカー</translation>
     </message>
     <message>
-        <source>Show the points of free space that the brush spreads and shoots grow towards.</source>
+        <source>Show the points of free space that the brush spreads, and that shoots grow towards.</source>
         <translation>ブラシが散らし、シュートが目指す空き空間の点を表示します。</translation>
     </message>
     <message>
@@ -2582,7 +2582,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>太い枝の硬さ</translation>
     </message>
     <message>
-        <source>How much thick wood resists: more bends only the thin ends.</source>
+        <source>How much thick wood resists: at high values only the thin ends bend.</source>
         <translation>太い部分がどれだけたわみに逆らうかです。大きいほど、細い先だけがたわみます。</translation>
     </message>
     <message>
@@ -2634,7 +2634,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ストランドの半径</translation>
     </message>
     <message>
-        <source>How thick each strand is. The trunk then gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
+        <source>How thick each strand is. Above 0, the trunk gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
         <translation>ストランド 1 本の太さです。幹の太さはストランドの量で決まります。0 では今の太さを保ちます。</translation>
     </message>
     <message>
@@ -2658,7 +2658,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>詰めるステップ数</translation>
     </message>
     <message>
-        <source>How long strands are pressed together at each node. Few steps keep the shape of a fork further down the trunk; many make it round at once.</source>
+        <source>For how long strands are pressed together at each node. With few steps, the shape of a fork is kept further down the trunk; with many, the trunk is round at once.</source>
         <translation>節ごとにストランドをどれだけ長く押し詰めるかです。少ないと分かれ目の形が幹の下の方まで残り、多いとすぐに丸くなります。</translation>
     </message>
     <message>
@@ -2726,7 +2726,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>抑制の減衰</translation>
     </message>
     <message>
-        <source>The share that is lost at each internode: more lets buds break nearer to the tip.</source>
+        <source>The share that is lost at each internode: higher values let buds break nearer to the tip.</source>
         <translation>節間ごとに失われる割合。大きいほど、芽は先端の近くで開きます。</translation>
     </message>
     <message>
@@ -2806,7 +2806,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>同じ仲間に</translation>
     </message>
     <message>
-        <source>Only branches that are as many forks away from the trunk get it.</source>
+        <source>Only branches that are equally many forks away from the trunk get it.</source>
         <translation>同じ回数だけ分かれた枝だけが受け取ります。</translation>
     </message>
     <message>
@@ -2814,7 +2814,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>拡大縮小</translation>
     </message>
     <message>
-        <source>What a branch gets is larger or smaller as the branch is. Otherwise it keeps its size, and its distance from the tip.</source>
+        <source>What a branch gets is scaled to the size of that branch. Otherwise it keeps its size, and its distance from the tip.</source>
         <translation>受け取るものは枝の大きさに合わせて変わります。オフでは、大きさと先端からの距離がそのままです。</translation>
     </message>
     <message>
@@ -2846,7 +2846,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>両側</translation>
     </message>
     <message>
-        <source>Two strokes side by side, one after the other, are the two sides of one branch, which gets its width from them.</source>
+        <source>Two strokes in a row, drawn side by side, are the two sides of one branch, which gets its width from them.</source>
         <translation>続けて並べて描いた二本の線は一本の枝の両側になり、枝の太さを決めます。</translation>
     </message>
     <message>
@@ -2894,7 +2894,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>太さの上限</translation>
     </message>
     <message>
-        <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
+        <source>The thickest wood that is removed, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
         <translation>取り除く枝の太さの上限（幹の太さに対する割合）。それより太い枝は、何度なぞっても残ります。</translation>
     </message>
     <message>
@@ -4096,7 +4096,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>伸びにくさ</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: with little, it follows the hand further.</source>
+        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: at low values it follows the hand further.</source>
         <translation>&lt;b&gt;伸びにくさ&lt;/b&gt;&lt;br&gt;枝がどれだけ伸びに逆らうかです。長さを保つか、手に遠くまでついてくるかが決まります。</translation>
     </message>
     <message>
@@ -4138,7 +4138,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>ペン</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Drag the curve, or press here with your pen to try it.</source>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the full radius. Drag the curve, or press here with your pen to try it.</source>
         <translation>&lt;b&gt;筆圧カーブ&lt;/b&gt;&lt;br&gt;半径いっぱいにするのに、ペンをどれだけ強く押すかです。カーブをドラッグして変えるか、ここをペンで押して試せます。</translation>
     </message>
     <message>
@@ -4261,7 +4261,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>%1 は別のプログラムで移動または削除されました。木はまだここにあります。残すには保存してください。</translation>
     </message>
     <message>
-        <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
+        <source>%1 was changed by another window or program. Saving here asks before it replaces that version.</source>
         <translation>%1 は別のウィンドウかプログラムで変更されました。ここで保存すると、その変更を置き換える前に確認します。</translation>
     </message>
     <message>
@@ -4451,7 +4451,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>マーカー</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to how it was before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
         <translation>&lt;b&gt;再成長&lt;/b&gt;&lt;br&gt;外形を描く前の状態まで木を戻し、今のパラメーターで外形をもう一度満たします。その後に加えた操作は失われます。</translation>
     </message>
     <message>
@@ -5268,7 +5268,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>控えの間隔</translation>
     </message>
     <message>
-        <source>Steps to undo</source>
+        <source>Undo steps kept</source>
         <translation>元に戻す回数</translation>
     </message>
     <message>
@@ -5439,7 +5439,7 @@ OUT の拡張子は .espalier (プロジェクト) か、次の形式のいず�
         <translation>迷ったときは</translation>
     </message>
     <message>
-        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
+        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells you about the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
         <translation>&lt;b&gt;F1&lt;/b&gt; かこのボタンで、手にしているツールの説明が開きます。&lt;b&gt;Ctrl+Z&lt;/b&gt; で何でも元に戻せるので、気軽に試してください。</translation>
     </message>
     <message>

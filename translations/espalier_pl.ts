@@ -511,7 +511,7 @@
         <translation>%1: rozszerzenie pliku wynikowego określa format i musi być jednym z .espalier .%2</translation>
     </message>
     <message>
-        <source>--camera is front, side, top or three-quarter, not &quot;%1&quot;</source>
+        <source>--camera needs front, side, top or three-quarter, not &quot;%1&quot;</source>
         <translation>--camera to front, side, top lub three-quarter, a nie „%1”</translation>
     </message>
     <message>
@@ -987,7 +987,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
 <context>
     <name>EraserTool</name>
     <message>
-        <source>Brush over twigs to thin them evenly; those that will go turn red</source>
+        <source>Brush over twigs to thin them evenly; those to be removed turn red</source>
         <translation>Przesuń pędzlem po gałązkach, aby równomiernie usunąć część z nich; to, co zniknie, robi się czerwone</translation>
     </message>
     <message>
@@ -1079,7 +1079,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>„%1” ma niezapisane zmiany.</translation>
     </message>
     <message>
-        <source>%1 was changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
+        <source>%1 has been changed by another window or program since it was opened or saved here. Overwriting it loses those changes.</source>
         <translation>Plik %1 zmieniono w innym oknie lub programie, odkąd go tu otwarto lub zapisano. Nadpisanie usuwa te zmiany.</translation>
     </message>
     <message>
@@ -1250,11 +1250,11 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>tworzy międzywęźle, którego parametrów nie ma</translation>
     </message>
     <message>
-        <source>its steps do not join those around it</source>
+        <source>its steps do not follow on from those around it</source>
         <translation>jego kroki nie pasują do sąsiednich</translation>
     </message>
     <message>
-        <source>its parameters do not join those around it</source>
+        <source>its parameters do not follow on from those of the steps around it</source>
         <translation>jego parametry nie pasują do sąsiednich</translation>
     </message>
     <message>
@@ -1683,7 +1683,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kąt rozgałęzienia</translation>
     </message>
     <message>
-        <source>Between a branch and the branches that leave it.</source>
+        <source>Between a branch and the branches that grow from it.</source>
         <translation>Między gałęzią a tym, co od niej odchodzi.</translation>
     </message>
     <message>
@@ -1947,7 +1947,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pamięć pędzla</translation>
     </message>
     <message>
-        <source>Growth steps after which the room to grow that the brush has spread is forgotten.</source>
+        <source>After this many growth steps, the room that the brush has spread is forgotten.</source>
         <translation>Liczba kroków wzrostu, po których miejsce rozsiane przez pędzel zostaje zapomniane.</translation>
     </message>
     <message>
@@ -2323,7 +2323,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Znaczniki</translation>
     </message>
     <message>
-        <source>Show the points of free space that the brush spreads and shoots grow towards.</source>
+        <source>Show the points of free space that the brush spreads, and that shoots grow towards.</source>
         <translation>Pokazuje punkty wolnego miejsca, które rozsiewa pędzel i ku którym rosną pędy.</translation>
     </message>
     <message>
@@ -2591,7 +2591,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Sztywność z wiekiem</translation>
     </message>
     <message>
-        <source>How much thick wood resists: more bends only the thin ends.</source>
+        <source>How much thick wood resists: at high values only the thin ends bend.</source>
         <translation>Jak mocno opiera się grube drewno: przy większej wartości uginają się tylko cienkie końce.</translation>
     </message>
     <message>
@@ -2643,7 +2643,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Promień pasma</translation>
     </message>
     <message>
-        <source>How thick each strand is. The trunk then gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
+        <source>How thick each strand is. Above 0, the trunk gets as thick as its strands make it; at 0 it keeps the width that it has.</source>
         <translation>Jak grube jest każde pasmo. Pień jest wtedy tak gruby, jak wynika z jego pasm; przy 0 zachowuje grubość, którą ma.</translation>
     </message>
     <message>
@@ -2667,7 +2667,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kroki upakowania</translation>
     </message>
     <message>
-        <source>How long strands are pressed together at each node. Few steps keep the shape of a fork further down the trunk; many make it round at once.</source>
+        <source>For how long strands are pressed together at each node. With few steps, the shape of a fork is kept further down the trunk; with many, the trunk is round at once.</source>
         <translation>Jak długo pasma są dociskane w każdym węźle. Przy niewielu krokach kształt rozwidlenia zostaje niżej na pniu; przy wielu pień od razu robi się okrągły.</translation>
     </message>
     <message>
@@ -2735,7 +2735,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Zanikanie hamowania</translation>
     </message>
     <message>
-        <source>The share that is lost at each internode: more lets buds break nearer to the tip.</source>
+        <source>The share that is lost at each internode: higher values let buds break nearer to the tip.</source>
         <translation>Część, która ginie w każdym międzywęźlu: większa pozwala pąkom rozwijać się bliżej wierzchołka.</translation>
     </message>
     <message>
@@ -2815,7 +2815,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Podobnym</translation>
     </message>
     <message>
-        <source>Only branches that are as many forks away from the trunk get it.</source>
+        <source>Only branches that are equally many forks away from the trunk get it.</source>
         <translation>Dostają to tylko gałęzie z tyloma samymi rozgałęzieniami pod sobą.</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Skalowane</translation>
     </message>
     <message>
-        <source>What a branch gets is larger or smaller as the branch is. Otherwise it keeps its size, and its distance from the tip.</source>
+        <source>What a branch gets is scaled to the size of that branch. Otherwise it keeps its size, and its distance from the tip.</source>
         <translation>To, co dostaje gałąź, jest większe lub mniejsze tak jak ona. Inaczej zachowuje wielkość i odległość od wierzchołka.</translation>
     </message>
     <message>
@@ -2855,7 +2855,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Dwie strony</translation>
     </message>
     <message>
-        <source>Two strokes side by side, one after the other, are the two sides of one branch, which gets its width from them.</source>
+        <source>Two strokes in a row, drawn side by side, are the two sides of one branch, which gets its width from them.</source>
         <translation>Dwie kreski obok siebie, jedna po drugiej, to dwie strony jednej gałęzi, która ma z nich swoją grubość.</translation>
     </message>
     <message>
@@ -2903,7 +2903,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Do</translation>
     </message>
     <message>
-        <source>The thickest wood that goes, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
+        <source>The thickest wood that is removed, as a share of the trunk&apos;s width. Thicker branches stay, however often you brush over them.</source>
         <translation>Najgrubsze drewno, które zniknie, jako część grubości pnia. Grubsze gałęzie zostają, ile razy by po nich przesuwać.</translation>
     </message>
     <message>
@@ -4105,7 +4105,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Trzyma długość</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: with little, it follows the hand further.</source>
+        <source>&lt;b&gt;Holds length&lt;/b&gt;&lt;br&gt;How much a branch resists being stretched: at low values it follows the hand further.</source>
         <translation>&lt;b&gt;Trzyma długość&lt;/b&gt;&lt;br&gt;Jak mocno gałąź opiera się rozciąganiu: zachowuje długość albo dalej podąża za ręką.</translation>
     </message>
     <message>
@@ -4147,7 +4147,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Pióro</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the whole radius. Drag the curve, or press here with your pen to try it.</source>
+        <source>&lt;b&gt;Pressure curve&lt;/b&gt;&lt;br&gt;How firmly the pen must press for the full radius. Drag the curve, or press here with your pen to try it.</source>
         <translation>&lt;b&gt;Krzywa nacisku&lt;/b&gt;&lt;br&gt;Jak mocno trzeba nacisnąć pióro, by uzyskać cały promień. Przeciągnąć krzywą albo nacisnąć tu piórem, aby wypróbować.</translation>
     </message>
     <message>
@@ -4270,7 +4270,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Plik %1 został przeniesiony lub usunięty przez inny program. Drzewo nadal tu jest; zapisać je, aby je zachować.</translation>
     </message>
     <message>
-        <source>%1 was changed by another window or program. Saving here will ask before it replaces that.</source>
+        <source>%1 was changed by another window or program. Saving here asks before it replaces that version.</source>
         <translation>Plik %1 zmieniono w innym oknie lub programie. Przy zapisie pojawi się tu pytanie, zanim te zmiany zostaną zastąpione.</translation>
     </message>
     <message>
@@ -4460,7 +4460,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Znaczniki</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to where it stood before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
+        <source>&lt;b&gt;Regrow&lt;/b&gt;&lt;br&gt;Take the tree back to how it was before its envelope was drawn, and let it fill the envelope again with the parameters that are in force now. What you have done to it since is lost.</source>
         <translation>&lt;b&gt;Od nowa&lt;/b&gt;&lt;br&gt;Przenosi drzewo do chwili sprzed narysowania obwiedni i pozwala mu wypełnić ją ponownie z obecnymi parametrami. To, co zrobiono z nim później, przepada.</translation>
     </message>
     <message>
@@ -5279,7 +5279,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>Kopia zapasowa co</translation>
     </message>
     <message>
-        <source>Steps to undo</source>
+        <source>Undo steps kept</source>
         <translation>Kroki cofania</translation>
     </message>
     <message>
@@ -5450,7 +5450,7 @@ da się odczytać lub są błędne, 4 gdy nie udało się zapisać wyniku.
         <translation>W razie pytań</translation>
     </message>
     <message>
-        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells of the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
+        <source>&lt;b&gt;F1&lt;/b&gt; or this button tells you about the tool in your hand. &lt;b&gt;Ctrl+Z&lt;/b&gt; takes back whatever you did, so try things.</source>
         <translation>&lt;b&gt;F1&lt;/b&gt; lub ten przycisk opowiada o wybranym narzędziu. &lt;b&gt;Ctrl+Z&lt;/b&gt; cofa każdą czynność, więc warto próbować.</translation>
     </message>
     <message>

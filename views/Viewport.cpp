@@ -356,7 +356,7 @@ void Viewport::timerEvent(QTimerEvent* event)
     if (event->timerId() == m_ticks.timerId()) {
         tick();
     } else if (event->timerId() == m_lateTimer.timerId()) {
-        flushLateMove();
+        takeLate();
     } else if (event->timerId() == m_restTimer.timerId()) {
         m_restTimer.stop();
         if (m_gestures.isBusy() || m_isGrowing || needsTicks()) {

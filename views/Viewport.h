@@ -174,7 +174,8 @@ private:
     // GestureTarget
     void toolBegins(const PointerSample& sample) override;
     void toolMoves(const PointerSample& sample) override;
-    void flushLateMove();
+    bool isLate(const PointerSample& sample);
+    void takeLate();
     void toolEnds(const PointerSample& sample) override;
     void toolIsFinished() override;
     void toolIsCancelled() override;
@@ -258,9 +259,9 @@ private:
     bool m_passIsDue = false;
     QBasicTimer m_ticks;
     QBasicTimer m_restTimer;
-    /// The newest sample that a tool which draws nothing has not got yet, because samples come faster than it
+    /// The newest sample of each pointer that the tool has not got yet, because samples come faster than it
     /// can work.
-    std::optional<PointerSample> m_lateMove;
+    std::vector<PointerSample> m_late;
     QBasicTimer m_lateTimer;
     double m_lastTick = 0.0;    ///< s
     double m_selectedAt = -1e9; ///< Time when the bud that alone grows was chosen, s

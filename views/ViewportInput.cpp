@@ -225,6 +225,7 @@ void Viewport::leaveViews()
 {
     if (m_hand->isActive())
         return;
+    m_late.clear();
     m_hand->leave();
     m_isInSecondView = false;
 }
@@ -237,6 +238,7 @@ bool Viewport::toolTakesFinger(const PointerSample& sample)
 void Viewport::toolBegins(const PointerSample& sample)
 {
     Q_EMIT toolAboutToBegin();
+    m_late.clear();
     const PointerSample first = takeInHand(sample);
     if (m_hand->isFreehand())
         m_stabiliser.begin(first);
@@ -251,48 +253,59 @@ void Viewport::toolMoves(const PointerSample& sample)
 {
     if (m_hand->isFreehand()) {
         m_hand->move(m_stabiliser.move(inView(sample)));
-    } else if (m_pointers.now() - sample.time > kLate) {
-        m_lateMove = inView(sample);
-        m_lateTimer.start(0, this);
-    } else {
-        m_lateMove.reset();
+    } else if (!isLate(sample)) {
         m_hand->move(inView(sample));
     }
 }
 
-void Viewport::flushLateMove()
+/// Whether @p sample waits until no newer one comes; if not, it takes the place of one that waits.
+bool Viewport::isLate(const PointerSample& sample)
+{
+    std::erase_if(m_late, [&](const PointerSample& waiting) { return waiting.id == sample.id; });
+    if (m_pointers.now() - sample.time <= kLate)
+        return false;
+    m_late.push_back(sample);
+    m_lateTimer.start(0, this);
+    return true;
+}
+
+void Viewport::takeLate()
 {
     m_lateTimer.stop();
-    if (const std::optional<PointerSample> sample = std::exchange(m_lateMove, std::nullopt);
-        sample && m_hand->isActive())
-        m_hand->move(*sample);
+    for (const PointerSample& sample : std::exchange(m_late, {})) {
+        if (m_hand->isActive())
+            m_hand->move(inView(sample));
+        else
+            m_hand->hover(takeInHand(sample));
+    }
 }
 
 /// A calmed stroke ends where the pointer is.
 void Viewport::toolEnds(const PointerSample& sample)
 {
-    flushLateMove();
+    takeLate();
     m_hand->end(inView(sample));
     Q_EMIT gestureActiveChanged(false);
 }
 
 void Viewport::toolIsFinished()
 {
-    flushLateMove();
+    takeLate();
     m_hand->finish();
     Q_EMIT gestureActiveChanged(false);
 }
 
 void Viewport::toolIsCancelled()
 {
-    m_lateMove.reset();
+    m_late.clear();
     m_hand->cancel();
     Q_EMIT gestureActiveChanged(false);
 }
 
 void Viewport::toolHovers(const PointerSample& sample)
 {
-    m_hand->hover(takeInHand(sample));
+    if (!isLate(sample))
+        m_hand->hover(takeInHand(sample));
 }
 
 void Viewport::budIsAsked(const PointerSample& sample)

@@ -86,8 +86,8 @@ constexpr Option kOptions[] = {
          static const QStringList known{QStringLiteral("front"), QStringLiteral("side"),
                                         QStringLiteral("top"), QStringLiteral("three-quarter")};
          if (!known.contains(value))
-             return usage(
-                 CommandLineText::tr("--camera is front, side, top or three-quarter, not \"%1\"").arg(value));
+             return usage(CommandLineText::tr("--camera needs front, side, top or three-quarter, not \"%1\"")
+                              .arg(value));
          line.camera = value;
          return {};
      }},

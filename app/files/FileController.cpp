@@ -299,7 +299,7 @@ void FileController::askAboutChanged(const QString& fileName)
 void FileController::offerOpeningAgain(const QString& fileName)
 {
     m_notice->ask(
-        tr("%1 was changed by another window or program. Saving here will ask before it replaces that.")
+        tr("%1 was changed by another window or program. Saving here asks before it replaces that version.")
             .arg(QFileInfo(fileName).fileName()),
         tr("Open Again"), tr("Keep This"), [this, fileName](bool again) {
             if (again)

@@ -114,12 +114,11 @@ Unsaved askAboutUnsaved(QWidget& window, const QString& name, bool isGrowing)
 
 Changed askAboutChanged(QWidget& window, const QString& name)
 {
-    QMessageBox question(
-        QMessageBox::NoIcon, DialogText::tr("Espalier"),
-        DialogText::tr("%1 was changed by another window or program since it was opened or saved here. "
-                       "Overwriting it loses those changes.")
-            .arg(name),
-        QMessageBox::Cancel, &window);
+    QMessageBox question(QMessageBox::NoIcon, DialogText::tr("Espalier"),
+                         DialogText::tr("%1 has been changed by another window or program since it was "
+                                        "opened or saved here. Overwriting it loses those changes.")
+                             .arg(name),
+                         QMessageBox::Cancel, &window);
     QAbstractButton* saveAs = question.addButton(DialogText::tr("&Save As…"), QMessageBox::AcceptRole);
     QAbstractButton* overwrite =
         question.addButton(DialogText::tr("&Overwrite"), QMessageBox::DestructiveRole);

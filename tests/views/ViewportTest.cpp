@@ -13,6 +13,31 @@
 using namespace espalier;
 using namespace espalier::test;
 
+namespace {
+
+/// Counts the samples that it gets.
+class CountingTool : public Tool {
+public:
+    CountingTool(ToolContext& context, bool isFreehand) : Tool(context), m_isFreehand(isFreehand) {}
+
+    void begin(const PointerSample&) override { m_isActive = true; }
+    void move(const PointerSample& sample) override { moves.push_back(sample.position); }
+    void end(const PointerSample&) override { m_isActive = false; }
+    void finish() override { m_isActive = false; }
+    void cancel() override { m_isActive = false; }
+    bool isFreehand() const override { return m_isFreehand; }
+    bool isActive() const override { return m_isActive; }
+    QString tip() const override { return {}; }
+
+    std::vector<QPointF> moves;
+
+private:
+    bool m_isFreehand;
+    bool m_isActive = false;
+};
+
+} // namespace
+
 class ViewportTest : public ViewportFixture {
     Q_OBJECT
 
@@ -38,6 +63,7 @@ private Q_SLOTS:
     void picture_changesWithTheTreeAndComesToRest();
     void brushRadius_doesNotRedrawTheTree();
     void window_canBeChanged();
+    void samplesThatWaited_areAllDrawnAndOtherwiseTheNewestWillDo();
     void secondView_givesDepthToWhatIsDrawnInIt();
     void secondView_isPickedIn();
     void secondView_zoomsAndTurnsWithTheLargeOne();
@@ -391,6 +417,38 @@ void ViewportTest::window_canBeChanged()
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 10000);
     QCOMPARE(m_view->grabFramebuffer(), before);
     m_view->setParent(nullptr);
+}
+
+void ViewportTest::samplesThatWaited_areAllDrawnAndOtherwiseTheNewestWillDo()
+{
+    for (const bool isFreehand : {true, false}) {
+        auto made = std::make_unique<CountingTool>(m_view->toolContext(), isFreehand);
+        CountingTool& tool = *made;
+        m_view->setTool(std::move(made));
+        const quint64 begun = 50'000;
+        const auto send = [&](QEvent::Type type, int x, quint64 after) {
+            const QPointF place(x, 200.0);
+            QMouseEvent event(type, place, m_view->mapToGlobal(place),
+                              type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+                              type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
+                              Qt::NoModifier);
+            event.setTimestamp(begun + after);
+            QCoreApplication::sendEvent(m_view.get(), &event);
+        };
+        send(QEvent::MouseButtonPress, 100, 0);
+        // The program is busy, and meanwhile the pointer moves.
+        QTest::qSleep(200);
+        for (int i = 1; i <= 10; ++i)
+            send(QEvent::MouseMove, 100 + i, static_cast<quint64>(10 * i));
+        QCOMPARE(tool.moves.size(), isFreehand ? std::size_t{10} : std::size_t{0});
+        QTRY_COMPARE(tool.moves.size(), isFreehand ? std::size_t{10} : std::size_t{1});
+        QCOMPARE(tool.moves.back(), QPointF(110.0, 200.0));
+        // The last one is not lost if the button is released before.
+        QTest::qSleep(100);
+        send(QEvent::MouseMove, 120, 150);
+        send(QEvent::MouseButtonRelease, 120, 160);
+        QCOMPARE(tool.moves.back(), QPointF(120.0, 200.0));
+    }
 }
 
 void ViewportTest::secondView_givesDepthToWhatIsDrawnInIt()

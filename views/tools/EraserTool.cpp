@@ -201,7 +201,7 @@ void EraserTool::paint(Overlay& overlay) const
 
 QString EraserTool::tip() const
 {
-    return thins() ? tr("Brush over twigs to thin them evenly; those that will go turn red")
+    return thins() ? tr("Brush over twigs to thin them evenly; those to be removed turn red")
                    : tr("Brush over twigs and leaves to take them away, however deep in the crown they are");
 }
 

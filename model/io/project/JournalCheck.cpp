@@ -108,11 +108,11 @@ QString Rewind::revert(const TreeDelta& delta)
 QString Rewind::timeFault(const TreeDelta& delta) const
 {
     if (delta.stepAfter != m_tree.step() || delta.stepBefore > delta.stepAfter)
-        return JournalText::tr("its steps do not join those around it");
+        return JournalText::tr("its steps do not follow on from those around it");
     const auto sets = static_cast<std::uint32_t>(m_tree.parameterSets().size());
     if (delta.parametersAfter != m_tree.currentParameterSet() || delta.kept.parameters >= sets ||
         delta.parametersBefore >= sets - delta.kept.parameters)
-        return JournalText::tr("its parameters do not join those around it");
+        return JournalText::tr("its parameters do not follow on from those of the steps around it");
     bool hasAll = true;
     KeptTable::visit(
         [&](const auto&, const auto& values, std::uint32_t count) {
