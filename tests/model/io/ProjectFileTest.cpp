@@ -534,7 +534,7 @@ void ProjectFileTest::unsoundProject_isNotWritten()
     const Result<QByteArray> packed = packProject(project);
     QVERIFY(!packed);
     QCOMPARE(packed.error().kind, Error::Kind::Output);
-    QVERIFY2(packed.error().message.contains(QStringLiteral("its steps do not join")),
+    QVERIFY2(packed.error().message.contains(QStringLiteral("its steps do not follow on")),
              qPrintable(packed.error().message));
 }
 
@@ -569,11 +569,11 @@ void ProjectFileTest::wrongColumns_areRefused_data()
         for (qsizetype i = 2; i < 200; ++i)
             setNumber(entry(e, "internodes/length"), i, 999.0F);
     });
-    row("steps torn", "step 3 of the history: its steps do not join",
+    row("steps torn", "step 3 of the history: its steps do not follow on",
         [](ZipEntries& e) { setNumber(entry(e, "journal/stepBefore"), 3, 2U); });
-    row("steps backwards", "step 1 of the history: its steps do not join",
+    row("steps backwards", "step 1 of the history: its steps do not follow on",
         [](ZipEntries& e) { setNumber(entry(e, "journal/stepBefore"), 0, 2U); });
-    row("unknown parameters", "step 1 of the history: its parameters do not join",
+    row("unknown parameters", "step 1 of the history: its parameters do not follow on",
         [](ZipEntries& e) { setNumber(entry(e, "journal/parametersBefore"), 0, 2U); });
     row("births overlap", "step ", [](ZipEntries& e) {
         QByteArray& count = entry(e, "journal/born");
