@@ -83,7 +83,7 @@ def willow(hand):
 
 def pine(hand):
     page = Page(hand, "pine", 1, 87)
-    page.slide(199, 303)
+    page.slide(180, 303)
     page.stroke(1.6, (0, 0), (0.05, 1.5), (-0.1, 3.0), (0.05, 4.4), (0.1, 5.6))
     page.stroke(0.8, (-0.05, 3.6), (0.7, 3.8), (1.5, 4.1))
     page.stroke(0.8, (0.0, 4.1), (-0.8, 4.4), (-1.5, 4.5))
@@ -92,7 +92,7 @@ def pine(hand):
     page.side()
     page.stroke(0.8, (-0.05, 3.8), (0.8, 4.2), (1.3, 4.4))
     page.stroke(0.8, (0.02, 4.5), (-0.7, 4.8), (-1.3, 5.0))
-    page.slide(303, 222)
+    page.slide(303, 207)
     page.stroke(1.2, (0.5, 4.3), (1.4, 4.6))
     page.stroke(1.2, (-0.5, 4.9), (-1.4, 5.2))
     page.front()
@@ -103,7 +103,7 @@ def pine(hand):
 
 def bonsai(hand):
     page = Page(hand, "bonsai", 0, 830)
-    page.slide(264, 303)
+    page.slide(224, 303)
     page.stroke(2.0, (0, 0), (0.07, 0.06), (0.09, 0.16), (0.0, 0.25), (-0.07, 0.33), (-0.03, 0.42), (0.04, 0.48))
     page.stroke(0.8, (0.085, 0.15), (0.17, 0.2), (0.26, 0.2))
     page.stroke(0.8, (-0.04, 0.29), (-0.14, 0.33), (-0.23, 0.32))
@@ -111,7 +111,7 @@ def bonsai(hand):
     page.side()
     page.stroke(0.8, (0.0, 0.22), (0.1, 0.27), (0.16, 0.27))
     page.stroke(0.8, (0.0, 0.35), (-0.1, 0.39), (-0.15, 0.39))
-    page.slide(303, 268)
+    page.slide(303, 232)
     page.stroke(0.9, (0.06, 0.28), (0.17, 0.29))
     page.stroke(0.9, (-0.05, 0.4), (-0.16, 0.41))
     page.front()
