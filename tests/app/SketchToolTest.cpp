@@ -7,8 +7,10 @@
 #include "panels/ParameterSlider.h"
 #include "panels/SketchPopOut.h"
 #include "tests/support/TestClasses.h"
+#include "tests/support/ViewportFixture.h"
 #include "tests/support/WindowFixture.h"
 #include "views/Viewport.h"
+#include "views/tools/ToolColours.h"
 
 #include <QAbstractButton>
 #include <QCoreApplication>
@@ -44,6 +46,7 @@ private Q_SLOTS:
     void placedLeaves_bringSuggestions();
     void largeLoop_isACrownThatTheTreeFills();
     void tap_drawsNothing();
+    void ink_isInTheNextPicture();
     void secondViewThatMoves_keepsTheStrokeAsDrawn();
 
 private:
@@ -73,6 +76,21 @@ private:
     void drawTree();
     std::uint32_t axes();
 };
+
+void SketchToolTest::ink_isInTheNextPicture()
+{
+    drawTree();
+    QTRY_VERIFY_WITH_TIMEOUT(viewport().isAtRest(), 10000);
+    const QPoint from = at(0.0F, 0.6F);
+    QTest::mousePress(handle(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 12; ++i) {
+        const QPoint place = from + QPoint(12 * i, -6 * i);
+        QVERIFY2(test::isInNextPicture(viewport(), viewport().mapFrom(m_window.get(), place), kBrushColour,
+                                       [&] { QTest::mouseMove(handle(), place); }),
+                 qPrintable(QString::number(i)));
+    }
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, from + QPoint(144, -72));
+}
 
 void SketchToolTest::secondViewThatMoves_keepsTheStrokeAsDrawn()
 {

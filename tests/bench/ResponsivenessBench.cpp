@@ -212,8 +212,12 @@ public:
         });
         measure("it is opened", [&] {
             w.files().file().setUnmodified();
+            bool isOpened = false;
+            QObject::connect(
+                &w.files(), &FileController::opened, &w, [&isOpened] { isOpened = true; },
+                Qt::SingleShotConnection);
             w.files().openFile(folder.filePath(QStringLiteral("tree.espalier")));
-            if (!QTest::qWaitFor([&] { return w.document().undoStack().count() == 0; }, 60'000))
+            if (!QTest::qWaitFor([&] { return isOpened; }, 60'000))
                 qFatal("The file was not opened.");
             live(1500);
         });

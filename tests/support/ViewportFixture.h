@@ -3,7 +3,11 @@
 
 #include "views/Viewport.h"
 
+#include <QColor>
+#include <QImage>
 #include <QPointingDevice>
+#include <QScreen>
+#include <QSignalSpy>
 #include <QTabletEvent>
 #include <QTest>
 
@@ -17,6 +21,34 @@ inline TreeParameters smallTree()
     TreeParameters parameters;
     parameters.growth.internodeLength = 0.2;
     return parameters;
+}
+
+/// Calls @p move(), which moves the pointer to @p place, and waits for the first picture of the viewport
+/// after that. Returns whether the screen then shows @p colour within 4 px of the place.
+template <class Move>
+bool isInNextPicture(Viewport& viewport, const QPoint& place, const QColor& colour, Move&& move)
+{
+    constexpr int kReach = 4;
+    constexpr int kTolerance = 24;
+    QSignalSpy pictures(&viewport, &QOpenGLWidget::frameSwapped);
+    move();
+    if (pictures.empty() && !pictures.wait(2000))
+        return false;
+    const QPoint corner = viewport.mapTo(viewport.window(), place) - QPoint(kReach, kReach);
+    const QImage shown =
+        viewport.screen()
+            ->grabWindow(viewport.window()->winId(), corner.x(), corner.y(), 2 * kReach + 1, 2 * kReach + 1)
+            .toImage();
+    for (int y = 0; y < shown.height(); ++y) {
+        for (int x = 0; x < shown.width(); ++x) {
+            const QColor seen = shown.pixelColor(x, y);
+            if (std::abs(seen.red() - colour.red()) < kTolerance &&
+                std::abs(seen.green() - colour.green()) < kTolerance &&
+                std::abs(seen.blue() - colour.blue()) < kTolerance)
+                return true;
+        }
+    }
+    return false;
 }
 
 /// A viewport on a screen, and the input devices of the tests.

@@ -3,6 +3,7 @@
 #include "tests/support/ViewportFixture.h"
 #include "views/tools/BrushTool.h"
 #include "views/tools/PruneTool.h"
+#include "views/tools/ToolColours.h"
 
 #include <QSignalSpy>
 #include <QWheelEvent>
@@ -64,6 +65,7 @@ private Q_SLOTS:
     void brushRadius_doesNotRedrawTheTree();
     void window_canBeChanged();
     void samplesThatWaited_areAllDrawnAndOtherwiseTheNewestWillDo();
+    void drawnLine_isInTheNextPicture();
     void secondView_givesDepthToWhatIsDrawnInIt();
     void secondView_isPickedIn();
     void secondView_zoomsAndTurnsWithTheLargeOne();
@@ -449,6 +451,20 @@ void ViewportTest::samplesThatWaited_areAllDrawnAndOtherwiseTheNewestWillDo()
         send(QEvent::MouseButtonRelease, 120, 160);
         QCOMPARE(tool.moves.back(), QPointF(120.0, 200.0));
     }
+}
+
+void ViewportTest::drawnLine_isInTheNextPicture()
+{
+    m_settings->set(&ViewValues::brushRadius, 0.0);
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isAtRest(), 10000);
+    const QPoint from = at(Vec3::Zero());
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 12; ++i) {
+        const QPoint place = from + QPoint(12 * i, -20 * i);
+        QVERIFY2(isInNextPicture(*m_view, place, kPickedColour, [&] { moveHeld(place); }),
+                 qPrintable(QString::number(i)));
+    }
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, from + QPoint(144, -240));
 }
 
 void ViewportTest::secondView_givesDepthToWhatIsDrawnInIt()
